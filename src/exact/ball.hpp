@@ -1,18 +1,24 @@
-// Ball: a double-double with a bound on its error, so that arithmetic on balls proves its own accuracy.
+// Ball: a number with a bound on its error, so that arithmetic on balls proves its own accuracy.
 //
-// Every operation returns a ball that holds the results for all numbers in its operands. The errors of the operations
-// on double-doubles themselves are bounded by constants that are at least twice those of the analysis in
+// Every operation returns a ball that holds the results for all numbers in its operands. Middles are double-doubles, or
+// floats of any precision (real.hpp). The errors of the operations on double-doubles themselves are bounded by
+// constants that are at least twice those of the analysis in
 //   M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
 //   arithmetic", ACM Trans. Math. Softw. 44 (2017), doi:10.1145/3121432,
-// and leave room for the operations of tcb/spline/scalar.hpp, which differ from theirs. Numbers whose products could
-// underflow are refused, as are comparisons that a ball does not decide: then more digits are needed.
+// and leave room for the operations of tcb/spline/scalar.hpp, which differ from theirs. Double-doubles whose products
+// could underflow are refused, as are comparisons that a ball does not decide: then more digits are needed. At the last
+// precision (Real::is_last) numbers that a ball does not tell apart are equal.
 #pragma once
 
 #include <cmath>
 #include <concepts>
 #include <exception>
 #include <limits>
+#include <type_traits>
 
+#include "exact/real.hpp"
+#include "tcb/spline/detail/dual.hpp"
+#include "tcb/spline/ease.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 #include "tcb/spline/scalar.hpp"
@@ -26,132 +32,235 @@ class Undecided : public std::exception {
   const char* what() const noexcept override { return "tcb::Undecided"; }
 };
 
-/// All numbers within `radius` of middle.hi + middle.lo.
-class Ball {
+/// Operations on the middles of balls: each adds to `error` a bound on its own.
+template <class M>
+struct Middle;
+
+template <>
+struct Middle<spline::DoubleDouble> {
+  using M = spline::DoubleDouble;
+  using Bound = double;
+
+  static int bits() { return 100; }
+  static bool is_last() { return false; }
+  static bool is_zero(const M& a) { return a.hi == 0; }
+  static bool is_negative(const M& a) { return a.hi < 0; }
+  static double most(const M& a) { return (1 + 0x1p-50) * std::abs(a.hi); }
+  static double least(const M& a) { return (1 - 0x1p-50) * std::abs(a.hi); }
+  /// More than a sum of positive numbers that was rounded a few times.
+  static double up(double sum) { return sum * (1 + 0x1p-48); }
+  static double power_of_two(int exponent) { return std::ldexp(1.0, exponent); }
+  static double difference(double a, double b) { return a - b; }
+
+  static M sum(const M& a, const M& b, double& error) {
+    const bool is_exact = a.lo == 0 && b.lo == 0;  // by Knuth's sum
+    if (!is_exact) error += 0x1p-101 * (std::abs(a.hi) + std::abs(b.hi)) + underflow;
+    return a + b;
+  }
+  static M product(const M& a, const M& b, double& error) {
+    const M product = a * b;
+    error += 0x1p-100 * std::abs(product.hi) + underflow;
+    return product;
+  }
+  static M quotient(const M& a, const M& b, double& error) {
+    const M quotient = a / b;
+    error += 0x1p-99 * std::abs(quotient.hi) + underflow;
+    return quotient;
+  }
+  static M root(const M& a, double& error) {
+    const M root = spline::sqrt(a);
+    error += 0x1p-98 * root.hi + underflow;
+    return root;
+  }
+  static M floor(const M& a) {
+    const double whole = std::floor(a.hi);
+    return a.lo < 0 && whole == a.hi ? whole - 1 : whole;
+  }
+  static M scaled(const M& a, int exponent) { return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)}; }
+  static double scaled(double bound, int exponent) { return std::ldexp(bound, exponent) + (bound > 0 ? underflow : 0); }
+  static int exponent(const M& a) {
+    int exponent = 0;
+    (void)std::frexp(a.hi, &exponent);
+    return exponent;
+  }
+  static double rough(const M& a) { return a.hi; }
+  static M number(double bound) { return bound; }
+  /// Whether products and squares of such numbers neither underflow nor overflow.
+  static bool is_in_range(const M& middle, double radius) {
+    const double size = std::abs(middle.hi);
+    return size < largest && radius < largest && (size > smallest || size == 0);
+  }
+
+ private:
+  static constexpr double underflow = 0x1p-1000;  ///< below all errors of numbers that are in range
+  static constexpr double smallest = 0x1p-400, largest = 0x1p400;
+};
+
+template <>
+struct Middle<Real> {
+  using M = Real;
+  using Bound = ErrorBound;
+
+  static int bits() { return Real::bits(); }
+  static bool is_last() { return Real::is_last(); }
+  static bool is_zero(const Real& a) { return a.is_zero(); }
+  static bool is_negative(const Real& a) { return a.is_negative(); }
+  static Bound most(const Real& a) { return a.most(); }
+  static Bound least(const Real& a) { return a.least(); }
+  static const Bound& up(const Bound& sum) { return sum; }
+  static Bound power_of_two(int exponent) { return ErrorBound::power_of_two(exponent); }
+  static Bound difference(const Bound& a, const Bound& b) { return at_least(a, b); }
+
+  static Real sum(const Real& a, const Real& b, Bound& error) { return with_error(Real::sum(a, b), error); }
+  static Real product(const Real& a, const Real& b, Bound& error) { return with_error(Real::product(a, b), error); }
+  static Real quotient(const Real& a, const Real& b, Bound& error) { return with_error(Real::quotient(a, b), error); }
+  static Real root(const Real& a, Bound& error) { return with_error(Real::root(a), error); }
+  static Real nearest(const Rational& value, Bound& error) { return with_error(Real::nearest(value), error); }
+  static Real floor(const Real& a) { return a.floor(); }
+  static Real scaled(const Real& a, int exponent) { return ldexp(a, exponent); }
+  static Bound scaled(const Bound& bound, int exponent) { return ldexp(bound, exponent); }
+  static int exponent(const Real& a) { return static_cast<int>(a.exponent()); }
+  static double rough(const Real& a) { return a.rough(); }
+  static Real number(const Bound& bound) { return ldexp(Real(bound.mantissa()), bound.exponent()); }
+  static bool is_in_range(const Real&, const Bound&) { return true; }
+
+ private:
+  static Real with_error(const Real::Result& result, Bound& error) {
+    if (!result.is_exact) error = error + result.value.most() * ErrorBound::power_of_two(1 - Real::bits());
+    return result.value;
+  }
+};
+
+/// All numbers within `radius` of the middle.
+template <class M>
+class BallOf {
  public:
-  Ball() = default;
-  Ball(double value) : middle_(value) {}  // NOLINT(google-explicit-constructor): a double converts
+  using Ops = Middle<M>;
+  using Bound = typename Ops::Bound;
+
+  BallOf() = default;
+  BallOf(double value) : middle_(value) {}  // NOLINT(google-explicit-constructor): a double converts
   /// Requires: |value| < 2^53.
   template <std::integral Integer>
-  explicit Ball(Integer value) : middle_(static_cast<double>(value)) {}
-  explicit Ball(const spline::DoubleDouble& middle, double radius = 0) : middle_(middle), radius_(radius) {}
+  explicit BallOf(Integer value) : middle_(static_cast<double>(value)) {}
+  explicit BallOf(const M& middle, const Bound& radius = 0.0) : middle_(middle), radius_(radius) {}
 
-  const spline::DoubleDouble& middle() const { return middle_; }
-  double radius() const { return radius_; }
-  bool is_zero() const { return middle_.hi == 0 && radius_ == 0; }
+  const M& middle() const { return middle_; }
+  const Bound& radius() const { return radius_; }
+  bool is_zero() const { return Ops::is_zero(middle_) && radius_ == 0.0; }
+  /// A double near the middle. That of a number beyond the range of doubles is infinite, or 0.
+  double rough() const { return Ops::rough(middle_); }
 
-  friend Ball operator-(const Ball& a) { return Ball(-a.middle_, a.radius_); }
-  friend Ball operator+(const Ball& a, const Ball& b) {
+  friend BallOf operator-(const BallOf& a) { return BallOf(-a.middle_, a.radius_); }
+  friend BallOf operator+(const BallOf& a, const BallOf& b) {
     if (b.is_zero()) return a;
     if (a.is_zero()) return b;
-    const bool is_exact = a.middle_.lo == 0 && b.middle_.lo == 0;  // by Knuth's sum
-    const double error = is_exact ? 0 : 0x1p-101 * (std::abs(a.middle_.hi) + std::abs(b.middle_.hi)) + least;
-    return checked(a.middle_ + b.middle_, up(a.radius_ + b.radius_ + error));
+    Bound radius = a.radius_ + b.radius_;
+    const M sum = Ops::sum(a.middle_, b.middle_, radius);
+    return checked(sum, Ops::up(radius));
   }
-  friend Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
-  friend Ball operator*(const Ball& a, const Ball& b) {
+  friend BallOf operator-(const BallOf& a, const BallOf& b) { return a + -b; }
+  friend BallOf operator*(const BallOf& a, const BallOf& b) {
     if (a.is_zero() || b.is_zero()) return {};
-    const spline::DoubleDouble product = a.middle_ * b.middle_;
-    const double error = 0x1p-100 * std::abs(product.hi) + least;
-    const double spread = a.radius_ == 0 && b.radius_ == 0
-                              ? 0
-                              : a.size() * b.radius_ + b.size() * a.radius_ + a.radius_ * b.radius_ + least;
-    return checked(product, up(spread + error));
+    Bound radius = 0.0;
+    if (a.radius_ != 0.0 || b.radius_ != 0.0) {
+      radius = Ops::most(a.middle_) * b.radius_ + Ops::most(b.middle_) * a.radius_ + a.radius_ * b.radius_;
+    }
+    const M product = Ops::product(a.middle_, b.middle_, radius);
+    return checked(product, Ops::up(radius));
   }
-  friend Ball operator/(const Ball& a, const Ball& b) {
-    const double least_divisor = (1 - 0x1p-50) * std::abs(b.middle_.hi) - b.radius_;
-    if (!(least_divisor > 0)) throw Undecided();
+  friend BallOf operator/(const BallOf& a, const BallOf& b) {
+    const Bound least_divisor = Ops::difference(Ops::least(b.middle_), b.radius_);
+    if (!(least_divisor > 0.0)) throw Undecided();
     if (a.is_zero()) return {};
-    const spline::DoubleDouble quotient = a.middle_ / b.middle_;
-    const double size = std::abs(quotient.hi), error = 0x1p-99 * size + least;
-    const double spread =
-        a.radius_ == 0 && b.radius_ == 0 ? 0 : (a.radius_ + (1 + 0x1p-50) * size * b.radius_) / least_divisor + least;
-    return checked(quotient, up(spread + error));
+    Bound radius = 0.0;
+    const M quotient = Ops::quotient(a.middle_, b.middle_, radius);
+    if (a.radius_ != 0.0 || b.radius_ != 0.0) {
+      radius = radius + (a.radius_ + Ops::most(quotient) * b.radius_ + radius * b.radius_) / least_divisor;
+    }
+    return checked(quotient, Ops::up(radius));
   }
-  Ball& operator+=(const Ball& other) { return *this = *this + other; }
-  Ball& operator-=(const Ball& other) { return *this = *this - other; }
-  Ball& operator*=(const Ball& other) { return *this = *this * other; }
-  Ball& operator/=(const Ball& other) { return *this = *this / other; }
+  BallOf& operator+=(const BallOf& other) { return *this = *this + other; }
+  BallOf& operator-=(const BallOf& other) { return *this = *this - other; }
+  BallOf& operator*=(const BallOf& other) { return *this = *this * other; }
+  BallOf& operator/=(const BallOf& other) { return *this = *this / other; }
 
-  /// Requires: all numbers in the ball are at least 0. Throws: Undecided if some are not positive, unless all are 0.
-  friend Ball sqrt(const Ball& a) {
+  /// Requires: the number that the ball holds is at least 0, whatever others are.
+  friend BallOf sqrt(const BallOf& a) {
     if (a.is_zero()) return {};
-    const double least_square = (1 - 0x1p-50) * a.middle_.hi - a.radius_;
-    if (!(least_square > 0)) throw Undecided();
-    const spline::DoubleDouble root = spline::sqrt(a.middle_);
-    const double spread =
-        a.radius_ == 0 ? 0 : a.radius_ / root.hi + least;  // a - b = (sqrt a + sqrt b)(sqrt a - sqrt b)
-    return checked(root, up(spread + 0x1p-98 * root.hi + least));
+    const Bound least_square =
+        Ops::is_negative(a.middle_) ? Bound(0.0) : Ops::difference(Ops::least(a.middle_), a.radius_);
+    if (!(least_square > 0.0)) {  // from 0 to the root of the largest number
+      using std::sqrt;
+      return checked(M(), Ops::up(sqrt(Ops::most(a.middle_) + a.radius_)));
+    }
+    Bound radius = 0.0;
+    const M root = Ops::root(a.middle_, radius);
+    if (a.radius_ != 0.0) radius = radius + a.radius_ / Ops::least(root);  // a - b = (sqrt a + sqrt b)(sqrt a - sqrt b)
+    return checked(root, Ops::up(radius));
   }
 
   /// Throws: Undecided unless it is the same for all numbers in the ball.
-  friend Ball floor(const Ball& a) {
-    const double whole = std::floor(a.middle_.hi);
-    const Ball below = a.middle_.lo < 0 && whole == a.middle_.hi ? whole - 1 : whole;
-    if (!(a >= below && a < below + Ball(1.0))) throw Undecided();
-    return below;
+  friend BallOf floor(const BallOf& a) {
+    const BallOf below(Ops::floor(a.middle_)), above = below + BallOf(1.0);
+    if (a < above) return a >= below ? below : throw Undecided();
+    return above;
   }
 
-  friend Ball ldexp(const Ball& a, int exponent) {
-    const auto scaled = [&](double number) { return std::ldexp(number, exponent); };
-    return checked({scaled(a.middle_.hi), scaled(a.middle_.lo)}, scaled(a.radius_) + (a.radius_ > 0 ? least : 0));
+  friend BallOf ldexp(const BallOf& a, int exponent) {
+    return checked(Ops::scaled(a.middle_, exponent), Ops::scaled(a.radius_, exponent));
   }
   /// The exponent is that of the middle.
-  friend Ball frexp(const Ball& a, int* exponent) {
-    (void)std::frexp(a.middle_.hi, exponent);
+  friend BallOf frexp(const BallOf& a, int* exponent) {
+    *exponent = Ops::exponent(a.middle_);
     return ldexp(a, -*exponent);
   }
   /// Either will do where they may be equal.
-  friend Ball rough_max(const Ball& a, const Ball& b) { return a.middle_ < b.middle_ ? b : a; }
+  friend BallOf rough_max(const BallOf& a, const BallOf& b) { return a.middle_ < b.middle_ ? b : a; }
 
   /// The whole number that a ball is.
-  explicit operator int() const { return static_cast<int>(middle_.hi); }
+  explicit operator int() const { return static_cast<int>(rough()); }
 
-  /// The same ball with a larger radius. Requires: error >= 0.
-  Ball widened(double error) const { return checked(middle_, up(radius_ + error)); }
+  /// The same ball with a larger radius.
+  BallOf widened(const Bound& error) const { return checked(middle_, Ops::up(radius_ + error)); }
 
-  bool may_be_zero() const { return (1 - 0x1p-50) * std::abs(middle_.hi) <= radius_; }
+  bool may_be_zero() const { return Ops::least(middle_) <= radius_; }
 
   /// No number in the ball is larger in size.
-  double most() const { return up(size() + radius_); }
+  Bound most() const { return Ops::up(Ops::most(middle_) + radius_); }
+  /// No number in the ball is smaller in size; 0 or less if 0 may be in it.
+  Bound least() const { return Ops::difference(Ops::least(middle_), radius_); }
 
-  friend Ball abs(const Ball& a) { return a.middle_.hi < 0 ? -a : a; }
-  friend Ball halved(const Ball& a) { return checked(halved(a.middle_), a.radius_ / 2 + (a.radius_ > 0 ? least : 0)); }
+  friend BallOf abs(const BallOf& a) { return Ops::is_negative(a.middle_) ? -a : a; }
+  friend BallOf halved(const BallOf& a) { return ldexp(a, -1); }
 
   /// Each throws Undecided unless all numbers in the balls compare alike.
-  friend bool operator<(const Ball& a, const Ball& b) { return sign_of(a, b) < 0; }
-  friend bool operator>(const Ball& a, const Ball& b) { return sign_of(a, b) > 0; }
-  friend bool operator<=(const Ball& a, const Ball& b) { return sign_of(a, b) <= 0; }
-  friend bool operator>=(const Ball& a, const Ball& b) { return sign_of(a, b) >= 0; }
-  friend bool operator==(const Ball& a, const Ball& b) { return sign_of(a, b) == 0; }
+  friend bool operator<(const BallOf& a, const BallOf& b) { return sign_of(a, b) < 0; }
+  friend bool operator>(const BallOf& a, const BallOf& b) { return sign_of(a, b) > 0; }
+  friend bool operator<=(const BallOf& a, const BallOf& b) { return sign_of(a, b) <= 0; }
+  friend bool operator>=(const BallOf& a, const BallOf& b) { return sign_of(a, b) >= 0; }
+  friend bool operator==(const BallOf& a, const BallOf& b) { return sign_of(a, b) == 0; }
 
  private:
-  /// Below all errors of numbers that are not refused.
-  static constexpr double least = 0x1p-1000;
-  static constexpr double smallest = 0x1p-400, largest = 0x1p400;
-
-  /// More than a sum of positive numbers that was rounded a few times.
-  static double up(double sum) { return sum * (1 + 0x1p-48); }
-  double size() const { return (1 + 0x1p-50) * std::abs(middle_.hi); }
-
-  /// Throws: Undecided for numbers whose products or squares may underflow or overflow.
-  static Ball checked(const spline::DoubleDouble& middle, double radius) {
-    const double size = std::abs(middle.hi);
-    const bool is_in_range = size < largest && radius < largest && (size > smallest || size == 0);
-    if (!is_in_range) throw Undecided();
-    return Ball(middle, radius);
+  /// Throws: Undecided for numbers that are beyond the range of the arithmetic.
+  static BallOf checked(const M& middle, const Bound& radius) {
+    if (!Ops::is_in_range(middle, radius)) throw Undecided();
+    return BallOf(middle, radius);
   }
 
-  static int sign_of(const Ball& a, const Ball& b) {
-    if (a.radius_ == 0 && b.radius_ == 0) return a.middle_ < b.middle_ ? -1 : a.middle_ == b.middle_ ? 0 : 1;
-    const Ball difference = a - b;
-    if ((1 - 0x1p-50) * std::abs(difference.middle_.hi) <= difference.radius_) throw Undecided();
-    return difference.middle_.hi < 0 ? -1 : 1;
+  static int sign_of(const BallOf& a, const BallOf& b) {
+    if (a.radius_ == 0.0 && b.radius_ == 0.0) return a.middle_ < b.middle_ ? -1 : a.middle_ == b.middle_ ? 0 : 1;
+    const BallOf difference = a - b;
+    if (!difference.may_be_zero()) return Ops::is_negative(difference.middle_) ? -1 : 1;
+    return Ops::is_last() ? 0 : throw Undecided();
   }
 
-  spline::DoubleDouble middle_;
-  double radius_ = 0;
+  M middle_{};
+  Bound radius_ = 0.0;
 };
+
+using Ball = BallOf<spline::DoubleDouble>;
+using RealBall = BallOf<Real>;
 
 /// The double nearest to all numbers in a ball, if that is the same one.
 inline bool rounds_to_one_double(const Ball& ball) {
@@ -162,26 +271,130 @@ inline bool rounds_to_one_double(const Ball& ball) {
                                         : high != 0 && high + (low + radius) == high && high + (low - radius) == high;
 }
 
+/// A root of an increasing function in (0, 1): a ball, on both sides of which the function has its two signs. `slope`:
+/// its derivative. `near`: the root to some digits. Throws: Undecided if it has not.
+template <class M, class F, class Slope>
+BallOf<M> increasing_root(F f, Slope slope, double near) {
+  using B = BallOf<M>;
+  using Ops = Middle<M>;
+  B x(near);
+  for (int known = 30; known < Ops::bits(); known *= 2) {
+    x = B((x - B(f(x).middle()) / B(slope(x).middle())).middle());
+  }
+  const auto distance = Ops::up((B(4.0) * f(x) / slope(x)).most() + Ops::power_of_two(8 - Ops::bits()) * x.most());
+  const B width(Ops::number(distance));
+  if (!(f(x - width) < B() && f(x + width) > B())) throw Undecided();
+  return x.widened(distance);
+}
+
 }  // namespace tcb
 
 /// The precision of balls whose radius is only that of rounding.
-template <>
-class std::numeric_limits<tcb::Ball> {
+template <class M>
+class std::numeric_limits<tcb::BallOf<M>> {
  public:
   static constexpr bool is_specialized = true, is_exact = false, is_integer = false;
-  static constexpr int digits = 100, digits10 = 30;
-  static tcb::Ball epsilon() { return tcb::Ball(0x1p-99); }
+  static constexpr int digits = 100, digits10 = 30;  // at least
+  /// At the last precision, more than the noise of a few operations: what is smaller is 0.
+  static tcb::BallOf<M> epsilon() {
+    return ldexp(tcb::BallOf<M>(1.0), (tcb::Middle<M>::is_last() ? 20 : 1) - tcb::Middle<M>::bits());
+  }
 };
+
+namespace tcb {
+
+/// Each term is that before times a factor (odd^2 - u^2) square / ((odd + 1) (odd + 2)), which is at most `square` and
+/// below 1/64, so that all that are left out are below 1.1 `square` of the last one.
+template <class M>
+BallOf<M> truncated_series(const BallOf<M>& sum, const BallOf<M>& last_term, const BallOf<M>&,
+                           const BallOf<M>& square) {
+  return sum.widened(last_term.most() * square.most() * 1.1);
+}
+/// The derivative of a factor is at most `change`, so that those of the terms that are left out are together below
+/// 1.1 `square` of that of the last one, and 1.1 `change` of the last one.
+template <class M>
+spline::Dual<BallOf<M>> truncated_series(const spline::Dual<BallOf<M>>& sum, const spline::Dual<BallOf<M>>& last_term,
+                                         const spline::Dual<BallOf<M>>& u, const spline::Dual<BallOf<M>>& square) {
+  using Bound = typename BallOf<M>::Bound;
+  const Bound change = square.slope.most() + u.value.most() * u.slope.most() * Bound(0x1p-5);
+  const Bound slopes = last_term.slope.most() * square.value.most() + change * last_term.value.most();
+  return {truncated_series(sum.value, last_term.value, u.value, square.value), sum.slope.widened(slopes * Bound(1.2))};
+}
+
+/// The eigenvector of spline::eigenvector() with a bound on its error: by the residual and the distance of the others.
+/// Source: B. N. Parlett, "The Symmetric Eigenvalue Problem", 1980, theorem 11.7.1.
+template <class M>
+spline::Quaternion<BallOf<M>> enclosed_eigenvector(spline::QuaternionMatrix<BallOf<M>> a) {
+  using B = BallOf<M>;
+  using spline::dot, spline::Quaternion;
+  constexpr int made_clear = 4, to_one_direction = 12;  // times that eigenvalues are squared
+  for (int i = 0; i < made_clear; ++i) a = spline::squared(a);
+  auto power = a;
+  for (int i = 0; i < to_one_direction; ++i) {
+    power = spline::squared(power);
+    for (auto& row : power) {
+      for (B& number : row) number = B(number.middle());
+    }
+  }
+  std::size_t largest = 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (power[largest][largest].middle() < power[i][i].middle()) largest = i;
+  }
+  const auto product = [&](const Quaternion<B>& q) {
+    const auto row = [&](std::size_t i) { return dot(q, Quaternion<B>{a[i][0], a[i][1], a[i][2], a[i][3]}); };
+    return Quaternion<B>{row(0), row(1), row(2), row(3)};
+  };
+  const auto& [x, y, z, w] = power[largest];
+  Quaternion<B> q = normalized(Quaternion<B>{x, y, z, w});
+  for (int refinement = 0; refinement < 2; ++refinement) q = normalized(product(q));
+  for (B* const number : {&q.x, &q.y, &q.z, &q.w}) *number = B(number->middle());
+  const Quaternion<B> image = product(q);
+  const B square = dot(q, q), value = dot(q, image) / square;
+  const Quaternion<B> rest = image + q * -value;
+  B squares;
+  for (const auto& row : a) {
+    for (const B& number : row) squares += number * number;
+  }
+  const B distance = value - sqrt(squares - value * value);  // the others are within the root
+  if (!(distance > B())) throw Undecided();
+  const auto error = (B(1.5) * sqrt(dot(rest, rest)) / distance).most();
+  q = normalized(q);
+  for (B* const number : {&q.x, &q.y, &q.z, &q.w}) *number = number->widened(error);
+  return q;
+}
+
+/// The inverse of the cubic of a warp from one of its ends: the distance at which it has a value.
+template <class B>
+B enclosed_warp_root(const B& value, const B& slope, const B& k) {
+  const double v = value.rough(), s = slope.rough(), third = k.rough();
+  double low = 0, high = 1, near = v;
+  for (int step = 0; step < 80; ++step) {
+    const double off = near * (s + near * (1 - s - third + near * third)) - v;
+    (off < 0 ? low : high) = near;
+    const double next = near - off / (s + near * (2 * (1 - s - third) + 3 * near * third));
+    near = next > low && next < high ? next : (low + high) / 2;
+  }
+  const B square = B(1.0) - slope - k;
+  return increasing_root<std::remove_cvref_t<decltype(value.middle())>>(
+      [&](const B& x) { return x * (slope + x * (square + x * k)) - value; },
+      [&](const B& x) { return slope + x * (B(2.0) * square + B(3.0) * x * k); }, near);
+}
+
+}  // namespace tcb
 
 namespace tcb::spline {
 
-template <>
-inline constexpr bool bounds_errors<Ball> = true;
+template <class M>
+inline constexpr bool bounds_errors<BallOf<M>> = true;
 
 /// Either end will do where a ball does not tell which is nearer.
 template <>
 inline bool LocalParameter<Ball>::near_start() const {
-  return u.middle().hi <= 0.5;
+  return u.rough() <= 0.5;
+}
+template <>
+inline bool LocalParameter<RealBall>::near_start() const {
+  return u.rough() <= 0.5;
 }
 
 /// The ball carries its rounding errors already.
@@ -190,25 +403,44 @@ inline Ball compensated_cubic<Ball>(const Ball& base, const Ball& a, const Ball&
                                     const Ball& x) {
   return base + x * (a + x * (b + x * d));
 }
-
-/// The eigenvector of its method is found by steps without a bound on the error.
 template <>
-inline Quaternion<Ball> nearest_rotation<Ball>(RotationNumbers<Ball>) {
-  throw Undecided();
+inline RealBall compensated_cubic<RealBall>(const RealBall& base, const RealBall& a, const RealBall& b, const RealBall&,
+                                            const RealBall& d, const RealBall& x) {
+  return base + x * (a + x * (b + x * d));
 }
 
-/// Each term is that before times a factor (odd^2 - u^2) square / ((odd + 1) (odd + 2)) < 1/64, so that all that are
-/// left out are below 1/63 of the last one.
-inline Ball truncated_series(const Ball& sum, const Ball& last_term, const Ball&, const Ball&) {
-  return sum.widened(0x1p-5 * last_term.most());
+template <>
+inline Quaternion<Ball> eigenvector<Ball>(const QuaternionMatrix<Ball>& a) {
+  return enclosed_eigenvector(a);
 }
-/// The derivative of a factor is at most `change`, so that those of the terms that are left out are together at most
-/// 1/63 of that of the last one, and 1.1 `change` of the last one.
-inline Dual<Ball> truncated_series(const Dual<Ball>& sum, const Dual<Ball>& last_term, const Dual<Ball>& u,
-                                   const Dual<Ball>& square) {
-  const double change = square.slope.most() + 0x1p-5 * u.value.most() * u.slope.most();
-  return {truncated_series(sum.value, last_term.value, u.value, square.value),
-          sum.slope.widened(0x1p-5 * last_term.slope.most() + 1.2 * change * last_term.value.most())};
+template <>
+inline Quaternion<RealBall> eigenvector<RealBall>(const QuaternionMatrix<RealBall>& a) {
+  return enclosed_eigenvector(a);
+}
+
+/// Also near the zero vector, where nothing is divided.
+template <>
+Quaternion<Ball> exponential<Ball>(const Vector3<Ball>& v);
+template <>
+Quaternion<RealBall> exponential<RealBall>(const Vector3<RealBall>& v);
+template <>
+Vector3<Ball> logarithm<Ball>(const Quaternion<Ball>& q);
+template <>
+Vector3<RealBall> logarithm<RealBall>(const Quaternion<RealBall>& q);
+
+/// No zero of a ball has a sign.
+template <>
+RotationNumbers<Ball> numbers_of<Ball>(const Quaternion<Ball>& q, const RotationNotation& notation);
+template <>
+RotationNumbers<RealBall> numbers_of<RealBall>(const Quaternion<RealBall>& q, const RotationNotation& notation);
+
+template <>
+inline Ball Warp<Ball>::root(const Ball& value, const Ball& slope) const {
+  return enclosed_warp_root(value, slope, k_);
+}
+template <>
+inline RealBall Warp<RealBall>::root(const RealBall& value, const RealBall& slope) const {
+  return enclosed_warp_root(value, slope, k_);
 }
 
 }  // namespace tcb::spline

@@ -8,20 +8,32 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <vector>
 
 namespace tcb {
 namespace {
 
-/// Pi, of which the next bits are -0x1.f1976b7ed8fbcp-109.
-Ball pi() { return Ball({0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53}, 0x1p-108); }
+template <class B>
+B pi();
+/// Of which the next bits are -0x1.f1976b7ed8fbcp-109.
+template <>
+Ball pi<Ball>() {
+  return Ball({0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53}, 0x1p-108);
+}
+template <>
+RealBall pi<RealBall>() {
+  return RealBall(Real::pi(), ErrorBound::power_of_two(3 - Real::bits()));
+}
 
 constexpr std::size_t parts = 8;  // of a quarter turn
 
 /// The sines and cosines of k pi/16, for k from 0 to 7.
-std::array<spline::SineCosine<Ball>, parts> make_directions() {
-  const Ball two(2.0), root = sqrt(two + sqrt(two));
-  const spline::SineCosine<Ball> first{halved(sqrt(two - root)), halved(sqrt(two + root))};
-  std::array<spline::SineCosine<Ball>, parts> result{{{Ball(), Ball(1.0)}, first}};
+template <class B>
+std::array<spline::SineCosine<B>, parts> make_directions() {
+  const B two(2.0), root = sqrt(two + sqrt(two));
+  const spline::SineCosine<B> first{halved(sqrt(two - root)), halved(sqrt(two + root))};
+  std::array<spline::SineCosine<B>, parts> result{{{B(), B(1.0)}, first}};
   for (std::size_t k = 2; k < parts; ++k) {
     const auto& [sine, cosine] = result[k - 1];
     result[k] = {sine * first.cosine + cosine * first.sine, cosine * first.cosine - sine * first.sine};
@@ -29,46 +41,78 @@ std::array<spline::SineCosine<Ball>, parts> make_directions() {
   return result;
 }
 
-/// 1/n!, for n up to 17.
-std::array<Ball, 18> make_inverse_factorials() {
-  std::array<Ball, 18> result;
-  result[0] = Ball(1.0);
-  for (std::size_t n = 1; n < result.size(); ++n) result[n] = result[n - 1] / Ball(n);
+/// 1/n! for n from 0 to an odd number n, of which the terms of a series up to it suffice: with |x| < 0.1, those left
+/// out are below 2^-(bits + 12) of x, or of 1.
+template <class B>
+std::vector<B> make_inverse_factorials(int bits) {
+  std::vector<B> result{B(1.0), B(1.0)};
+  double size = 2 * std::log2(10.0) + 1;  // of 0.1^(n + 1)/(n + 1)!
+  while (size < bits + 12) {
+    for (int i = 0; i < 2; ++i) {
+      result.push_back(result.back() / B(result.size()));
+      size += std::log2(10.0) + std::log2(static_cast<double>(result.size()));
+    }
+  }
   return result;
 }
 
-/// The squares of smaller numbers may be beyond the range of balls, and do not matter.
-constexpr double tiny = 0x1p-60;
+/// What sines take at one precision.
+template <class B>
+struct Constants {
+  B part;  ///< pi/16
+  std::array<spline::SineCosine<B>, parts> directions;
+  std::vector<B> inverse_factorials;
+};
 
-/// The sine and cosine of |rest| < 0.1, by their series. The first terms that are left out, of 19th and 18th degree,
-/// are below 2^-115 of the rest and 2^-112, and bound all of them.
-spline::SineCosine<Ball> sine_cosine_of_rest(const Ball& rest) {
-  if (rest.most() < tiny) return {rest.widened(0x1p-120 * rest.most()), Ball(1.0).widened(0x1p-120)};
-  static const std::array<Ball, 18> inverse = make_inverse_factorials();
-  const Ball z = -(rest * rest);
-  Ball odd = inverse[17], even = inverse[16];
-  for (std::size_t n = 15; n > 1; n -= 2) {
+template <class B>
+const Constants<B>& constants() {
+  thread_local std::map<int, Constants<B>> known;
+  const int bits = B::Ops::bits();
+  const auto found = known.find(bits);
+  if (found != known.end()) return found->second;
+  return known.emplace(bits, Constants<B>{pi<B>() / B(16.0), make_directions<B>(), make_inverse_factorials<B>(bits)})
+      .first->second;
+}
+
+/// Below this size a square is beyond the digits, and may be beyond the range of balls.
+template <class B>
+typename B::Bound tiny() {
+  return B::Ops::power_of_two(-(B::Ops::bits() / 2 + 10));
+}
+/// A bound on what is left out there, and beyond the last terms of a series of arc tangents.
+template <class B>
+typename B::Bound left_out() {
+  return B::Ops::power_of_two(-(B::Ops::bits() + 20));
+}
+
+/// The sine and cosine of |rest| < 0.1, by their series.
+template <class B>
+spline::SineCosine<B> sine_cosine_of_rest(const B& rest, const std::vector<B>& inverse) {
+  if (rest.most() < tiny<B>()) return {rest.widened(left_out<B>() * rest.most()), B(1.0).widened(left_out<B>())};
+  const B z = -(rest * rest);
+  std::size_t n = inverse.size() - 1;
+  B odd = inverse[n], even = inverse[n - 1];
+  for (n -= 2; n > 1; n -= 2) {
     odd = inverse[n] + z * odd;
     even = inverse[n - 1] + z * even;
   }
-  return {(rest + rest * z * odd).widened(0x1p-115 * rest.most()), (Ball(1.0) + z * even).widened(0x1p-112)};
+  const auto error = B::Ops::power_of_two(-(B::Ops::bits() + 12));
+  return {(rest + rest * z * odd).widened(error * rest.most()), (B(1.0) + z * even).widened(error)};
 }
 
-}  // namespace
-
-spline::SineCosine<Ball> sine_cosine(const Ball& angle) {
-  if (angle.is_zero()) return {Ball(), Ball(1.0)};
+template <class B>
+spline::SineCosine<B> sine_cosine_of(const B& angle) {
+  if (angle.is_zero()) return {B(), B(1.0)};
   constexpr double largest = 1000, sixteen_over_pi = 0x1.45f306dc9c883p+2;
-  if (!(angle.most() < largest)) throw Undecided();
-  static const Ball part = pi() / Ball(16.0);
-  static const std::array<spline::SineCosine<Ball>, parts> directions = make_directions();
-  const double count = std::nearbyint(angle.middle().hi * sixteen_over_pi);
-  const Ball rest = angle - part * Ball(count);
-  if (!(rest.most() < 0.1)) throw Undecided();
+  if (!(angle.most() < typename B::Bound(largest))) throw Undecided();
+  const auto& [part, directions, inverse] = constants<B>();
+  const double count = std::nearbyint(angle.rough() * sixteen_over_pi);
+  const B rest = angle - part * B(count);
+  if (!(rest.most() < typename B::Bound(0.1))) throw Undecided();
   const auto turned = static_cast<std::size_t>(static_cast<int>(count) & 31);
   const auto& [a, b] = directions[turned % parts];
-  const auto [c, d] = sine_cosine_of_rest(rest);
-  const Ball sine = a * d + b * c, cosine = b * d - a * c;
+  const auto [c, d] = sine_cosine_of_rest(rest, inverse);
+  const B sine = a * d + b * c, cosine = b * d - a * c;
   switch (turned / parts) {
     case 0: return {sine, cosine};
     case 1: return {cosine, -sine};
@@ -77,16 +121,117 @@ spline::SineCosine<Ball> sine_cosine(const Ball& angle) {
   }
 }
 
-Ball angle_of(const Ball& y, const Ball& x) {
-  if (y.is_zero()) return x > Ball() ? Ball() : pi();
-  const double rough = spline::angle_of(std::abs(y.middle().hi), x.middle().hi);
-  const auto [sine, cosine] = sine_cosine(Ball(rough));
-  const Ball tangent = (y * cosine - x * sine) / (x * cosine + y * sine);
-  if (!(tangent.most() < 0x1p-20)) throw Undecided();
-  if (tangent.most() < tiny) return Ball(rough) + tangent.widened(0x1p-120 * tangent.most());
-  const Ball z = tangent * tangent;
-  const Ball rest = tangent - tangent * z * (Ball(1.0) / Ball(3.0) - z / Ball(5.0));
-  return Ball(rough) + rest.widened(0x1p-120 * tangent.most());  // the next term is a seventh of z^3
+double rough_angle(const Ball& y, const Ball& x) { return spline::angle_of(std::abs(y.rough()), x.rough()); }
+double rough_angle(const RealBall& y, const RealBall& x) {
+  int exponent = 0;
+  (void)frexp(y.most() < x.most() ? x : y, &exponent);
+  return spline::angle_of(std::abs(ldexp(y, -exponent).rough()), ldexp(x, -exponent).rough());
 }
 
+template <class B>
+B angle_of_vector(const B& y, const B& x) {
+  if (y.is_zero()) return x > B() ? B() : pi<B>();
+  const double rough = rough_angle(y, x);
+  const auto [sine, cosine] = sine_cosine_of(B(rough));
+  const B tangent = (y * cosine - x * sine) / (x * cosine + y * sine);
+  if (!(tangent.most() < B::Ops::power_of_two(-20))) throw Undecided();
+  if (tangent.most() < tiny<B>()) return B(rough) + tangent.widened(left_out<B>() * tangent.most());
+  const B z = -(tangent * tangent);
+  const int terms = (B::Ops::bits() + 20) / 40 + 1;  // the next one is below 2^-40 to the power of their number
+  B sum;
+  for (int n = terms - 1; n >= 0; --n) sum = B(1.0) / B(2 * n + 1) + z * sum;
+  return B(rough) + (tangent * sum).widened(left_out<B>() * tangent.most());
+}
+
+}  // namespace
+
+spline::SineCosine<Ball> sine_cosine(const Ball& angle) { return sine_cosine_of(angle); }
+spline::SineCosine<RealBall> sine_cosine(const RealBall& angle) { return sine_cosine_of(angle); }
+Ball angle_of(const Ball& y, const Ball& x) { return angle_of_vector(y, x); }
+RealBall angle_of(const RealBall& y, const RealBall& x) { return angle_of_vector(y, x); }
+
 }  // namespace tcb
+
+namespace tcb::spline {
+namespace {
+
+/// Squares below this have short series.
+template <class B>
+bool is_small(const B& square) {
+  return square.most() < B::Ops::power_of_two(-40);
+}
+/// The number of terms after which those left out are below 2^-(bits + 20).
+template <class B>
+int terms() {
+  return (B::Ops::bits() + 20) / 40 + 1;
+}
+
+template <class B>
+Quaternion<B> exponential_of(const Vector3<B>& v) {
+  const B square = v[0] * v[0] + (v[1] * v[1] + v[2] * v[2]);
+  B factor, cosine;
+  if (is_small(square)) {  // the series of sine and cosine
+    factor = cosine = B(1.0);
+    for (int n = terms<B>(); n > 0; --n) {
+      factor = B(1.0) - factor * square / B(2 * n * (2 * n + 1));
+      cosine = B(1.0) - cosine * square / B(2 * n * (2 * n - 1));
+    }
+    factor = factor.widened(B::Ops::power_of_two(-(B::Ops::bits() + 20)) * square.most());
+    cosine = cosine.widened(B::Ops::power_of_two(-(B::Ops::bits() + 20)) * square.most());
+  } else {
+    const B angle = sqrt(square);
+    const auto [sine, along] = sine_cosine(angle);
+    factor = sine / angle;
+    cosine = along;
+  }
+  return {v[0] * factor, v[1] * factor, v[2] * factor, cosine};
+}
+
+/// Near no turn, by the series of the arc sine.
+template <class B>
+Vector3<B> logarithm_of(const Quaternion<B>& q) {
+  const B square = q.x * q.x + (q.y * q.y + q.z * q.z);
+  B factor;
+  if (is_small(square) && q.w > B()) {
+    factor = B(1.0);
+    B term(1.0);
+    for (int n = 1; n <= terms<B>(); ++n) {
+      term = term * square * B(2 * n - 1) / B(2 * n);
+      factor = factor + term / B(2 * n + 1);
+    }
+    factor = factor.widened(B::Ops::power_of_two(-(B::Ops::bits() + 20)) * square.most());
+  } else {
+    const B sine = sqrt(square);
+    factor = angle_of(sine, q.w) / sine;
+  }
+  return {q.x * factor, q.y * factor, q.z * factor};
+}
+
+}  // namespace
+
+template <>
+Quaternion<Ball> exponential<Ball>(const Vector3<Ball>& v) {
+  return exponential_of(v);
+}
+template <>
+Quaternion<RealBall> exponential<RealBall>(const Vector3<RealBall>& v) {
+  return exponential_of(v);
+}
+template <>
+Vector3<Ball> logarithm<Ball>(const Quaternion<Ball>& q) {
+  return logarithm_of(q);
+}
+template <>
+Vector3<RealBall> logarithm<RealBall>(const Quaternion<RealBall>& q) {
+  return logarithm_of(q);
+}
+template <>
+RotationNumbers<Ball> numbers_of<Ball>(const Quaternion<Ball>& q, const RotationNotation& notation) {
+  return signed_numbers_of(q, notation);
+}
+template <>
+RotationNumbers<RealBall> numbers_of<RealBall>(const Quaternion<RealBall>& q, const RotationNotation& notation) {
+  return signed_numbers_of(q, notation);
+}
+
+}  // namespace tcb::spline

@@ -1,62 +1,124 @@
 // Lengths in balls: panels under one quadrature rule, with bounds on the errors of the rule and of its rounding.
 //
 // The bound of the rule is that of tcb/spline/detail/panel.hpp. On a smooth panel the quartic q under the root has no
-// zero in the disc |z| <= R = 1.7. So with root = sqrt(q(0)) the rule errs by less than 2^-99 root, and for |z| <= 1
+// zero in the disc |z| <= R = 1.7. So with root = sqrt(q(0)) and rho = R + sqrt(R^2 - 1) the rule with n points errs by
+// less than 64/15 * 4 root / (rho^2n - rho^(2n - 2)) < e root, where e bounds the relative error of one operation
+// (2^-99 of double-doubles, two units of the last digit of other floats), and for |z| <= 1
 //   sqrt(q) >= (1 - 1/R)^2 root > 0.16 root,   the sum of the sizes of the terms of q < (1 + 1/R)^4 root^2 < 7 root^2.
-// Double-doubles err by less than 2^-99 of a term in each operation, so that q errs by less than 2^-93 root^2, its root
-// by less than 2^-90 root, and the rule by less than 2^-88 root. The coefficients of q have errors of their own.
-// Where all derivatives are exactly 0 at an end, they are divided by the place, so that the panel there is smooth, too.
-// Other cusps are in panels that are halved until their lengths have no effect.
+// Each operation errs by less than e of a term, so that q errs by less than 2^6 e root^2, its root by less than
+// 2^9 e root, and the rule by less than 2^11 e root; sums of up to 500 terms add 2^11 e root. The coefficients of q
+// have errors of their own. Where all derivatives are exactly 0 at an end, they are divided by the place, so that the
+// panel there is smooth, too. Other cusps are in panels that are halved until their lengths have no effect.
 #include "exact/ball_length.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <utility>
-
-#include "exact/rounding.hpp"
 
 namespace tcb {
 namespace {
 
 using spline::DoubleDouble;
 
-constexpr std::size_t points = 32;
-/// With rho = R + sqrt(R^2 - 1) the rule errs by at most 64/15 * 4 root / (rho^64 - rho^62) < 2^-99 root.
 constexpr double disc = 1.7;
-constexpr double rule_error = 0x1p-88;  ///< per root and width, with that of rounding
 
-/// The Gauss-Legendre rule in double-doubles, rounded from more digits.
-const spline::GaussRule<DoubleDouble, points>& gauss_rule() {
-  static const spline::GaussRule<DoubleDouble, points> rule = [] {
-    const auto& exact = spline::gauss_rule<Float<40>, points>();
-    const auto rounded = [](const Float<40>& number) {
-      const auto high = static_cast<double>(number);
-      return DoubleDouble::normalized(high, static_cast<double>(Float<40>(number - high)));
+/// A bound on the errors of a rule and of its rounding, per root and width: 2^-88 of double-doubles.
+template <class M>
+typename Middle<M>::Bound rule_error() {
+  return Middle<M>::power_of_two(12 - Middle<M>::bits());
+}
+
+/// A Gauss-Legendre rule on [0, 1]. Each number errs by at most a unit of its last digit.
+template <class M>
+struct Rule {
+  std::vector<M> node, weight;
+};
+
+/// The Legendre polynomials P_n and P_(n-1) at x.
+std::pair<Real, Real> legendre(int n, const Real& x) {
+  Real before(1.0), value = x;
+  for (int k = 2; k <= n; ++k) {
+    const Real next = (Real(2.0 * k - 1) * x * value - Real(k - 1.0) * before) / Real(static_cast<double>(k));
+    before = std::exchange(value, next);
+  }
+  return {value, before};
+}
+double legendre(int n, double x, double& slope) {
+  double before = 1, value = x;
+  for (int k = 2; k <= n; ++k) before = std::exchange(value, ((2 * k - 1) * x * value - (k - 1) * before) / k);
+  slope = n * (x * value - before) / (x * x - 1);
+  return value;
+}
+
+/// Roots by Newton's method, from x_i = cos(pi (i + 3/4)/(n + 1/2)), in doubles and then in more digits.
+Rule<Real> make_rule(int n, int bits) {
+  Rule<Real> rule{std::vector<Real>(static_cast<std::size_t>(n)), std::vector<Real>(static_cast<std::size_t>(n))};
+  for (int i = 0; i < n / 2; ++i) {
+    double rough = spline::sine_cosine(3.14159265358979 * (i + 0.75) / (n + 0.5)).cosine, slope = 0;
+    for (int step = 0; step < 6; ++step) {
+      const double value = legendre(n, rough, slope);
+      rough -= value / slope;
+    }
+    Real x(rough), rate;
+    const auto step = [&](int digits) {
+      const RealPrecision precision(digits);
+      const auto [value, before] = legendre(n, x);
+      rate = Real(static_cast<double>(n)) * (x * value - before) / (x * x - Real(1.0));
+      return value / rate;
     };
-    spline::GaussRule<DoubleDouble, points> result;
-    std::ranges::transform(exact.node, result.node.begin(), rounded);
-    std::ranges::transform(exact.weight, result.weight.begin(), rounded);
+    constexpr int guard = 40;
+    for (int known = 40; known < bits + guard; known *= 2) {
+      const Real off = step(std::min(2 * known, bits) + guard);
+      const RealPrecision precision(bits + guard);
+      x = x - off;
+    }
+    (void)step(bits + guard);
+    const RealPrecision wide(bits + guard);
+    const Real weight = Real(1.0) / ((Real(1.0) - x * x) * rate * rate), left = halved(Real(1.0) - x),
+               right = halved(Real(1.0) + x);
+    const RealPrecision precision(bits);
+    const auto first = static_cast<std::size_t>(i), last = static_cast<std::size_t>(n - 1 - i);
+    rule.node[first] = left + Real();
+    rule.node[last] = right + Real();
+    rule.weight[first] = rule.weight[last] = weight + Real();
+  }
+  return rule;
+}
+
+/// An even number of points, for the digits in use.
+template <class M>
+const Rule<M>& gauss_rule();
+template <>
+const Rule<Real>& gauss_rule() {
+  thread_local std::map<int, Rule<Real>> known;
+  const int bits = Real::bits();
+  Rule<Real>& rule = known[bits];
+  if (rule.node.empty()) rule = make_rule((bits * 10 / 32 + 5) / 2 * 2, bits);
+  return rule;
+}
+template <>
+const Rule<DoubleDouble>& gauss_rule() {
+  static const Rule<DoubleDouble> rule = [] {
+    const Rule<Real> exact = make_rule(32, 140);
+    const auto rounded = [](const Real& number) {
+      const RealPrecision precision(140);
+      const double high = number.rough();
+      return DoubleDouble::normalized(high, Real(number - Real(high)).rough());
+    };
+    Rule<DoubleDouble> result;
+    for (const Real& node : exact.node) result.node.push_back(rounded(node));
+    for (const Real& weight : exact.weight) result.weight.push_back(rounded(weight));
     return result;
   }();
   return rule;
 }
 
-double high_of(double number) { return number; }
-double high_of(const DoubleDouble& number) { return number.hi; }
-template <class T>
-T converted(const DoubleDouble& number) {
-  if constexpr (std::is_same_v<T, double>) {
-    return number.hi;
-  } else {
-    return number;
-  }
-}
-
-template <class T>
-T power_of(const T& base, int exponent) {
-  T power(1.0);
-  for (int i = 0; i < exponent; ++i) power = power * (high_of(base) < 0 ? -base : base);
+template <class M>
+M power_of(const M& base, int exponent) {
+  M power(1.0);
+  for (int i = 0; i < exponent; ++i) power = power * (base < M(0.0) ? -base : base);
   return power;
 }
 
@@ -65,191 +127,225 @@ T quartic(const spline::Quartic<T>& q, const T& z) {
   return q[0] + z * (q[1] + z * (q[2] + z * (q[3] + z * q[4])));
 }
 
-/// The speed at z on a panel, which is at this place, over the width of the panel.
-template <class T>
-T speed_on(const spline::Quartic<T>& q, const T& place, int zeros, const T& z) {
-  using std::sqrt;
-  const T root = sqrt(quartic(q, z));
-  return zeros == 0 ? root : root * power_of(place, zeros);
-}
-
-bool is_zero_at_end(std::span<const spline::Quadratic<Ball>> channels) {
+template <class B>
+bool is_zero_at_end(std::span<const spline::Quadratic<B>> channels) {
   return std::ranges::all_of(channels, [](const auto& x) { return x.k0.is_zero(); });
 }
 
-spline::LocalParameter<Ball> local(std::size_t half, const Ball& place) {
-  return half == 0 ? spline::LocalParameter<Ball>{place, place - Ball(1.0)}
-                   : spline::LocalParameter<Ball>{place + Ball(1.0), place};
+template <class B>
+spline::LocalParameter<B> local(std::size_t half, const B& place) {
+  return half == 0 ? spline::LocalParameter<B>{place, place - B(1.0)}
+                   : spline::LocalParameter<B>{place + B(1.0), place};
 }
 
 /// The last panel that begins at a length or before it.
-template <class Panel>
-const Panel& panel_at_length(const std::vector<Panel>& panels, double length) {
+template <class Panel, class M>
+const Panel& panel_at_length(const std::vector<Panel>& panels, const M& length) {
   const auto after =
-      std::ranges::upper_bound(panels, length, {}, [](const Panel& panel) { return panel.before.middle().hi; });
+      std::ranges::upper_bound(panels, length, {}, [](const Panel& panel) { return panel.before.middle(); });
   return after == panels.begin() ? *after : *(after - 1);
+}
+
+/// A quartic over its first coefficient, in doubles; without sense if that is 0.
+spline::Quartic<double> relative(const spline::Quartic<DoubleDouble>& q) {
+  spline::Quartic<double> result{};
+  for (std::size_t i = 0; i < q.size(); ++i) result[i] = q[i].hi / q[0].hi;
+  return result;
+}
+spline::Quartic<double> relative(const spline::Quartic<Real>& q) {
+  spline::Quartic<double> result{};
+  const double first = q[0].over_power_of_two(q[0].exponent());
+  for (std::size_t i = 0; i < q.size(); ++i) result[i] = q[i].over_power_of_two(q[0].exponent()) / first;
+  return result;
+}
+
+double rough_ratio(const DoubleDouble& a, const DoubleDouble& b) { return a.hi / b.hi; }
+double rough_ratio(const Real& a, const Real& b) {
+  return a.over_power_of_two(b.exponent()) / b.over_power_of_two(b.exponent());
 }
 
 }  // namespace
 
-BallArc::Panel BallArc::panel(std::size_t half, double middle, double width) const {
-  spline::Quartic<Ball> square{};
-  for (const auto& channel : halves_[half].channels) spline::add_square(square, channel, Ball(middle), Ball(width));
-  Panel result{half, middle, width, {}, 0, 0, {}};
-  spline::Quartic<double> rounded{};
-  double largest = 0;  // of q for |z| <= 1
+/// A bound on |place|^zeros near a panel.
+template <class M>
+typename BallArc<M>::Bound BallArc<M>::farthest(const Panel& panel) const {
+  Bound result = 1.0;
+  const Bound distance = Ops::most(panel.middle) + Ops::most(panel.width) + Ops::most(panel.width);
+  for (int i = 0; i < halves_[panel.half].zeros; ++i) result = result * distance;
+  return Ops::up(result);
+}
+
+template <class M>
+typename BallArc<M>::Panel BallArc<M>::panel(std::size_t half, const M& middle, const M& width) const {
+  using std::sqrt;
+  spline::Quartic<B> square{};
+  for (const auto& channel : halves_[half].channels) spline::add_square(square, channel, B(middle), B(width));
+  Panel result{half, middle, width};
+  Bound largest = 0.0;  // of q for |z| <= 1
   for (std::size_t i = 0; i < square.size(); ++i) {
     result.square[i] = square[i].middle();
-    rounded[i] = square[i].middle().hi;
-    result.spread += square[i].radius();
-    largest += square[i].most();
+    result.spread = result.spread + square[i].radius();
+    largest = largest + square[i].most();
   }
-  constexpr double clear = 0x1p-40;
-  const double at_middle = rounded[0];
   double disc_power = disc;
   for (int i = 0; i < spline::squarings; ++i) disc_power *= disc_power;
-  const bool is_smooth = at_middle > 0 && result.spread < clear * at_middle &&
-                         spline::OtherTerms<double>(rounded).within(disc_power) < 0.99;
-  const double farthest = power_of(std::abs(middle) + 2 * width, halves_[half].zeros);
-  if (is_smooth) {
-    result.root = std::sqrt(at_middle);
-    result.length = length(result, DoubleDouble(1.0));
+  const bool is_clear = !Ops::is_zero(result.square[0]) && !Ops::is_negative(result.square[0]) &&
+                        result.spread < Bound(0x1p-40) * Ops::least(result.square[0]);
+  result.is_smooth = is_clear && spline::OtherTerms<double>(relative(result.square)).within(disc_power) < 0.99;
+  if (result.is_smooth) {
+    result.length = length(result, M(1.0));
   } else {
-    const double most = std::sqrt(largest) * width * farthest * (1 + 0x1p-40);  // half of a bound on the length
-    result.length = Ball(most).widened(most);
+    const B most(Ops::number(Ops::up(sqrt(largest) * Ops::most(width) * farthest(result))));  // half of a bound
+    result.length = most.widened(most.most());
   }
   return result;
 }
 
-/// Adds a panel that is smooth, or whose length is at most `negligible`; else its halves. A cusp takes some 100 panels;
-/// where there are far more, the coefficients have too few digits.
-void BallArc::add(const Panel& panel, double negligible) {
-  constexpr std::size_t most_panels = 1000;
-  if (panels_.size() > most_panels) throw Undecided();
-  if (panel.is_smooth() || panel.length.most() <= negligible || panel.width < 0x1p-70) {
+/// Adds a panel that is smooth, or whose length is at most `negligible`; else its halves. A cusp takes about as many
+/// panels as there are bits; where there are far more, the coefficients have too few digits.
+template <class M>
+void BallArc<M>::add(const Panel& panel, const Bound& negligible) {
+  const int bits = Ops::bits();
+  if (panels_.size() > 10 * static_cast<std::size_t>(bits)) throw Undecided();
+  if (panel.is_smooth || panel.length.most() <= negligible ||
+      Ops::most(panel.width) < Ops::power_of_two(-bits * 7 / 10)) {
     panels_.push_back(panel);
     panels_.back().before = total_;
     total_ += panel.length;
     return;
   }
-  const double half = panel.width / 2;
+  const M half = spline::halved(panel.width);
   add(this->panel(panel.half, panel.middle - half, half), negligible);
   add(this->panel(panel.half, panel.middle + half, half), negligible);
 }
 
-void BallArc::assign(std::span<const spline::Cubic<Ball>> segment, std::span<const std::size_t> metric) {
+template <class M>
+void BallArc<M>::assign(std::span<const spline::Cubic<B>> segment, std::span<const std::size_t> metric) {
   panels_.clear();
-  total_ = Ball();
+  total_ = B();
   for (Half& half : halves_) {
     half.channels.clear();
     half.zeros = 0;
   }
-  double longest = 0;
+  Bound longest = 0.0;
   const std::size_t size = metric.empty() ? segment.size() : metric.size();
   for (std::size_t i = 0; i < size; ++i) {
-    const spline::Cubic<Ball>& x = segment[metric.empty() ? i : metric[i]];
-    const Ball two(2.0), three(3.0);
+    const spline::Cubic<B>& x = segment[metric.empty() ? i : metric[i]];
+    const B two(2.0), three(3.0);
     halves_[0].channels.push_back({x.out, two * x.c, three * x.d});
     halves_[1].channels.push_back({x.in, two * x.e, three * x.d});
-    longest += x.out.most() + x.in.most() + 2 * x.c.most() + 2 * x.e.most() + 3 * x.d.most();
+    longest = longest + x.out.most() + x.in.most() + Bound(2.0) * (x.c.most() + x.e.most()) + Bound(3.0) * x.d.most();
   }
-  if (longest == 0) return;
+  if (longest == 0.0) return;
   for (std::size_t i = 0; i < halves_.size(); ++i) {
     Half& half = halves_[i];
-    for (; half.zeros < 2 && is_zero_at_end(half.channels); ++half.zeros) {
-      for (auto& x : half.channels) x = {x.k1, x.k2, Ball()};
+    for (; half.zeros < 2 && is_zero_at_end<B>(half.channels); ++half.zeros) {
+      for (auto& x : half.channels) x = {x.k1, x.k2, B()};
     }
-    add(panel(i, i == 0 ? 0.25 : -0.25, 0.25), 0x1p-102 * longest);
+    add(panel(i, M(i == 0 ? 0.25 : -0.25), M(0.25)), Ops::power_of_two(-Ops::bits() - 2) * longest);
   }
 }
 
 /// The rule on a panel from its start to z, without a bound.
-template <class T>
-T BallArc::sum(const Panel& panel, const T& z) const {
-  const auto& rule = gauss_rule();
-  spline::Quartic<T> q;
-  std::ranges::transform(panel.square, q.begin(), converted<T>);
+template <class M>
+M BallArc<M>::sum(const Panel& panel, const M& z) const {
+  const Rule<M>& rule = gauss_rule<M>();
   const int zeros = halves_[panel.half].zeros;
-  const T whole = z + T(1.0);
-  T sum(0.0);
-  for (std::size_t i = 0; i < points; ++i) {
-    const T at = whole * converted<T>(rule.node[i]) + T(-1.0);
-    sum = sum + converted<T>(rule.weight[i]) * speed_on(q, T(T(panel.middle) + T(panel.width) * at), zeros, at);
+  const M whole = z + M(1.0);
+  M sum(0.0);
+  for (std::size_t i = 0; i < rule.node.size(); ++i) {
+    const M at = whole * rule.node[i] + M(-1.0);
+    M speed = sqrt(quartic(panel.square, at));
+    if (zeros > 0) speed = speed * power_of(M(panel.middle + panel.width * at), zeros);
+    sum = sum + rule.weight[i] * speed;
   }
-  return sum * whole * T(panel.width);
+  return sum * whole * panel.width;
 }
 
 /// In double-doubles, by pairs.
 template <>
-DoubleDouble BallArc::sum(const Panel& panel, const DoubleDouble& z) const {
+DoubleDouble BallArc<DoubleDouble>::sum(const Panel& panel, const DoubleDouble& z) const {
   using spline::DoublePair;
   using Pair = spline::DoubleDoubleOf<DoublePair>;
   const auto both = [](const DoubleDouble& a, const DoubleDouble& b) {
     return Pair(DoublePair(a.hi, b.hi), DoublePair(a.lo, b.lo));
   };
-  const auto& rule = gauss_rule();
+  const auto& rule = gauss_rule<DoubleDouble>();
   spline::Quartic<Pair> q;
   std::ranges::transform(panel.square, q.begin(), [&](const DoubleDouble& x) { return both(x, x); });
   const int zeros = halves_[panel.half].zeros;
   const DoubleDouble whole = z + DoubleDouble(1.0);
   const Pair wholes = both(whole, whole);
   DoubleDouble sum(0.0);
-  for (std::size_t i = 0; i < points; i += 2) {
+  for (std::size_t i = 0; i < rule.node.size(); i += 2) {
     const Pair at = wholes * both(rule.node[i], rule.node[i + 1]) + Pair(DoublePair(-1.0));
     const Pair square = quartic(q, at);
     for (std::size_t j = 0; j < 2; ++j) {
       DoubleDouble speed = sqrt(DoubleDouble(square.hi[j], square.lo[j]));
-      if (zeros > 0) {
-        const DoubleDouble place =
-            DoubleDouble(panel.middle) + DoubleDouble(panel.width) * DoubleDouble(at.hi[j], at.lo[j]);
-        speed = speed * power_of(place, zeros);
-      }
+      if (zeros > 0) speed = speed * power_of(panel.middle + panel.width * DoubleDouble(at.hi[j], at.lo[j]), zeros);
       sum = sum + rule.weight[i + j] * speed;
     }
   }
-  return sum * whole * DoubleDouble(panel.width);
+  return sum * whole * panel.width;
 }
 
 /// From the start of a smooth panel to z. The disc about the middle of that part, R times as wide as it, is within the
 /// panel's disc.
-Ball BallArc::length(const Panel& panel, const DoubleDouble& z) const {
-  const double root = panel.root, width = panel.width * (std::abs(z.hi + 1) + 0x1p-40);
-  const double farthest = power_of(std::abs(panel.middle) + 2 * panel.width, halves_[panel.half].zeros);
-  return Ball(sum(panel, z)).widened(width * farthest * (rule_error * root + 7 * panel.spread / root));
+template <class M>
+typename BallArc<M>::B BallArc<M>::length(const Panel& panel, const M& z) const {
+  const M root = sqrt(panel.square[0]);
+  const Bound width = Ops::most(panel.width) * (Ops::most(z + M(1.0)) + Bound(0x1p-40));
+  return B(sum(panel, z))
+      .widened(width * farthest(panel) *
+               (rule_error<M>() * Ops::most(root) + Bound(7.0) * panel.spread / Ops::least(root)));
 }
 
-DoubleDouble BallArc::speed(const Panel& panel, const DoubleDouble& z) const {
-  return speed_on(panel.square, DoubleDouble(panel.middle) + DoubleDouble(panel.width) * z, halves_[panel.half].zeros,
-                  z) *
-         panel.width;
+template <class M>
+M BallArc<M>::speed(const Panel& panel, const M& z) const {
+  const M speed = sqrt(quartic(panel.square, z)) * panel.width;
+  const int zeros = halves_[panel.half].zeros;
+  return zeros == 0 ? speed : speed * power_of(M(panel.middle + panel.width * z), zeros);
 }
 
-Ball BallArc::to(const spline::LocalParameter<Ball>& place) const {
+template <class M>
+typename BallArc<M>::B BallArc<M>::to(const spline::LocalParameter<B>& place) const {
   if (place.u.is_zero() || panels_.empty()) return {};
   if (place.w.is_zero()) return total_;
   const std::size_t half = place.near_start() ? 0 : 1;
-  const Ball& at = half == 0 ? place.u : place.w;
+  const B& at = half == 0 ? place.u : place.w;
   const auto ends_before = [&](const Panel& panel) {
-    return panel.half < half || (panel.half == half && panel.middle + panel.width < at.middle().hi);
+    return panel.half < half || (panel.half == half && panel.middle + panel.width < at.middle());
   };
   auto panel = std::ranges::find_if_not(panels_, ends_before);
   if (panel == panels_.end()) --panel;
-  if (!panel->is_smooth()) return panel->before + panel->length.widened(panel->length.most());
-  const Ball z = (at - Ball(panel->middle)) / Ball(panel->width);
-  if (!(z.most() < 1 + 0x1p-40)) throw Undecided();
-  const double farthest = power_of(std::abs(panel->middle) + 2 * panel->width, halves_[half].zeros);
-  constexpr double largest_speed = 2.7;  // sqrt(7), per root
-  const double moved = largest_speed * panel->root * panel->width * farthest * z.radius();
+  if (!panel->is_smooth) return panel->before + panel->length.widened(panel->length.most());
+  const B z = (at - B(panel->middle)) / B(panel->width);
+  if (!(z.most() < Bound(1 + 0x1p-40))) throw Undecided();
+  const Bound largest_speed = Bound(2.7) * Ops::most(sqrt(panel->square[0]));  // sqrt(7), per root
+  const Bound moved = largest_speed * Ops::most(panel->width) * farthest(*panel) * z.radius();
   return panel->before + length(*panel, z.middle()).widened(moved);
 }
 
-/// The place on a smooth panel at which a length from its start is reached, nearly.
-double BallArc::rough_place(const Panel& panel, double length) const {
-  double low = -1, high = 1, z = std::clamp(2 * length / panel.length.middle().hi - 1, -1.0, 1.0);
+/// The place on a smooth panel at which a fraction of its length is reached, nearly.
+template <class M>
+double BallArc<M>::rough_place(const Panel& panel, double fraction) const {
+  const auto q = relative(panel.square);
+  const double middle = halves_[panel.half].zeros == 0 ? 0 : rough_ratio(panel.middle, panel.width);
+  const auto speed = [&](double z) {
+    return std::sqrt(quartic(q, z)) * power_of(middle + z, halves_[panel.half].zeros);
+  };
+  const auto sum = [&](double z) {
+    const auto& rule = spline::gauss_rule<double, 16>();
+    double sum = 0;
+    for (std::size_t i = 0; i < rule.node.size(); ++i) sum += rule.weight[i] * speed((z + 1) * rule.node[i] - 1);
+    return sum * (z + 1);
+  };
+  const double length = fraction * sum(1);
+  double low = -1, high = 1, z = std::clamp(2 * fraction - 1, -1.0, 1.0);
   for (int step = 0; step < 60; ++step) {
-    const double excess = sum<double>(panel, z) - length;
+    const double excess = sum(z) - length;
     (excess > 0 ? high : low) = z;
-    double next = z - excess / speed(panel, DoubleDouble(z)).hi;
+    double next = z - excess / speed(z);
     if (!(next >= low && next <= high)) next = (low + high) / 2;
     const bool is_settled = std::abs(next - z) < 0x1p-48;
     z = next;
@@ -258,54 +354,63 @@ double BallArc::rough_place(const Panel& panel, double length) const {
   return z;
 }
 
-spline::LocalParameter<Ball> BallArc::place(const Ball& length) const {
+template <class M>
+spline::LocalParameter<BallOf<M>> BallArc<M>::place(const B& length) const {
   if (panels_.empty()) throw Undecided();
-  const Panel& panel = panel_at_length(panels_, length.middle().hi);
-  if (!panel.is_smooth()) return local(panel.half, Ball(panel.middle).widened(panel.width));
-  const Ball into = length - panel.before;
-  const DoubleDouble rough(rough_place(panel, into.middle().hi));
-  const DoubleDouble missing = into.middle() - sum(panel, rough);
-  const DoubleDouble z = rough + missing / speed(panel, rough);
+  const Panel& panel = panel_at_length(panels_, length.middle());
+  if (!panel.is_smooth) return local(panel.half, B(panel.middle).widened(Ops::most(panel.width)));
+  const B into = length - panel.before;
+  M z(rough_place(panel, rough_ratio(into.middle(), panel.length.middle())));
+  for (int known = 48; known < Ops::bits(); known *= 2) {
+    const M missing = into.middle() - sum(panel, z);
+    z = z + missing / speed(panel, z);
+  }
   // The speed v is at least half of v(z) up to a distance d from z, if the integral of |v'/v| over it is below ln 2:
   // each of the four zeros beyond R contributes at most d/2/(R - 1 - d), and `zeros` those at the end.
-  const Ball rest = into - this->length(panel, z);
-  const double at_z = speed(panel, z).hi, distance = 2.01 * rest.most() / at_z;
-  const double to_end = std::abs(panel.middle + panel.width * z.hi) / panel.width;
+  const B rest = into - this->length(panel, z);
+  const M at_z = speed(panel, z);
+  if (!(at_z > M(0.0))) throw Undecided();
+  const Bound distance = Ops::up(Bound(2.01) * rest.most() / Ops::least(at_z));
+  const Bound to_end = Ops::least(panel.middle + panel.width * z) / Ops::most(panel.width);
   const int zeros = halves_[panel.half].zeros;
   const bool is_clear =
-      at_z > 0 && distance < 0.01 && std::abs(z.hi) < 1 + 0x1p-40 && (zeros == 0 || distance < to_end / 16);
+      distance < Bound(0.01) && Ops::most(z) < Bound(1 + 0x1p-40) && (zeros == 0 || distance * Bound(17.0) < to_end);
   if (!is_clear) throw Undecided();
-  return local(panel.half, Ball(panel.middle) + Ball(panel.width) * Ball(z, distance));
+  return local(panel.half, B(panel.middle) + B(panel.width) * B(z, distance));
 }
 
-Ball BallTurn::speed(const Ball& u) const {
-  Ball square;
+template <class M>
+typename BallTurn<M>::B BallTurn<M>::speed(const B& u) const {
+  B square;
   for (const auto& rotation : rotations_) {
-    const auto [x, y, z] = rotation.rate({u, u - Ball(1.0)});
+    const auto [x, y, z] = rotation.rate({u, u - B(1.0)});
     square += x * x + (y * y + z * z);
   }
   return sqrt(square);
 }
 
-Ball BallTurn::sum(const Ball& begin, const Ball& width) const {
-  const auto& rule = gauss_rule();
-  Ball sum;
-  constexpr double rounding = 0x1p-106;  // of nodes and weights
-  for (std::size_t i = 0; i < points; ++i) {
-    sum += Ball(rule.weight[i], rounding) * speed(begin + width * Ball(rule.node[i], rounding));
+template <class M>
+typename BallTurn<M>::B BallTurn<M>::sum(const B& begin, const B& width) const {
+  const Rule<M>& rule = gauss_rule<M>();
+  B sum;
+  const Bound rounding = Ops::power_of_two(-(Ops::bits() + 6));  // of nodes and weights
+  for (std::size_t i = 0; i < rule.node.size(); ++i) {
+    sum += B(rule.weight[i], rounding) * speed(begin + width * B(rule.node[i], rounding));
   }
   return sum * width;
 }
 
 /// Adds the halves of a panel if the rule agrees with them, which for panels as short as these err by far less than the
 /// rule on the whole; else their halves.
-void BallTurn::add(const Panel& panel, double negligible) {
-  const double half = panel.width / 2;
-  std::array<Panel, 2> halves{{{panel.begin, half, sum(Ball(panel.begin), Ball(half))},
-                               {panel.begin + half, half, sum(Ball(panel.begin + half), Ball(half))}}};
-  const double difference = std::abs((halves[0].length + halves[1].length - panel.length).middle().hi);
+template <class M>
+void BallTurn<M>::add(const Panel& panel, const Bound& negligible) {
+  const M half = spline::halved(panel.width), middle = panel.begin + half;
+  std::array<Panel, 2> halves{
+      {{panel.begin, half, sum(B(panel.begin), B(half))}, {middle, half, sum(B(middle), B(half))}}};
+  const Bound least_width = Ops::power_of_two(-Ops::bits() * 6 / 10);
+  const Bound difference = Ops::most((halves[0].length + halves[1].length - panel.length).middle());
   for (Panel& part : halves) {
-    if (difference > negligible && panel.width > 0x1p-20) {
+    if (difference > negligible && Ops::most(panel.width) > least_width) {
       add(part, negligible);
     } else if (difference > negligible) {
       throw Undecided();
@@ -318,39 +423,48 @@ void BallTurn::add(const Panel& panel, double negligible) {
   }
 }
 
-void BallTurn::assign(std::span<const spline::RotationSegment<Ball>> rotations) {
+template <class M>
+void BallTurn<M>::assign(std::span<const spline::RotationSegment<B>> rotations) {
   rotations_ = rotations;
   panels_.clear();
-  total_ = Ball();
-  const Ball whole = sum(Ball(), Ball(1.0));
-  add({0, 1, whole}, 0x1p-86 * whole.most());
+  total_ = B();
+  const B whole = sum(B(), B(1.0));
+  add({M(0.0), M(1.0), whole}, Ops::power_of_two(14 - Ops::bits()) * whole.most());
 }
 
-Ball BallTurn::to(const spline::LocalParameter<Ball>& place) const {
+template <class M>
+typename BallTurn<M>::B BallTurn<M>::to(const spline::LocalParameter<B>& place) const {
   if (place.w.is_zero()) return total_;
-  auto panel = std::ranges::upper_bound(panels_, place.u.middle().hi, {}, &Panel::begin);
+  auto panel = std::ranges::upper_bound(panels_, place.u.middle(), {}, &Panel::begin);
   if (panel != panels_.begin()) --panel;
-  return panel->before + sum(Ball(panel->begin), place.u - Ball(panel->begin)).widened(panel->length.radius());
+  return panel->before + sum(B(panel->begin), place.u - B(panel->begin)).widened(panel->length.radius());
 }
 
 /// By Newton's method; the speed at both ends of the ball of the place shows that it does not change much there.
-spline::LocalParameter<Ball> BallTurn::place(const Ball& length) const {
-  const Panel& panel = panel_at_length(panels_, length.middle().hi);
-  const Ball into = length - panel.before, begin(panel.begin);
-  Ball u = begin + Ball(panel.width) * Ball((into / panel.length).middle());
+template <class M>
+spline::LocalParameter<BallOf<M>> BallTurn<M>::place(const B& length) const {
+  const Panel& panel = panel_at_length(panels_, length.middle());
+  const B into = length - panel.before, begin(panel.begin);
+  B u = begin + B(panel.width) * B((into / panel.length).middle());
   for (int step = 0; step < 40; ++step) {
-    const Ball rest = into - sum(begin, u - begin);
-    const double speed = this->speed(u).middle().hi, distance = 2.01 * (rest.most() + panel.length.radius()) / speed;
-    if (std::abs(rest.middle().hi) <= rest.radius() && distance < 0x1p-60) {  // no step brings it nearer
-      for (const double side : {-distance, distance}) {
-        if (!(this->speed(u + Ball(side)) > Ball(speed / 2))) throw Undecided();
+    const B rest = into - sum(begin, u - begin), speed = B(this->speed(u).middle());
+    const Bound distance = Ops::up(Bound(2.01) * (rest.most() + panel.length.radius()) / Ops::least(speed.middle()));
+    if (Ops::most(rest.middle()) <= rest.radius() && distance < Ops::power_of_two(-(Ops::bits() * 6 / 10))) {
+      for (const bool below : {true, false}) {  // no step brings it nearer
+        const B side(Ops::number(distance));
+        if (!(this->speed(below ? u - side : u + side) > halved(speed))) throw Undecided();
       }
-      return local(0, Ball(u.middle(), distance));
+      return local(0, B(u.middle(), distance));
     }
-    u = Ball((u + Ball(rest.middle()) / Ball(speed)).middle());
-    if (!(u.middle().hi > 0 && u.middle().hi < 1)) throw Undecided();
+    u = B((u + B(rest.middle()) / speed).middle());
+    if (!(u.middle() > M(0.0) && u.middle() < M(1.0))) throw Undecided();
   }
   throw Undecided();
 }
+
+template class BallArc<DoubleDouble>;
+template class BallArc<Real>;
+template class BallTurn<DoubleDouble>;
+template class BallTurn<Real>;
 
 }  // namespace tcb

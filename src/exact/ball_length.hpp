@@ -16,94 +16,110 @@
 namespace tcb {
 
 /// The length of the path on a segment.
+template <class M>
 class BallArc {
  public:
-  void assign(std::span<const spline::Cubic<Ball>> segment, std::span<const std::size_t> metric);
+  using B = BallOf<M>;
 
-  const Ball& total() const { return total_; }
+  void assign(std::span<const spline::Cubic<B>> segment, std::span<const std::size_t> metric);
+
+  const B& total() const { return total_; }
   /// From the start to a place.
-  Ball to(const spline::LocalParameter<Ball>& place) const;
+  B to(const spline::LocalParameter<B>& place) const;
   /// Where a length from the start is reached.
-  spline::LocalParameter<Ball> place(const Ball& length) const;
+  spline::LocalParameter<B> place(const B& length) const;
 
  private:
+  using Ops = Middle<M>;
+  using Bound = typename B::Bound;
+
   /// A part of one half of the segment: the places middle + width z.
   struct Panel {
     std::size_t half;
-    double middle, width;
-    spline::Quartic<spline::DoubleDouble> square;  ///< of the speed over |place|^zeros, by the powers of z
-    double spread;                                 ///< a bound on the error of the quartic for |z| <= 1
-    double root;                                   ///< the root of the quartic at z = 0; 0: the panel is not smooth
-    Ball length, before = {};                      ///< of the panel, and up to its start
-
-    bool is_smooth() const { return root > 0; }
+    M middle, width;
+    spline::Quartic<M> square = {};  ///< of the speed over |place|^zeros, by the powers of z
+    Bound spread = 0.0;              ///< a bound on the error of the quartic for |z| <= 1
+    bool is_smooth = false;
+    B length = {}, before = {};  ///< of the panel, and up to its start
   };
 
   /// The derivatives of the channels by the local parameter about one end. All are 0 there to some order: they are
   /// these quadratics times the place to the power of `zeros`.
   struct Half {
-    std::vector<spline::Quadratic<Ball>> channels;
+    std::vector<spline::Quadratic<B>> channels;
     int zeros = 0;
   };
 
-  Panel panel(std::size_t half, double middle, double width) const;
-  void add(const Panel& panel, double negligible);
-  template <class T>
-  T sum(const Panel& panel, const T& z) const;
-  Ball length(const Panel& panel, const spline::DoubleDouble& z) const;
-  spline::DoubleDouble speed(const Panel& panel, const spline::DoubleDouble& z) const;
-  double rough_place(const Panel& panel, double length) const;
+  Panel panel(std::size_t half, const M& middle, const M& width) const;
+  void add(const Panel& panel, const Bound& negligible);
+  M sum(const Panel& panel, const M& z) const;
+  B length(const Panel& panel, const M& z) const;
+  M speed(const Panel& panel, const M& z) const;
+  Bound farthest(const Panel& panel) const;
+  double rough_place(const Panel& panel, double fraction) const;
 
   std::array<Half, 2> halves_;
   std::vector<Panel> panels_;
-  Ball total_;
+  B total_;
 };
 
 /// The angle that rotations turn through on a segment.
+template <class M>
 class BallTurn {
  public:
-  void assign(std::span<const spline::RotationSegment<Ball>> rotations);
+  using B = BallOf<M>;
 
-  const Ball& total() const { return total_; }
-  Ball to(const spline::LocalParameter<Ball>& place) const;
-  spline::LocalParameter<Ball> place(const Ball& length) const;
+  void assign(std::span<const spline::RotationSegment<B>> rotations);
+
+  const B& total() const { return total_; }
+  B to(const spline::LocalParameter<B>& place) const;
+  spline::LocalParameter<B> place(const B& length) const;
 
  private:
+  using Ops = Middle<M>;
+  using Bound = typename B::Bound;
+
   struct Panel {
-    double begin, width;
-    Ball length, before = {};
+    M begin, width;
+    B length, before = {};
   };
 
-  Ball speed(const Ball& u) const;
-  Ball sum(const Ball& begin, const Ball& width) const;
-  void add(const Panel& panel, double negligible);
+  B speed(const B& u) const;
+  B sum(const B& begin, const B& width) const;
+  void add(const Panel& panel, const Bound& negligible);
 
-  std::span<const spline::RotationSegment<Ball>> rotations_;
+  std::span<const spline::RotationSegment<B>> rotations_;
   std::vector<Panel> panels_;
-  Ball total_;
+  B total_;
 };
+
+template <>
+spline::DoubleDouble BallArc<spline::DoubleDouble>::sum(const Panel& panel, const spline::DoubleDouble& z) const;
+extern template class BallArc<spline::DoubleDouble>;
+extern template class BallArc<Real>;
+extern template class BallTurn<spline::DoubleDouble>;
+extern template class BallTurn<Real>;
 
 }  // namespace tcb
 
 namespace tcb::spline {
 
 /// Promises: balls that hold the lengths and places. Throws: Undecided where there is none.
-template <>
-class SegmentLength<Ball> {
+template <class M>
+class SegmentLength<BallOf<M>> {
  public:
+  using B = BallOf<M>;
+
   /// Requires: `rotations` outlive it.
-  void assign(std::span<const Cubic<Ball>> cubics, std::span<const RotationSegment<Ball>> rotations,
+  void assign(std::span<const Cubic<B>> cubics, std::span<const RotationSegment<B>> rotations,
               std::span<const std::size_t> metric) {
     is_turn_ = is_turn(metric);
     is_turn_ ? turn_.assign(rotations) : arc_.assign(cubics, metric);
   }
 
-  Length<Ball> total() const { return {is_turn_ ? turn_.total() : arc_.total(), Ball()}; }
-  Length<Ball> to(const LocalParameter<Ball>& place) const {
-    return {is_turn_ ? turn_.to(place) : arc_.to(place), Ball()};
-  }
-  void places(const Ball& start, const Ball&, std::span<const Ball> lengths,
-              std::span<LocalParameter<Ball>> places) const {
+  Length<B> total() const { return {is_turn_ ? turn_.total() : arc_.total(), B()}; }
+  Length<B> to(const LocalParameter<B>& place) const { return {is_turn_ ? turn_.to(place) : arc_.to(place), B()}; }
+  void places(const B& start, const B&, std::span<const B> lengths, std::span<LocalParameter<B>> places) const {
     for (std::size_t i = 0; i < lengths.size(); ++i) {
       places[i] = is_turn_ ? turn_.place(lengths[i] - start) : arc_.place(lengths[i] - start);
     }
@@ -111,8 +127,8 @@ class SegmentLength<Ball> {
 
  private:
   bool is_turn_ = false;
-  BallArc arc_;
-  BallTurn turn_;
+  BallArc<M> arc_;
+  BallTurn<M> turn_;
 };
 
 }  // namespace tcb::spline

@@ -1,4 +1,4 @@
-// Ball rows: the numbers of rows that double-doubles with bounds on their errors can round, which are nearly all.
+// Ball rows: the numbers of rows that numbers with bounds on their errors can round.
 #include "exact/ball_rows.hpp"
 
 #include <algorithm>
@@ -26,19 +26,6 @@ struct BallCells {
 };
 
 namespace {
-
-/// A ball around a rational: the nearest double and the double nearest to the rest are within 2^-105 of it. The product
-/// with 1 refuses what is out of range.
-Ball ball_of(const Rational& value) {
-  const double high = nearest_double(value);
-  if (high == 0) return value == 0 ? Ball() : throw Undecided();
-  if (!std::isfinite(high)) throw Undecided();
-  const Rational rest = value - Rational(high);
-  if (rest == 0) return Ball(high);
-  const double low = nearest_double(rest);
-  const spline::DoubleDouble middle = spline::DoubleDouble::normalized(high, low);
-  return Ball(middle, Rational(low) == rest ? 0 : 0x1p-104 * std::abs(high)) * Ball(1.0);
-}
 
 /// Times that are whole numbers from here on have all their digits.
 constexpr double whole_times_from = 0x1p53;
@@ -126,15 +113,15 @@ std::optional<Printed> number_cell(const Ball& number, const Notation& notation,
     if (auto text = decimal_text(number, notation)) return Printed{Cell(number.middle().hi), *std::move(text)};
   }
   const Rational middle = Rational(number.middle().hi) + Rational(number.middle().lo), radius(number.radius());
-  return Rounding(notation, kind, decimals).within(middle - radius, middle + radius);
+  return Rounding(notation, kind, decimals).within(middle, radius);
+}
+std::optional<Printed> number_cell(const RealBall& number, const Notation& notation, CellKind kind, int decimals) {
+  const Rational middle = number.middle().rational(), radius = Middle<Real>::number(number.radius()).rational();
+  const Rounding rounding(notation, kind, decimals);
+  return Real::is_last() ? rounding.at_last(middle, radius) : rounding.within(middle, radius);
 }
 
 }  // namespace
-
-template <>
-Ball scalar_of<Ball>(const Rational& value) {
-  return ball_of(value);
-}
 
 /// Throws: Undecided unless all numbers in the ball are printed as one double.
 template <>
@@ -143,38 +130,31 @@ double printed_length<Ball>(const Ball& length) {
   return length.middle().hi;
 }
 
-/// The power of a distance, from its exact square.
 template <>
-struct DistancePower<Ball> {
-  explicit DistancePower(const Rational&) {}
-  void add_square(const Rational& a, const Rational& b) { sum_ += (b - a) * (b - a); }
-  Ball power(double exponent) const {
-    const double bits = std::ldexp(exponent, 62);  // all of them are used
-    if (exponent > 16 || bits != std::floor(bits)) throw Undecided();
-    return spline::power_by_roots(sqrt(ball_of(sum_)), exponent);
-  }
+double printed_length<RealBall>(const RealBall& length) {
+  const Rational middle = length.middle().rational(), radius = Middle<Real>::number(length.radius()).rational();
+  const double low = nearest_double(middle - radius), high = nearest_double(middle + radius);
+  if (low != high && !Real::is_last()) throw Undecided();
+  return low == high ? low : nearest_double(middle);
+}
 
- private:
-  Rational sum_ = 0;
-};
-
-/// Collects the cells of a point in balls.
-template <>
-class CellWriter<Ball> {
+/// Collects the cells of a point in balls; nothing for one that its ball does not decide.
+template <class M>
+class CellWriter<BallOf<M>> {
  public:
   CellWriter(BallCells& row, CellKind kind) : row_(row), kind_(kind) {}
 
-  void add(const Ball& value) {
+  void add(const BallOf<M>& value) {
     row_.cells.push_back(number_cell(value, row_.notation, kind_, row_.row.segment.decimals));
   }
-  void add(const Quantity<Ball>& value) {
+  void add(const Quantity<BallOf<M>>& value) {
     if (value.defined) return add(value.value);
     row_.cells.push_back(Printed{empty_cell});
   }
-  void add_of_channel(const Ball& value, std::size_t channel, bool moves) {
+  void add_of_channel(const BallOf<M>& value, std::size_t channel, bool moves) {
     const ChannelFacts& facts = row_.curve.facts;
     const bool is_constant = moves ? facts.constant[channel] : facts.zero[channel];
-    add(is_constant && value.may_be_zero() ? Ball() : value);
+    add(is_constant && value.may_be_zero() ? BallOf<M>() : value);
   }
 
  private:
@@ -184,26 +164,32 @@ class CellWriter<Ball> {
 
 namespace {
 
+template <class M>
 class Rows final : public BallRows {
  public:
+  using B = BallOf<M>;
+
   Rows(const RowsOfCurve& rows, std::vector<std::size_t> chosen)
       : rows_(rows), measured_(needs_lengths(chosen)), point_(rows) {
     for (const std::size_t index : chosen) {
       const RowShape shape{rows.exact.keys.channels, rows.exact.channels.rotations};
       const Field& field = fields()[index];
-      const bool is_row_time = field.kind == CellKind::time && field_writers<Ball>[index] == write_sample_time<Ball>;
+      const bool is_row_time = field.kind == CellKind::time && field_writers<B>[index] == write_sample_time<B>;
       fields_.push_back(
-          {is_row_time ? nullptr : field_writers<Ball>[index], field.kind, cells_in_row({&index, 1}, shape)});
+          {is_row_time ? nullptr : field_writers<B>[index], field.kind, cells_in_row({&index, 1}, shape)});
     }
   }
 
   bool set(const FastRow& row, const Notation& notation, std::vector<std::optional<Printed>>& cells) override {
-    cells.clear();
     try {
-      Point<Ball>& point = point_.place(row, measured_);
+      Point<B>& point = point_.place(row, measured_);
       at_end_ = point_.key_at_end();
-      BallCells of{cells, notation, rows_, row};
-      for (const auto& field : fields_) append(field, point, of);
+      std::size_t first = 0;
+      for (const auto& field : fields_) {
+        const auto own = std::span(cells).subspan(first, field.size);
+        if (std::ranges::any_of(own, [](const auto& cell) { return !cell; })) set(own, field, point, row, notation);
+        first += field.size;
+      }
       return true;
     } catch (const Undecided&) {
       return false;
@@ -214,40 +200,50 @@ class Rows final : public BallRows {
 
  private:
   struct FieldCells {
-    decltype(FieldOf<Ball>::write) write;  ///< null: the time of the row
+    decltype(FieldOf<B>::write) write;  ///< null: the time of the row
     CellKind kind;
     std::size_t size;
   };
 
-  void append(const FieldCells& field, Point<Ball>& point, BallCells& of) const {
-    const std::size_t first = of.cells.size();
-    if (field.write == nullptr && !rows_.arc) {
-      of.cells.emplace_back(time_cell(of));
+  /// Sets the cells of a field that are not set yet.
+  void set(std::span<std::optional<Printed>> cells, const FieldCells& field, Point<B>& point, const FastRow& row,
+           const Notation& notation) {
+    computed_.clear();
+    BallCells of{computed_, notation, rows_, row};
+    try {
+      if (field.write == nullptr && !rows_.arc) {
+        computed_.emplace_back(time_cell(of));
+      } else {
+        (field.write == nullptr ? write_sample_time<B> : field.write)(point, CellWriter<B>(of, field.kind));
+      }
+    } catch (const Undecided&) {
       return;
     }
-    try {
-      (field.write == nullptr ? write_sample_time<Ball> : field.write)(point, CellWriter<Ball>(of, field.kind));
-    } catch (const Undecided&) {
-      of.cells.resize(first);
-      of.cells.resize(first + field.size);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (!cells[i]) cells[i] = std::move(computed_[i]);
     }
   }
 
   const RowsOfCurve& rows_;
   const bool measured_;
   std::vector<FieldCells> fields_;
-  RowPoint<Ball> point_;
+  RowPoint<B> point_;
   std::optional<bool> at_end_;
+  std::vector<std::optional<Printed>> computed_;
 };
 
 }  // namespace
 
-std::unique_ptr<BallRows> BallRows::of(const RowsOfCurve& rows, std::vector<std::size_t> chosen) {
+std::unique_ptr<BallRows> BallRows::in_double_doubles(const RowsOfCurve& rows, std::vector<std::size_t> chosen) {
   try {
-    return std::make_unique<Rows>(rows, std::move(chosen));
+    return std::make_unique<Rows<spline::DoubleDouble>>(rows, std::move(chosen));
   } catch (const Undecided&) {
     return nullptr;
   }
+}
+
+std::unique_ptr<BallRows> BallRows::in_reals(const RowsOfCurve& rows, std::vector<std::size_t> chosen) {
+  return std::make_unique<Rows<Real>>(rows, std::move(chosen));
 }
 
 }  // namespace tcb

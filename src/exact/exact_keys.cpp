@@ -60,11 +60,13 @@ spline::Tcb<Rational> exact_tcb(const spline::Tcb<double>& tcb, const Numbers& n
           exact(NumberOfKey::bias_of, NumberOfKey::bias, tcb.bias)};
 }
 
-/// A time and the time that a distance makes, in a float of 80 digits.
+/// A time and the time that a distance makes, to some 90 digits.
 Rational later(const Rational& time, std::span<const Rational> from, std::span<const Rational> to,
                std::span<const std::size_t> metric, double exponent) {
-  using S = Float<80>;
-  return rational_of(S(scalar_of<S>(time) + parameter_step<S, Rational>(from, to, exponent, metric)));
+  const RealPrecision precision(320);
+  return (scalar_of<RealBall>(time) + parameter_step<RealBall, Rational>(from, to, exponent, metric))
+      .middle()
+      .rational();
 }
 
 /// Last key - first key in a channel of an open curve, among the keys that have a position there.
@@ -89,14 +91,11 @@ Rational exact_number(const Time& time, bool decimal, const std::optional<FrameT
 
 ChannelFacts channel_facts(const ExactCurve& exact) {
   const std::size_t channels = exact.keys.channels;
-  ChannelFacts facts{0, std::vector<bool>(channels, true), std::vector<bool>(channels, true),
+  ChannelFacts facts{std::vector<bool>(channels, true), std::vector<bool>(channels, true),
                      std::vector<Rational>(channels, 0)};
   for (std::size_t i = 0; i < exact.keys.positions.size(); ++i) {
     const std::size_t channel = i % channels;
-    const Rational distance = abs(exact.keys.positions[i] - exact.keys.positions[channel]);
-    const bool is_rotation = spline::is_in_rotation(exact.rules.rotations, channel);
-    if (facts.extent < distance && !is_rotation) facts.extent = distance;
-    if (distance != 0) facts.constant[channel] = false;
+    if (exact.keys.positions[i] != exact.keys.positions[channel]) facts.constant[channel] = false;
     if (exact.keys.positions[i] != 0) facts.zero[channel] = false;
   }
   for (std::size_t i = 0; i < exact.keys.given.size(); ++i) {

@@ -50,7 +50,6 @@ Rational exact_number(const Time& time, bool decimal, const std::optional<FrameT
 
 /// What is certain about the channels of a curve from its keys alone.
 struct ChannelFacts {
-  Rational extent = 0;          ///< how far a key is from the first one in a channel, at most
   std::vector<bool> constant;   ///< all keys have the same position there
   std::vector<bool> zero;       ///< all keys have the position 0 there
   std::vector<Rational> cycle;  ///< last key - first key there

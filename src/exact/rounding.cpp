@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "numbers/large_rational.hpp"
 #include "numbers/print_number.hpp"
@@ -38,17 +37,6 @@ int floor_log10(const Rational& value) {
   const auto length = [](const Rational& whole) { return static_cast<int>(whole_text(whole).size()); };
   const int above = length(numerator(value)) - length(denominator(value));
   return times_ten_to(value, -above) < 1 ? above - 1 : above;
-}
-
-/// A bound on the error of `fine`. If only one of the numbers is zero, the other may be noise, and no digits are
-/// credited. As `rough` may be exact by chance, the error is at least that of the digits of `fine`.
-Rational error_of(const Value& rough, const Value& fine, const LevelDigits& digits) {
-  constexpr int unused = 20;
-  const bool is_noise = rough.number == 0 || fine.number == 0;
-  const int more = digits.fine - digits.rough;
-  const Rational by_distance =
-      times_ten_to(2 * abs(rough.number - fine.number), is_noise ? 0 : -std::max(more - unused, 0));
-  return std::max(by_distance, times_ten_to(abs(fine.number), -(digits.fine - unused)));
 }
 
 std::string without_zeros(std::string text) {
@@ -155,24 +143,41 @@ Printed Rounding::exactly(const Value& value) const {
   }
 }
 
-std::optional<Printed> Rounding::between(const Value& rough, const Value& fine, const LevelDigits& digits) const {
-  if (rough.doubtful || fine.doubtful || rough.empty != fine.empty) return std::nullopt;
-  if (fine.empty) return Printed{empty_cell};
-  const Rational error = error_of(rough, fine, digits);
-  return enclosed(fine.number - error, fine.number + error);
+std::optional<Printed> Rounding::within(const Rational& middle, const Rational& radius) const {
+  const Rational low = middle - radius, high = middle + radius;
+  const bool has_sign = low == high || low > 0 || high < 0;
+  return has_sign ? enclosed(low, high) : std::nullopt;
 }
 
-Printed Rounding::at_last(const Value& rough, const Value& fine, const LevelDigits& level) const {
-  if (fine.empty) return {empty_cell};
-  const Rational error = error_of(rough, fine, level);
-  const Rational size = abs(fine.number);
-  if (size <= error) return rounded(0);
-  const bool fixed = has_text() && notation_.kind == Kind::fixed;
+Printed Rounding::at_last(const Rational& middle, const Rational& radius) const {
+  if (auto printed = within(middle, radius)) return *std::move(printed);
+  const Rational size = abs(middle);
+  if (size <= radius) return rounded(0);
+  const bool fixed = has_text() && notation_.kind == Notation::Kind::fixed;
   const int digits = has_text() ? notation_.count : digits_of_double;
   const Rational unit = times_ten_to(fixed ? Rational(1) : size, -digits);
-  if (error * 1'000'000 > unit) throw std::range_error("too few digits");
-  const Rational simple = simplest_between(size - error, size + error);
-  return rounded(fine.number < 0 ? Rational(-simple) : simple);
+  if (radius * 1'000'000 > unit) throw Undecided();
+  const Rational simple = simplest_between(size - radius, size + radius);
+  return rounded(middle < 0 ? Rational(-simple) : simple);
+}
+
+template <>
+Ball scalar_of<Ball>(const Rational& value) {
+  const double high = nearest_double(value);
+  if (high == 0) return value == 0 ? Ball() : throw Undecided();
+  if (!std::isfinite(high)) throw Undecided();
+  const Rational rest = value - Rational(high);
+  if (rest == 0) return Ball(high) * Ball(1.0);  // which refuses what is out of range
+  const double low = nearest_double(rest);
+  const spline::DoubleDouble middle = spline::DoubleDouble::normalized(high, low);
+  return Ball(middle, Rational(low) == rest ? 0 : 0x1p-104 * std::abs(high)) * Ball(1.0);
+}
+
+template <>
+RealBall scalar_of<RealBall>(const Rational& value) {
+  ErrorBound radius;
+  const Real middle = Middle<Real>::nearest(value, radius);
+  return RealBall(middle, radius);
 }
 
 }  // namespace tcb

@@ -1,69 +1,62 @@
-// Exact scalars and rounding: rationals, floats of more and more digits, and the double nearest to their values.
+// Exact scalars and rounding: rationals, balls around them, and what is printed of their values.
 #pragma once
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-
-#include <limits>
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 
+#include "exact/ball.hpp"
 #include "keys/prepare.hpp"
 #include "numbers/decimal_time.hpp"
-#include "numbers/large_rational.hpp"
 #include "numbers/print_number.hpp"
 #include "numbers/rational.hpp"
 #include "sample/fields.hpp"
 
 namespace tcb {
 
-template <unsigned digits>
-using Float =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<digits>, boost::multiprecision::et_off>;
-
-/// An exact number at a scalar: rounded, unless that is exact.
+/// An exact number at a scalar: itself, or a ball around it. Throws: Undecided for one beyond the range of the balls.
 template <class S>
-S scalar_of(const Rational& value) {
-  if constexpr (std::numeric_limits<S>::is_exact) {
-    return value;
-  } else {
-    return S(integer(numerator(value))) / S(integer(denominator(value)));
-  }
+S scalar_of(const Rational& value);
+template <>
+inline Rational scalar_of<Rational>(const Rational& value) {
+  return value;
 }
-
-/// The exact value of a scalar.
-template <class S>
-Rational rational_of(const S& value) {
-  if constexpr (std::numeric_limits<S>::is_exact) {
-    return value;
-  } else {
-    constexpr int digits = std::numeric_limits<S>::digits;
-    int exponent = 0;
-    const S mantissa = frexp(value, &exponent);
-    const Integer whole(ldexp(mantissa, digits));
-    exponent -= digits;
-    return exponent < 0 ? ratio(whole, Integer(1) << -exponent) : rational(whole << exponent);
-  }
-}
+template <>
+Ball scalar_of<Ball>(const Rational& value);
+template <>
+RealBall scalar_of<RealBall>(const Rational& value);
 
 /// The power of a distance between exact positions: the square of the distance is exact.
-template <unsigned digits>
-struct DistancePower<Float<digits>> {
+template <class M>
+struct DistancePower<BallOf<M>> {
   explicit DistancePower(const Rational&) {}
   void add_square(const Rational& a, const Rational& b) { sum_ += (b - a) * (b - a); }
-  Float<digits> power(double exponent) const {
-    return pow(sqrt(scalar_of<Float<digits>>(sum_)), Float<digits>(exponent));
+  /// By the nested roots of spline::power_by_roots(). Requires: 0 <= exponent < 2^53.
+  BallOf<M> power(double exponent) const {
+    BallOf<M> x = sqrt(scalar_of<BallOf<M>>(sum_)), whole_part(1.0), root(1.0);
+    double whole = std::floor(exponent), rest = exponent - whole;
+    int bits = 0;
+    for (; rest != std::floor(rest); rest *= 2) ++bits;
+    const BallOf<M> root_of_x = sqrt(x);
+    for (auto left = static_cast<std::uint64_t>(rest); bits > 0; --bits, left >>= 1) {
+      root = (left & 1U) != 0 ? sqrt(root) * root_of_x : sqrt(root);
+    }
+    for (auto left = static_cast<std::uint64_t>(whole); left > 0; left >>= 1, x = x * x) {
+      if ((left & 1U) != 0) whole_part = whole_part * x;
+    }
+    return whole_part * root;
   }
 
  private:
   Rational sum_ = 0;
 };
 
-/// A number to be printed: exact, or of a float that has to be compared with one of more digits.
+/// An exact number to be printed.
 struct Value {
   Rational number;
-  bool root = false;      ///< `number` is the square of the value, with the sign of the value
-  bool empty = false;     ///< it is not defined
-  bool doubtful = false;  ///< it is taken for zero, or for not defined, because it is too small for the float
+  bool root = false;   ///< `number` is the square of the value, with the sign of the value
+  bool empty = false;  ///< it is not defined
 };
 
 /// A number as it is printed: the nearest double, or beyond 2^53 whole number of a time; and a text where that has
@@ -71,11 +64,6 @@ struct Value {
 struct Printed {
   Cell cell;
   std::string text = {};
-};
-
-/// The decimal digits of the floats of two levels.
-struct LevelDigits {
-  int rough, fine;
 };
 
 class Rounding {
@@ -87,18 +75,12 @@ class Rounding {
   /// An exact value, or the root of one.
   Printed exactly(const Value& value) const;
 
-  /// A number in [low, high]: nothing if they do not determine the rounding.
-  std::optional<Printed> within(const Rational& low, const Rational& high) const { return enclosed(low, high); }
+  /// A number within `radius` of `middle`: nothing if they do not determine the rounding.
+  std::optional<Printed> within(const Rational& middle, const Rational& radius) const;
 
-  /// A number given by two values, the second computed in the same way with more digits: nothing if they do not
-  /// determine the rounding. The first one's error is about their distance, unless it is exact by chance, and the
-  /// second one's is smaller by a factor of 10^(more digits), of which 10^20 are not used, for what is not
-  /// proportional.
-  std::optional<Printed> between(const Value& rough, const Value& fine, const LevelDigits& digits) const;
-
-  /// As between(), for the last level: a value that its digits do not distinguish from a short number is that number.
-  /// Throws: std::range_error where they are not enough for the text.
-  Printed at_last(const Value& rough, const Value& fine, const LevelDigits& level) const;
+  /// As within(), for the last precision: a number that it does not distinguish from 0 is 0, and one that it does not
+  /// distinguish from a short one is that. Throws: Undecided where the radius is too large for that.
+  Printed at_last(const Rational& middle, const Rational& radius) const;
 
  private:
   bool has_text() const;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "exact/precision_levels.hpp"
+#include "exact/exact_rows.hpp"
 #include "keys/prepare.hpp"
 #include "option_names.hpp"
 #include "sample/anywhere.hpp"

@@ -109,14 +109,12 @@ void FileNotes::add_samples(const PlacedCurve& placed, const SamplingRequest& re
     rows_ += *placed.facts.rows;
     least_rows_ += *placed.facts.least_rows;
   }
-  if (placed.golden != nullptr) rounded_ += placed.golden->counts();
   if (placed.facts.step && request.end != EndPolicy::drop) add(step_is(time_text(*placed.facts.step)));
 }
 
 void FileNotes::end(const Curves& curves) {
   if (remainders_ > 1) add(more_remainders(remainders_ - 1));
   if (rows_ > 0) add(rows_within(rows_, least_rows_));
-  if (rounded_.by_bounds + rounded_.exactly + rounded_.by_floats > 0) add(rounded_numbers(rounded_));
   if (curves.skipped() > 0) add(skipped_rows(curves.skipped()));
   if (curves.gaps() > 0) add(gaps_divide(curves.gaps(), curves.largest_gap()));
   if (curves.midnights() > 0) add(midnights_passed(time_name_));

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "exact/precision_levels.hpp"
 #include "keys/curves.hpp"
 #include "read/input.hpp"
 #include "run/curve_pipeline.hpp"
@@ -41,7 +40,6 @@ class FileNotes {
   std::uint64_t remainders_ = 0;  ///< number of curves whose end is not a row
   std::uint64_t rows_ = 0;        ///< within a distance
   std::uint64_t least_rows_ = 0;  ///< of any polylines within it
-  LevelCounts rounded_;           ///< numbers of golden rows
 };
 
 /// Warns if another version made the output to reproduce, as its last digits may differ.

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "exact/precision_levels.hpp"
 #include "option_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -139,13 +138,6 @@ Note more_remainders(std::uint64_t curves) {
 
 Note rows_within(std::uint64_t rows, std::uint64_t least) {
   return {fmt::format("{} rows; any polyline within the tolerance has at least {}", rows, least), true};
-}
-
-Note rounded_numbers(const LevelCounts& counts) {
-  const auto& [by_bounds, exactly, by_floats] = counts;
-  std::string text = fmt::format("{} numbers rounded by proved bounds, {} exactly", by_bounds, exactly);
-  if (by_floats > 0) text += fmt::format(", {} by comparing floats of up to 200 digits", by_floats);
-  return {text, by_floats > 0};
 }
 
 Note gaps_divide(std::uint64_t gaps, double largest) {

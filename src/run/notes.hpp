@@ -8,8 +8,6 @@
 
 namespace tcb {
 
-struct LevelCounts;
-
 struct Note {
   std::string text;
   bool is_important = false;  ///< printed unless it is quiet; other notes only on a terminal
@@ -56,8 +54,6 @@ Note rate_of_frames(std::string_view time);
 Note remainder_note(double distance, bool at_key);
 Note more_remainders(std::uint64_t curves);
 Note rows_within(std::uint64_t rows, std::uint64_t least);
-/// How the numbers of golden rows were rounded.
-Note rounded_numbers(const LevelCounts& counts);
 /// Gaps divide the curves.
 Note gaps_divide(std::uint64_t gaps, double largest);
 Note step_is(std::string_view step);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "exact/rounding.hpp"
+#include "exact/floats.hpp"
 
 namespace tcb {
 namespace {

@@ -1,10 +1,11 @@
-// Precision levels: every number of a row as exact arithmetic gives it, rounded once.
+// Exact rows: every number of a row as exact arithmetic gives it, rounded once.
 //
 // The fast rows decide which rows there are, and on which segment each of them lies. The numbers are computed in balls
 // of double-doubles, and where their bounds leave a choice of the rounding, in rationals if they are rational or roots
-// of rationals. What remains is computed in floats of more and more digits, until the values of two levels leave no
-// choice. Source: A. Ziv, "Fast evaluation of elementary mathematical functions with correctly rounded last bit",
-//   doi:10.1145/114697.116813.
+// of rationals. What remains is computed in balls of more and more digits, until no choice is left. Lengths, angles and
+// rotations are irrational, and no ball proves that one is 0, or halfway between two doubles: what 460 digits do not
+// distinguish from 0, or from a short number, is that. Source: A. Ziv, "Fast evaluation of elementary mathematical
+// functions with correctly rounded last bit", doi:10.1145/114697.116813.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +20,6 @@
 
 namespace tcb {
 
-/// How many numbers were rounded in which way. Only floats leave a doubt: they are compared with others of fewer
-/// digits.
-struct LevelCounts {
-  std::uint64_t by_bounds = 0, exactly = 0, by_floats = 0;
-
-  LevelCounts& operator+=(const LevelCounts& other) {
-    by_bounds += other.by_bounds;
-    exactly += other.exactly;
-    by_floats += other.by_floats;
-    return *this;
-  }
-};
-
 /// The correctly rounded rows of one curve.
 class ExactRows {
  public:
@@ -45,9 +33,6 @@ class ExactRows {
   /// own; of rows by length, whose lengths are kept for later ones, one. Throws: Error (data) for a number beyond the
   /// range of doubles, or one that needs more digits than there are.
   Table evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen);
-
-  /// Of all rows so far. Requires: none are being evaluated.
-  LevelCounts counts() const;
 
  private:
   struct Request;

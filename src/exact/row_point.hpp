@@ -1,4 +1,4 @@
-// A precision level: a curve at one exact scalar, and the numbers of its rows.
+// Rows of an exact curve, as the fast path places them, and their points at any scalar.
 #pragma once
 
 #include <algorithm>
@@ -19,28 +19,6 @@
 #include "tcb/spline/segment_length.hpp"
 
 namespace tcb {
-
-/// Collects the numbers of a point at an exact scalar.
-template <class S>
-class CellWriter {
- public:
-  CellWriter(std::vector<Value>& row, const ChannelFacts& facts) : row_(row), facts_(facts) {}
-
-  void add(const S& value) { row_.push_back({rational_of(value)}); }
-  void add(const Quantity<S>& value) {
-    row_.push_back({rational_of(value.value), value.root, !value.defined, value.doubtful});
-  }
-  /// One of a channel's numbers: a position, or with `moves` a derivative. Where a float comes out as zero, which need
-  /// not be certain, it may be what is left of large numbers.
-  void add_of_channel(const S& value, std::size_t channel, bool moves) {
-    const bool certain = moves ? facts_.constant[channel] : facts_.zero[channel];
-    row_.push_back({rational_of(value), false, false, spline::has_roots<S> && value == S(0) && !certain});
-  }
-
- private:
-  std::vector<Value>& row_;
-  const ChannelFacts& facts_;
-};
 
 /// A row as the fast path places it.
 struct FastRow {
@@ -69,44 +47,26 @@ struct RowsOfCurve {
   spline::Side side;
 };
 
-/// The curve at some scalar, and the numbers of its rows.
-class AnyLevel {
- public:
-  virtual ~AnyLevel() = default;
-
-  /// Requires: where rows are placed by length and the scalar has no roots, the row is at a key.
-  virtual std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) = 0;
-
-  /// Whether the last row was at the key at its segment's end, or at its start; nothing if it was at none.
-  virtual std::optional<bool> key_at_end() const = 0;
-};
-
 /// Whether fields need the length up to a point.
 inline bool needs_lengths(std::span<const std::size_t> chosen) {
   return std::ranges::any_of(chosen, [](std::size_t i) { return fields()[i].needs_lengths; });
 }
 
-/// The level of one scalar. Each scalar has an object of its own, made of level.cpp.in: they take long to compile.
-template <class S>
-std::unique_ptr<AnyLevel> make_level(const RowsOfCurve& rows);
-
 /// The double that a length is printed as.
 template <class S>
-double printed_length(const S& length) {
-  return nearest_double(rational_of(length));
-}
+double printed_length(const S& length);
 
 /// The point of one row after another at a scalar.
 template <class S>
 class RowPoint {
  public:
-  explicit RowPoint(const RowsOfCurve& rows)
-      : rows_(rows), curve_(curve_at<S>(rows.exact)), point_(PathShape<S>(scalar_of<S>(rows.facts.extent))) {
+  explicit RowPoint(const RowsOfCurve& rows) : rows_(rows), curve_(curve_at<S>(rows.exact)) {
     for (const Rational& cycle : rows.facts.cycle) cycle_.push_back(scalar_of<S>(cycle));
     if constexpr (spline::has_roots<S>) set_turns();
   }
 
-  /// Requires: as AnyLevel::values(). `measured`: lengths of the point are needed.
+  /// Requires: where rows are placed by length and the scalar has no roots, the row is at a key. `measured`: lengths of
+  /// the point are needed.
   Point<S>& place(const FastRow& row, bool measured) {
     outside_.reset();
     if (!rows_.arc) {
@@ -338,24 +298,6 @@ class RowPoint {
   SampleOf<S> sample_, end_;
   std::optional<OutsideOf<S>> outside_;
   Point<S> point_;
-};
-
-template <class S>
-class Level final : public AnyLevel {
- public:
-  explicit Level(const RowsOfCurve& rows) : rows_(rows), point_(rows) {}
-
-  std::vector<Value> values(const FastRow& row, std::span<const std::size_t> chosen) override {
-    Point<S>& point = point_.place(row, needs_lengths(chosen));
-    std::vector<Value> result;
-    for (const std::size_t field : chosen) field_writers<S>[field](point, CellWriter<S>(result, rows_.facts));
-    return result;
-  }
-  std::optional<bool> key_at_end() const override { return point_.key_at_end(); }
-
- private:
-  const RowsOfCurve& rows_;
-  RowPoint<S> point_;
 };
 
 }  // namespace tcb

@@ -1,5 +1,5 @@
-// Precision levels: rows are exact numbers rounded once.
-#include "exact/precision_levels.hpp"
+// Exact rows are exact numbers rounded once.
+#include "exact/exact_rows.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,17 +1,17 @@
-// Precision levels: every number of a row as exact arithmetic gives it, rounded once.
-#include "exact/precision_levels.hpp"
+// Exact rows: every number of a row as exact arithmetic gives it, rounded once.
+#include "exact/exact_rows.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "error.hpp"
 #include "exact/ball_rows.hpp"
 #include "exact/errors.hpp"
-#include "exact/level.hpp"
+#include "exact/rational_rows.hpp"
+#include "exact/real.hpp"
 #include "numbers/print_number.hpp"
 
 namespace tcb {
@@ -97,18 +97,6 @@ class ExactTimes {
   std::optional<Grid> grid_;
 };
 
-namespace {
-
-/// A level of floats.
-struct FloatLevel {
-  int digits;
-  std::unique_ptr<AnyLevel> (*make)(const RowsOfCurve&);
-};
-constexpr std::array float_levels{FloatLevel{40, make_level<Float<40>>}, FloatLevel{80, make_level<Float<80>>},
-                                  FloatLevel{200, make_level<Float<200>>}};
-
-}  // namespace
-
 /// What all rows of a request need, on any thread.
 struct ExactRows::Request {
   Request(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& rounded,
@@ -132,26 +120,21 @@ class ExactRows::Evaluation {
 
   void add_row(FastRow row, std::span<const std::size_t> chosen, Table& table) {
     times_.set(row);
-    if (!has_balls_) balls_ = BallRows::of(rows_, {chosen.begin(), chosen.end()});
+    if (!has_balls_) balls_ = BallRows::in_double_doubles(rows_, {chosen.begin(), chosen.end()});
     has_balls_ = true;
+    cells_.assign(width(chosen), std::nullopt);
     const bool is_placed = balls_ != nullptr && balls_->set(row, notation_, cells_);
-    if (!is_placed) cells_.assign(width(chosen), std::nullopt);
-    counts_.by_bounds += cells_.size();
-    if (!std::ranges::all_of(cells_, &std::optional<Printed>::has_value)) complete(row, chosen, is_placed);
+    if (is_open()) complete(row, chosen, is_placed);
     const auto overflows = [](const auto& one) { return !is_empty(one->cell) && !std::isfinite(one->cell.hi); };
     if (std::ranges::any_of(cells_, overflows)) refuse_overflow(row.sample);
     for (std::optional<Printed>& cell : cells_) append(*std::move(cell), table);
   }
 
-  const LevelCounts& counts() const { return counts_; }
-
  private:
-  /// A column of the current row; if it is rational, or the root of a rational, it can be computed as that where the
-  /// row's place is rational.
-  struct Column {
-    CellKind kind;
-    bool rational;
-  };
+  /// Bits of floats whose precision rises until all numbers are decided: some 57, 115, 231 and 462 digits.
+  static constexpr std::array precisions{192, 384, 768, 1536};
+
+  bool is_open() const { return !std::ranges::all_of(cells_, &std::optional<Printed>::has_value); }
 
   void append(Printed printed, Table& table) const {
     table.cells.push_back(printed.cell);
@@ -166,53 +149,36 @@ class ExactRows::Evaluation {
     return rows_.exact.is_rational() && fields()[field].is_rational && rows_.exact.rules.rotations.empty();
   }
 
-  /// Sets the cells that balls leave open. They are nearly always halfway between two roundings, or 0, and are computed
-  /// as rationals where they are rational; others in floats.
+  /// Sets the cells that double-doubles leave open. They are nearly always halfway between two roundings, or 0, and are
+  /// computed as rationals where they are rational; others in more and more digits.
   void complete(const FastRow& row, std::span<const std::size_t> chosen, bool is_placed) {
-    const auto is_open = [](const std::optional<Printed>& cell) { return !cell.has_value(); };
-    const std::optional<bool> key_at_end = rows_.arc && is_placed ? balls_->key_at_end() : std::nullopt;
-    const bool has_rational_place = !rows_.arc || key_at_end;
-    std::vector<std::size_t> rational, others;
-    for_each_field(chosen, [&](std::size_t index, std::span<std::optional<Printed>> cells) {
-      if (std::ranges::none_of(cells, is_open)) return;
-      (has_rational_place && is_rational(index) ? rational : others).push_back(index);
-    });
-    std::vector<Value> exact;
-    if (!rational.empty()) exact = rational_values(row, rational, key_at_end);
-    std::vector<Printed> by_floats;
-    if (!others.empty()) by_floats = float_cells(row, others);
-    counts_.by_bounds -= exact.size() + by_floats.size();
-    counts_.exactly += exact.size();
-    auto next_exact = exact.begin();
-    auto next_float = by_floats.begin();
-    for_each_field(chosen, [&](std::size_t index, std::span<std::optional<Printed>> cells) {
-      if (std::ranges::none_of(cells, is_open)) return;
-      const Rounding rounding(notation_, fields()[index].kind, row.segment.decimals);
-      const bool is_exact = has_rational_place && is_rational(index);
-      for (std::optional<Printed>& cell : cells) cell = is_exact ? rounding.exactly(*next_exact++) : *next_float++;
-    });
+    if (!rows_.arc || is_placed) set_rationals(row, chosen, rows_.arc ? balls_->key_at_end() : std::nullopt);
+    for (std::size_t level = 0; is_open() && level < precisions.size(); ++level) {
+      const RealPrecision precision(precisions[level], level + 1 == precisions.size());
+      try {
+        if (reals_[level] == nullptr) reals_[level] = BallRows::in_reals(rows_, {chosen.begin(), chosen.end()});
+        const bool has_place = reals_[level]->set(row, notation_, cells_);
+        if (rows_.arc && has_place) set_rationals(row, chosen, reals_[level]->key_at_end());
+      } catch (const Undecided&) {
+        continue;
+      }
+    }
+    if (is_open()) throw row_needs_more_digits(time_text(row.sample.t));
   }
 
-  /// Calls a function with each field and its cells of the current row.
-  template <class F>
-  void for_each_field(std::span<const std::size_t> chosen, F f) {
+  /// Sets the open cells that are rational, if the place of the row is. `key_at_end`: where it is placed by length.
+  void set_rationals(FastRow row, std::span<const std::size_t> chosen, std::optional<bool> key_at_end) {
+    if (rows_.arc && !key_at_end) return;
+    row.key_at_end = key_at_end;
     std::size_t first = 0;
     for (const std::size_t& index : chosen) {
-      const std::size_t size = width({&index, 1});
-      f(index, std::span(cells_).subspan(std::exchange(first, first + size), size));
-    }
-  }
-
-  /// The cells of some fields of a row by floats, or by rationals where floats leave them in doubt.
-  std::vector<Printed> float_cells(const FastRow& row, std::span<const std::size_t> chosen) {
-    std::vector<Column> columns;
-    for (const std::size_t& index : chosen) {
-      columns.insert(columns.end(), width({&index, 1}), {fields()[index].kind, is_rational(index)});
-    }
-    try {
-      return cells_from(1, row, chosen, columns, float_values(0, row, chosen));
-    } catch (const std::range_error&) {
-      throw row_needs_more_digits(time_text(row.sample.t));
+      const auto cells = std::span(cells_).subspan(first, width({&index, 1}));
+      first += cells.size();
+      if (!is_rational(index) || std::ranges::all_of(cells, &std::optional<Printed>::has_value)) continue;
+      if (rational_ == nullptr) rational_ = std::make_unique<RationalRows>(rows_);
+      const std::vector<Value> values = rational_->values(row, {&index, 1});
+      const Rounding rounding(notation_, fields()[index].kind, row.segment.decimals);
+      std::ranges::transform(values, cells.begin(), [&](const Value& value) { return rounding.exactly(value); });
     }
   }
 
@@ -221,59 +187,14 @@ class ExactRows::Evaluation {
     return notation_.kind == digits || notation_.kind == fixed;
   }
 
-  std::vector<Value> float_values(std::size_t level, const FastRow& row, std::span<const std::size_t> chosen) {
-    if (floats_[level] == nullptr) floats_[level] = float_levels[level].make(rows_);
-    return floats_[level]->values(row, chosen);
-  }
-
-  std::vector<Value> rational_values(FastRow row, std::span<const std::size_t> chosen, std::optional<bool> key_at_end) {
-    row.key_at_end = key_at_end;
-    if (rational_ == nullptr) rational_ = make_level<Rational>(rows_);
-    return rational_->values(row, chosen);
-  }
-
-  /// The cells of a row by floats of a level and of the one below it; what they leave in doubt, by rationals, or by the
-  /// levels above.
-  std::vector<Printed> cells_from(std::size_t level, const FastRow& row, std::span<const std::size_t> chosen,
-                                  std::span<const Column> columns, const std::vector<Value>& rough) {
-    const bool last = level + 1 == float_levels.size();
-    const LevelDigits digits{float_levels[level - 1].digits, float_levels[level].digits};
-    const std::vector<Value> fine = float_values(level, row, chosen);
-    const std::optional<bool> key_at_end = floats_[level]->key_at_end();
-    const bool place_is_rational = !rows_.arc || key_at_end;
-    std::vector<Value> exact;
-    std::vector<Printed> cells;
-    LevelCounts counts;
-    for (std::size_t i = 0; i < fine.size(); ++i) {
-      const Rounding rounding(notation_, columns[i].kind, row.segment.decimals);
-      const bool is_known = columns[i].kind == CellKind::time && !rows_.arc && (row.time || row.sample.t.lo != 0);
-      ++(is_known ? counts.exactly : counts.by_floats);
-      auto cell = is_known ? rounding.exactly({row.time ? *row.time : exact_time(row.sample.t)})
-                           : rounding.between(rough[i], fine[i], digits);
-      if (!cell && columns[i].rational && place_is_rational) {
-        if (exact.empty()) exact = rational_values(row, chosen, key_at_end);
-        cell = rounding.exactly(exact[i]);
-        --counts.by_floats;
-        ++counts.exactly;
-      } else if (!cell) {
-        if (!last) return cells_from(level + 1, row, chosen, columns, fine);
-        cell = rounding.at_last(rough[i], fine[i], digits);
-      }
-      cells.push_back(std::move(*cell));
-    }
-    counts_ += counts;
-    return cells;
-  }
-
   const RowsOfCurve& rows_;
   const ExactTimes& times_;
   const Notation& notation_;
   std::unique_ptr<BallRows> balls_;            ///< null: the curve is not for balls
   bool has_balls_ = false;                     ///< balls_ is set
   std::vector<std::optional<Printed>> cells_;  ///< of the current row; nothing where they are not decided yet
-  LevelCounts counts_;
-  std::unique_ptr<AnyLevel> rational_;
-  std::array<std::unique_ptr<AnyLevel>, float_levels.size()> floats_;
+  std::unique_ptr<RationalRows> rational_;     ///< null until it is needed
+  std::array<std::unique_ptr<BallRows>, precisions.size()> reals_;  ///< likewise
 };
 
 ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation,
@@ -292,12 +213,6 @@ std::unique_ptr<ExactRows::Evaluation> ExactRows::take() {
 void ExactRows::give_back(std::unique_ptr<Evaluation> evaluation) {
   const std::lock_guard lock(mutex_);
   idle_.push_back(std::move(evaluation));
-}
-
-LevelCounts ExactRows::counts() const {
-  LevelCounts sum;
-  for (const std::unique_ptr<Evaluation>& evaluation : idle_) sum += evaluation->counts();
-  return sum;
 }
 
 Table ExactRows::evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen) {
