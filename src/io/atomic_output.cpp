@@ -39,7 +39,7 @@ void end_without_unfinished(void (*end)()) {
 }
 
 constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz";
-constexpr std::string_view ending = ".tcbsample";
+constexpr std::string_view temporary_ending = ".tcbsample";
 constexpr std::size_t random_letters = 10;
 
 /// A hidden name in the folder of `path`, with random letters.
@@ -49,13 +49,13 @@ std::string unfinished_name(const std::filesystem::path& path) {
   std::uniform_int_distribution<std::size_t> letter(0, letters.size() - 1);
   std::string name = "." + path_text(path.filename()).substr(0, longest) + ".";
   for (std::size_t i = 0; i < random_letters; ++i) name += letters[letter(random)];
-  return path_text(path.parent_path() / (name + std::string(ending)));
+  return path_text(path.parent_path() / (name + std::string(temporary_ending)));
 }
 
 /// Whether a file name is one that unfinished_name() makes.
 bool is_unfinished_name(std::string_view name) {
-  if (!name.starts_with('.') || !name.ends_with(ending)) return false;
-  name.remove_suffix(ending.size());
+  if (!name.starts_with('.') || !name.ends_with(temporary_ending)) return false;
+  name.remove_suffix(temporary_ending.size());
   const std::size_t point = name.rfind('.');
   const std::string_view random = name.substr(point + 1);
   return point > 0 && random.size() == random_letters && random.find_first_not_of(letters) == std::string_view::npos;

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "exact/rounding.hpp"
+#include "exact/floats.hpp"
 
 namespace tcb {
 namespace {
