@@ -303,6 +303,16 @@ class std::numeric_limits<tcb::BallOf<M>> {
 
 namespace tcb {
 
+/// The terms of a series at which the bounds of truncated_series() have no effect, also on derivatives.
+template <class M>
+bool has_effect(const BallOf<M>& term, const BallOf<M>& least) {
+  return term.most() > least.most();
+}
+template <class M>
+bool has_effect(const spline::Dual<BallOf<M>>& term, const BallOf<M>& least) {
+  return has_effect(term.value, least) || has_effect(term.slope, least);
+}
+
 /// Each term is that before times a factor (odd^2 - u^2) square / ((odd + 1) (odd + 2)), which is at most `square` and
 /// below 1/64, so that all that are left out are below 1.1 `square` of the last one.
 template <class M>

@@ -101,8 +101,13 @@ spline::SineCosine<B> sine_cosine_of_rest(const B& rest, const std::vector<B>& i
 }
 
 template <class B>
-spline::SineCosine<B> sine_cosine_of(const B& angle) {
-  if (angle.is_zero()) return {B(), B(1.0)};
+spline::SineCosine<B> sine_cosine_of(const B& whole_angle) {
+  if (whole_angle.is_zero()) return {B(), B(1.0)};
+  B angle = whole_angle;
+  if (!(angle.most() < typename B::Bound(100.0))) {
+    const B turn = B(2.0) * pi<B>();
+    angle = angle - turn * B(B::Ops::floor((angle / turn).middle()));
+  }
   constexpr double largest = 1000, sixteen_over_pi = 0x1.45f306dc9c883p+2;
   if (!(angle.most() < typename B::Bound(largest))) throw Undecided();
   const auto& [part, directions, inverse] = constants<B>();

@@ -6,7 +6,7 @@
 
 namespace tcb {
 
-/// Throws: Undecided for an angle beyond 1000 radians.
+/// Throws: Undecided for an angle whose ball is not small.
 spline::SineCosine<Ball> sine_cosine(const Ball& angle);
 spline::SineCosine<RealBall> sine_cosine(const RealBall& angle);
 inline Ball sine(const Ball& angle) { return sine_cosine(angle).sine; }

@@ -63,7 +63,6 @@ TEST(BallAngle, has_exact_cases) {
 }
 
 TEST(BallAngle, refuses_what_it_cannot_bound) {
-  EXPECT_THROW((void)sine_cosine(Ball(1e6)), Undecided);
   EXPECT_THROW((void)sine_cosine(Ball({1, 0}, 0.5)), Undecided);
   EXPECT_THROW((void)angle_of(Ball({1e-3, 0}, 1e-3), Ball({0, 0}, 1e-3)), Undecided);
 }

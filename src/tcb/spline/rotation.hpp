@@ -34,6 +34,11 @@ namespace tcb::spline {
 template <class T>
 using Vector3 = TurnVector<T>;
 
+/// Whether further terms of the series of Arc::weight() follow; a scalar with bounds on its errors has one of its own.
+template <class T, class Least>
+bool has_effect(const T& term, const Least& least) {
+  return value_of(term) > least;
+}
 /// The sum of the series of Arc::weight() up to a term that is below rounding; a scalar with bounds on its errors has
 /// one of its own, which adds the terms that are left out.
 template <class T>
@@ -130,7 +135,7 @@ class Arc {
     const auto whole = [](int number) { return U(static_cast<value_t<U>>(number)); };
     const U u2 = u * u;
     U sum(1), term(1);
-    for (int odd = 1; value_of(term) > least; odd += 2) {
+    for (int odd = 1; has_effect(term, least); odd += 2) {
       term = term * ((whole(odd * odd) - u2) * U(square_) / whole((odd + 1) * (odd + 2)));
       sum = sum + term;
     }
