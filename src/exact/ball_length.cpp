@@ -61,20 +61,19 @@ Rule<Real> make_rule(int n, int bits) {
       const double value = legendre(n, rough, slope);
       rough -= value / slope;
     }
+    constexpr int guard = 60;
+    std::vector<int> digits{bits + guard};  // of each step; the first one begins with those of a double
+    while (digits.back() > 90) digits.push_back(digits.back() / 2 + 25);
     Real x(rough), rate;
-    const auto step = [&](int digits) {
-      const RealPrecision precision(digits);
+    for (auto step = digits.rbegin(); step != digits.rend(); ++step) {
+      const RealPrecision precision(*step);
       const auto [value, before] = legendre(n, x);
-      rate = Real(static_cast<double>(n)) * (x * value - before) / (x * x - Real(1.0));
-      return value / rate;
-    };
-    constexpr int guard = 40;
-    for (int known = 40; known < bits + guard; known *= 2) {
-      const Real off = step(std::min(2 * known, bits) + guard);
-      const RealPrecision precision(bits + guard);
+      const Real degree(static_cast<double>(n)), rest = Real(1.0) - x * x;
+      const Real derivative = degree * (before - x * value) / rest, off = value / derivative;
+      // The derivative at the root, by Legendre's equation; the next term has the square of `off`.
+      rate = derivative - off * (Real(2.0) * x * derivative - degree * (degree + Real(1.0)) * value) / rest;
       x = x - off;
     }
-    (void)step(bits + guard);
     const RealPrecision wide(bits + guard);
     const Real weight = Real(1.0) / ((Real(1.0) - x * x) * rate * rate), left = halved(Real(1.0) - x),
                right = halved(Real(1.0) + x);

@@ -66,7 +66,8 @@ TEST(ExactKeys, the_curve_of_all_scalars_has_the_same_segments) {
 
 TEST(ExactKeys, rotations_in_other_forms_are_converted_at_each_scalar) {
   KeyBlock keys_about_x;  // 60 degrees twice, each after the key before; the second quaternion has the other sign
-  const RotationColumns columns{{0, 1, 2, 3}, {}};
+  RotationColumns columns;
+  columns.channels = {0, 1, 2, 3};
   const spline::RotationNotation notation{spline::RotationForm::axis_angle, {}, true, true};
   keys_about_x.keys.channels = 4;
   keys_about_x.keys.times = {0.0, 1.0};
