@@ -18,7 +18,7 @@ extern const OutputFormat delimited_output, json_output, jsonl_output, pose_outp
 namespace {
 
 /// To add a format: a row here, and the halves that it names.
-constexpr std::array list{
+constexpr std::array list_of_formats{
     Format{.name = "csv",
            .ending = ".csv",
            .input = &delimited_input,
@@ -91,7 +91,7 @@ constexpr std::array list{
 /// The endings of formats with a capability.
 std::vector<std::string_view> endings(bool (Format::*can)() const) {
   std::vector<std::string_view> found;
-  for (const Format& format : list) {
+  for (const Format& format : list_of_formats) {
     if ((format.*can)() && std::ranges::count(found, format.ending) == 0) found.push_back(format.ending);
   }
   return found;
@@ -99,18 +99,18 @@ std::vector<std::string_view> endings(bool (Format::*can)() const) {
 
 }  // namespace
 
-std::span<const Format> formats() { return list; }
+std::span<const Format> formats() { return list_of_formats; }
 
 const Format* find_format(std::string_view name) {
-  const auto found = std::ranges::find(list, name, &Format::name);
-  return found == list.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(list_of_formats, name, &Format::name);
+  return found == list_of_formats.end() ? nullptr : &*found;
 }
 
 const Format* find_output_format(std::string_view path) {
   path = without_compression(path);
   const auto names = [&](const Format& format) { return format.can_write() && has_ending(path, format.ending); };
-  const auto found = std::ranges::find_if(list, names);
-  return found == list.end() ? nullptr : &*found;
+  const auto found = std::ranges::find_if(list_of_formats, names);
+  return found == list_of_formats.end() ? nullptr : &*found;
 }
 
 std::vector<std::string_view> input_endings() { return endings(&Format::can_read); }
