@@ -39,6 +39,7 @@ TEST(Compare, returns_whether_the_samples_agree) {
   CompareJob job;
   job.comparison = files.comparison;
   job.output = files.path("report");
+  job.format = find_format("csv");
   EXPECT_EQ(compare(job), Exit::done);
   std::ofstream(files.path("rows.csv")) << "t,x\n0,0\n1,2\n";
   job.format = find_format("json");

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "formats/formats.hpp"
 #include "option_names.hpp"
 
 namespace tcb {
@@ -19,6 +20,7 @@ std::string explained(const std::string& text, std::uint64_t count, const std::v
   const auto path = std::filesystem::temp_directory_path() / ("explain_test." + std::to_string(getpid()) + ".csv");
   std::ofstream(path) << text;
   ExplainJob job;
+  job.format = find_format("csv");
   job.samples.request.mode = Mode::count;
   job.samples.request.count = count;
   job.fields = {0, 1};

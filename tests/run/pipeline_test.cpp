@@ -10,6 +10,7 @@
 #include <string>
 
 #include "error.hpp"
+#include "formats/formats.hpp"
 
 namespace {
 
@@ -24,6 +25,7 @@ class Pipeline : public testing::Test {
     job_.files.files = {folder_ / "a.csv", folder_ / "b.csv"};
     job_.samples.request.mode = tcb::Mode::count;
     job_.samples.request.count = 3;
+    job_.rows.format = tcb::find_format("csv");
     job_.rows.fields = {0, 1};
     job_.keys.rules.ends = tcb::TextSetting{"natural"};
     job_.verbosity.quiet = true;
