@@ -454,7 +454,7 @@ constexpr std::array other_json{
               "write an object of time and position for each key"},
     OtherJson{{"sheetsById", "", ""},
               "a project of Theatre.js",
-              "give --records with the path of \"keyframes\", and --columns position=value"},
+              "give --records with the path of \"keyframes\", and --columns time=position,position=value"},
     OtherJson{{"fileType", "mission", "groundStation"},
               "a plan of QGroundControl, whose items have no times",
               "give --records mission.items --parameter uniform --columns position=params[4]:params[5]:params[6]"},
@@ -505,7 +505,7 @@ std::vector<JsonTable> find_tables(const std::shared_ptr<const WholeJson>& text,
       throw usage_error("{} {}: there is no such value; expected the path of a list of records{}{}; correct it",
                         option::records, path, fitting.empty() ? "" : ", such as ", listed_paths(fitting));
     }
-  } else if (const OtherJson* const other = find_other(tape); other != nullptr && fitting.size() != 1) {
+  } else if (const OtherJson* const other = find_other(tape); other != nullptr && with_times.size() != 1) {
     throw data_error("this is {}; expected a list of keys; {}", other->name, other->remedy).at({"", 1, 1});
   } else if (fitting.size() > 1) {
     throw data_error("{} lists may be the keys: {}; expected one; give {} {}, or another one of these", fitting.size(),
