@@ -111,6 +111,7 @@ class FitRun {
     FitReport report;
     while (const std::optional<FittedRows> rows = fits()) {
       writer_.begin_curve(rows->group);
+      if (!rows->table.cells.empty()) writer_.set_first_time(rows->table.cells.front());
       writer_.write([&, done = false]() mutable -> std::optional<std::string> {
         if (std::exchange(done, true)) return std::nullopt;
         return writer_.print(rows->table, true);

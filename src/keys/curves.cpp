@@ -1,12 +1,16 @@
 // Curves: the keys of an input, arranged and split into curves.
 #include "keys/curves.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -30,12 +34,55 @@ void gather(std::vector<Error>& faults, KeyBlock& block) {
   std::ranges::move(block.faults.errors, std::back_inserter(faults));
 }
 
-/// Throws: Error (data) with all of them, at most ten. Requires: there is at least one.
-[[noreturn]] void refuse(std::vector<Error> faults) {
-  if (faults.size() > most_faults) faults.erase(faults.begin() + most_faults, faults.end());
-  Error first = faults[0];
-  for (std::size_t i = 1; i < faults.size(); ++i) first.add(std::move(faults[i]));
-  throw first;
+/// What faults of one kind have in common: the message without the texts and numbers of each.
+std::string kind_of(std::string_view message) {
+  std::string kind;
+  bool in_quotes = false, in_word = false;
+  for (const char c : message) {
+    const bool is_digit = c >= '0' && c <= '9';
+    if (c == '"') in_quotes = !in_quotes;
+    if (!in_quotes && (!is_digit || in_word)) kind += c;
+    in_word = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (is_digit && in_word);
+  }
+  return kind;
+}
+
+/// Faults of one kind.
+struct FaultKind {
+  std::string kind;
+  Error first;
+  std::size_t count = 1;
+  std::uint64_t last_line = 0;
+
+  /// The first fault, which tells how many there are.
+  Error error(bool are_all) const {
+    if (count == 1) return first;
+    std::string message =
+        fmt::format("{} ({}{} errors of this kind", first.message(), are_all ? "" : "at least ", count);
+    if (last_line > 0) message += fmt::format(", the last in line {}", last_line);
+    return Error(first.exit(), message + ")").at(first.position());
+  }
+};
+
+/// Throws: Error (data) with each kind of them, at most ten. Requires: there is at least one. `are_all`: no other fault
+/// follows these.
+[[noreturn]] void refuse(const std::vector<Error>& faults, bool are_all) {
+  constexpr std::size_t most_shown = 10;
+  std::vector<FaultKind> kinds;
+  for (const Error& fault : faults) {
+    std::string kind = kind_of(fault.message());
+    const auto known = std::ranges::find(kinds, kind, &FaultKind::kind);
+    if (known == kinds.end()) {
+      kinds.push_back({std::move(kind), fault});
+    } else {
+      ++known->count;
+      known->last_line = fault.position().line;
+    }
+  }
+  Error all = kinds[0].error(are_all);
+  for (std::size_t i = 1; i < std::min(kinds.size(), most_shown); ++i) all.add(kinds[i].error(are_all));
+  if (kinds.size() > most_shown) all.add(data_error("further errors are not shown"));
+  throw Error(all);
 }
 
 /// The stage of joined_segments(). Keys come in pairs: the start of a segment, and its end.
@@ -185,18 +232,21 @@ Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
     std::optional<KeyBlock> block = blocks();
     if (!block || block->faults.errors.empty()) return block;
     std::vector<Error> faults;
+    bool are_all = true;
     for (bool more = true; more;) {
+      const bool is_full = block->faults.errors.size() >= most_faults;
       gather(faults, *block);
       more = faults.size() < most_faults && !block->faults.unreadable && !live;
+      are_all = are_all && more && !is_full;
       try {
         if (more) block = blocks();
       } catch (const Error& error) {
         faults.push_back(error);
-        more = false;
+        more = are_all = false;
       }
       more = more && block;
     }
-    refuse(std::move(faults));
+    refuse(faults, are_all);
   };
 }
 

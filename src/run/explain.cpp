@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <utility>
 
 #include "formats/open_input.hpp"
@@ -44,6 +43,11 @@ std::string in_words(const spline::RotationNotation& notation) {
   return has_angles ? words + (notation.degrees ? " in degrees" : " in radians") : words;
 }
 
+std::string unit_in_words(const TimeSchema& time) {
+  if (is_date(time.notation)) return "dates";
+  return time.unit ? std::string(row_of(*time.unit).name) : "unknown";
+}
+
 /// What was detected at the beginning of an input.
 Facts input_facts(const Input& input) {
   constexpr std::array shapes{"an array of keys",
@@ -56,7 +60,8 @@ Facts input_facts(const Input& input) {
   const Format& format = *input.facts.format;
   Facts facts{{"format", std::string(format.name)}};
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
-  const auto list = [&](std::string_view name, const std::vector<std::string>& values) {
+  const auto list = [&](std::string_view name, std::vector<std::string> values) {
+    std::ranges::replace(values, "", "(nameless)");
     if (!values.empty()) add(name, fmt::format("{}", fmt::join(values, ", ")));
   };
   if (!input.facts.encoding.empty()) add("encoding", input.facts.encoding);
@@ -70,7 +75,10 @@ Facts input_facts(const Input& input) {
     add("shape", shapes.at(static_cast<std::size_t>(input.facts.shape)));
   }
   if (!input.keys.traits.own_curves) list("group", input.schema.groups);
-  if (input.schema.time.is_given) add("time", input.schema.time.name);
+  if (input.schema.time.is_given) {
+    add("time", input.schema.time.name.empty() ? "(nameless)" : input.schema.time.name);
+    add("unit of time", unit_in_words(input.schema.time));
+  }
   std::vector<std::string> positions;
   for (const OutputColumn& column : output_columns(std::array{field_of("position")}, input.schema)) {
     positions.push_back(column.name);
@@ -281,27 +289,39 @@ std::string as_object(const Facts& lines) {
 
 }  // namespace
 
-std::string explanation(const std::string& path, const ExplainJob& job) {
+void explain(const std::string& path, const ExplainJob& job, const std::function<void(std::string_view)>& print) {
   const Input input = open_input(path, read_file(path), job.keys.input);
-  Curves curves(input.schema, input.keys, job.keys.curves, is_live(path));
-  Explainer explainer(input, job);
-  while (const std::optional<InputCurve> curve = curves.next()) explainer.add(*curve);
   Facts lines{{"file", shown_name(path)}};
   const auto append = [&lines](const Facts& more) { lines.insert(lines.end(), more.begin(), more.end()); };
   append(input_facts(input));
-  append(explainer.lines());
-  if (curves.skipped() > 0) lines.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
-  if (!explainer.needs().empty()) lines.emplace_back("needs", explainer.needs());
-  if (job.format->is_json) return as_object(lines);
-  std::string out;
-  for (const auto& [name, value] : lines) out += fmt::format("{}: {}\n", name, printable(value));
-  return out;
+  const auto print_lines = [&] {
+    if (job.format->is_json) return print(as_object(lines));
+    for (const auto& [name, value] : lines) print(fmt::format("{}: {}\n", name, printable(value)));
+  };
+  try {
+    Curves curves(input.schema, input.keys, job.keys.curves, is_live(path));
+    Explainer explainer(input, job);
+    while (const std::optional<InputCurve> curve = curves.next()) explainer.add(*curve);
+    append(explainer.lines());
+    if (curves.skipped() > 0) lines.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
+    if (!explainer.needs().empty()) lines.emplace_back("needs", explainer.needs());
+  } catch (const Error&) {
+    print_lines();
+    throw;
+  }
+  print_lines();
 }
 
 Exit explain(const ExplainJob& job) {
   Output output("-");
+  const auto print = [&output](std::string_view text) { output.write(text); };
   for (const InputFile& file : find_inputs(job.files).files) {
-    in_file(shown_name(file.path), [&] { output.write(explanation(file.path, job)); });
+    try {
+      in_file(shown_name(file.path), [&] { explain(file.path, job, print); });
+    } catch (const Error&) {
+      output.commit();  // what is known of the files so far helps to mend the error
+      throw;
+    }
   }
   output.commit();
   return Exit::done;

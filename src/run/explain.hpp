@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "error.hpp"
@@ -29,8 +31,8 @@ struct ExplainJob {
 /// Prints the explanation of each file. Throws: Error, with the file.
 Exit explain(const ExplainJob& job);
 
-/// The explanation of one file: reads the keys and places the samples, but evaluates none. Throws: Error as resample()
-/// does.
-std::string explanation(const std::string& path, const ExplainJob& job);
+/// Prints the explanation of one file: reads the keys and places the samples, but evaluates none. Throws: Error as
+/// resample() does; what was detected at the beginning of the file is printed all the same.
+void explain(const std::string& path, const ExplainJob& job, const std::function<void(std::string_view)>& print);
 
 }  // namespace tcb

@@ -62,7 +62,8 @@ std::vector<LinePart> line_parts(const Progress& progress) {
     parts.push_back({3, bar(done)});
     parts.push_back({9, fmt::format("{:.0f} %", std::floor(100 * done))});
   }
-  if (done > 0 && done < 1) {
+  constexpr double enough_to_estimate = 0.1;
+  if (done >= enough_to_estimate && done < 1) {
     parts.push_back({8, fmt::format("{} left", duration_text(progress.seconds * (1 - done) / done))});
   }
   if (progress.all_files > 1) {

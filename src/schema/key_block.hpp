@@ -43,7 +43,7 @@ struct NumberOfKey {
 };
 
 /// The largest number of faults of an input that are reported.
-inline constexpr std::size_t most_faults = 10;
+inline constexpr std::size_t most_faults = 1000;
 
 /// Where keys are written. One entry per key, or none at all.
 struct KeyTextPositions {

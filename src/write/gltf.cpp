@@ -312,15 +312,19 @@ void GltfScene::add_time(double time) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   auto rounded = static_cast<float>(seconds);
   std::vector<float>& times = nodes_.back().times;
-  if (!times.empty() && !(rounded > times.back())) {
-    const bool is_step = are_pieces_ && rounded == times.back();
-    if (!is_step)
+  if (times.empty()) {
+    first_time_ = time;
+  } else if (!(rounded > times.back())) {
+    const bool is_step = are_pieces_ && time == last_time_;
+    if (!is_step) {
       throw data_error(
           "the keyframe at {} seconds has the time of the one before it in single precision; expected times that "
-          "differ there; give fewer samples, or {} first to count the times from the first key",
-          seconds, option::time_zero);
-    rounded = std::nextafter(rounded, infinity);
+          "differ there; give fewer samples, or {} {}",
+          seconds, option::time_zero, first_time_);
+    }
+    rounded = std::nextafter(times.back(), infinity);
   }
+  last_time_ = time;
   times.push_back(rounded);
 }
 

@@ -25,7 +25,8 @@ std::string explained(const std::string& text, std::uint64_t count, const std::v
   job.samples.request.count = count;
   job.fields = {0, 1};
   if (!groups.empty()) job.keys.input.columns.roles.push_back({Role::group, groups, option::group});
-  const std::string result = explanation(path.string(), job);
+  std::string result;
+  explain(path.string(), job, [&result](std::string_view text) { result += text; });
   std::filesystem::remove(path);
   return result;
 }

@@ -25,6 +25,9 @@ TEST(Progress, the_line_has_what_is_known) {
   EXPECT_EQ(progress_text({.bytes = 2'000'000, .seconds = 1}, 200), "2.0 MB read, 2.0 MB/s") << "an unknown fraction";
   EXPECT_EQ(progress_text({.fraction = 0, .bytes = 1, .seconds = 2}, 200),
             "[--------------------] 0 %, 1 B read, 0 B/s");
+  EXPECT_EQ(progress_text({.fraction = 0.09, .rows = 1, .seconds = 1}, 200),
+            "[#-------------------] 9 %, 1 rows, 1 rows/s")
+      << "too early to tell the time that is left";
 }
 
 TEST(Progress, not_all_of_the_work_is_done_before_the_end) {
