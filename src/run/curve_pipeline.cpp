@@ -39,11 +39,12 @@ PlacedCurve no_samples(const Time& first_key) {
   return none;
 }
 
-/// The times that the texts of rows name: where these are times in words, or frames; nothing: they are numbers.
+/// The times that the texts of rows name: where these are times in words, frames, or counted from another time than 0;
+/// nothing: they are numbers.
 std::optional<FrameTimes> named_times(const CurveRequest& request, const TimeSchema& time) {
   if (!time.is_given) return std::nullopt;
   const TimeNotation notation = request.time_notation.value_or(time.notation);
-  if (is_date(notation) || notation == TimeNotation::clock) return FrameTimes::decimals();
+  if (is_date(notation) || notation == TimeNotation::clock || request.counts_from_zero) return FrameTimes::decimals();
   if (time.frame_rate) return FrameTimes(*time.frame_rate);
   const bool shows_frames = counts_frames(notation) && request.frame_rate && time.unit != TimeUnit::frames;
   if (!shows_frames) return std::nullopt;

@@ -39,6 +39,7 @@ struct CurveRequest {
   unsigned threads = 1;
   std::optional<TimeNotation> time_notation = {};  ///< in which rows show times; nothing: that of the input
   std::optional<Rational> frame_rate = {};         ///< of the rows' frames
+  bool counts_from_zero = false;                   ///< a time is subtracted from those of rows
 };
 
 /// How a curve is built.

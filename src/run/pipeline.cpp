@@ -76,7 +76,8 @@ class FileRun {
                                  job_.golden,
                                  threads_,
                                  notation_of_times(job_.rows, input.schema.time),
-                                 job_.rows.frame_rate};
+                                 job_.rows.frame_rate,
+                                 job_.rows.time_zero.has_value()};
       pipeline_.emplace(request, input.schema, input.keys.traits, *curve.curve_info);
     }
     if (curve_info_ == nullptr) {

@@ -78,7 +78,7 @@ class GltfScene {
   std::vector<Target> targets_;  ///< of nodes that are no tracks
   std::vector<std::size_t> other_channels_;
   std::vector<std::string> others_;
-  std::vector<double> pieces_;  ///< of the current curve, row after row
+  std::vector<double> pieces_;             ///< of the current curve, row after row
   double first_time_ = 0, last_time_ = 0;  ///< of its keyframes
   std::vector<Node> nodes_;
   std::set<std::pair<std::string, std::string_view>> known_;  ///< names of nodes, with the path of their first target
