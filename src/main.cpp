@@ -7,7 +7,6 @@
 
 #include "check/compare_job.hpp"
 #include "cli/plan.hpp"
-#include "cli/read_options.hpp"
 #include "error.hpp"
 #include "fit/fit_job.hpp"
 #include "io/atomic_output.hpp"
@@ -44,12 +43,12 @@ struct Run {
 };
 
 tcb::Exit run(int argc, const char* const* argv) {
-  const bool colored = tcb::colors_messages(tcb::color_of(argc, argv));
+  tcb::ColorWhen color = tcb::ColorWhen::by_terminal;
   try {
-    return std::visit(Run(), tcb::parse(argc, argv));
+    return std::visit(Run(), tcb::parse(argc, argv, &color));
   } catch (const std::exception& failure) {
     const tcb::Error error = tcb::failure_of(failure);
-    return refuse(error.exit(), tcb::error_text(error, colored));
+    return refuse(error.exit(), tcb::error_text(error, tcb::colors_messages(color)));
   }
 }
 

@@ -1,160 +1,400 @@
-// Conflicts: options that exclude each other, need another, or have no effect, and conditions on their values.
+// Conflicts: options that exclude each other, need another, or have no effect, as one table.
 #include "cli/conflicts.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "cli/errors.hpp"
 #include "cli/options.hpp"
+#include "error.hpp"
 #include "numbers/print_number.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/fields.hpp"
 #include "schema/format.hpp"
 
 namespace tcb {
-
-std::string_view Conflicts::first_given(Options options) const {
-  const auto is_given = [this](std::string_view option) { return option != option_ && typed_.has(option); };
-  const auto* const found = std::ranges::find_if(options, is_given);
-  return found == options.end() ? std::string_view() : *found;
-}
-
-/// A name, with the value if the conflict depends on values.
-std::string Conflicts::shown(std::string_view option, Condition condition) const {
-  const bool with_value = condition != nullptr && row_of(option).kind != ValueKind::flag && typed_.has(option);
-  return std::string(option) + (with_value ? " " + typed_.text(option) : "");
-}
-
-void Conflicts::exclude(Options others, std::string_view reason, Condition condition) const {
-  const std::string_view other = first_given(others);
-  if (other.empty() || !is_met(condition)) return;
-  throw options_exclude_each_other(shown(option_, condition), shown(other, condition), reason);
-}
-
-void Conflicts::need(Options others, std::string_view reason, Condition condition) const {
-  if (!first_given(others).empty() || !is_met(condition)) return;
-  throw option_needs_another(shown(option_, condition), *others.begin(), reason);
-}
-
-void Conflicts::disable(Options others, std::string_view reason, Condition condition) const {
-  const std::string_view other = first_given(others);
-  if (other.empty() || !is_met(condition)) return;
-  throw option_without_effect_with(shown(other, condition), shown(option_, condition), reason);
-}
-
-void Conflicts::require_effect(std::string_view reason, Condition has_none) const {
-  if (has_none(typed_)) throw option_without_effect(shown(option_, has_none), reason);
-}
-
-void require_no_conflict(const TypedOptions& typed) {
-  for (const OptionRow& row : option_table()) {
-    if (row.check != nullptr && typed.has(row.name)) row.check(Conflicts(row.name, typed));
-  }
-}
-
 namespace {
 
-const Format& output_of(const TypedOptions& typed) { return *typed.output.format; }
+using Typed = TypedOptions;
 
-bool is_comparison(const TypedOptions& typed) { return typed.has(option::check) || typed.has(option::identify); }
+/// Some options; the names after the last one are empty.
+using Options = std::array<std::string_view, 24>;
+
+template <std::size_t size>
+constexpr Options some(const std::array<std::string_view, size>& names) {
+  Options options{};
+  std::ranges::copy(names, options.begin());
+  return options;
+}
+
+/// A condition on the values of options.
+using When = bool (*)(const Typed& typed);
+
+/// What an option has to do with others, if it is given.
+struct Conflict {
+  enum class Kind {
+    excludes,       ///< at most one of the option and each of the others can be given
+    needs,          ///< one of the others has to be given as well
+    disables,       ///< the others have no effect with the option
+    has_no_effect,  ///< the option itself has none
+  };
+  std::string_view option;
+  Kind kind;
+  Options others = {};
+  std::string_view reason = {};  ///< goes on after the last option in the message
+  When when = nullptr;           ///< nothing: always
+};
+using enum Conflict::Kind;
+
+bool writes_picture(const Typed& typed) { return typed.output.format->is_picture; }
+bool writes_no_picture(const Typed& typed) { return !writes_picture(typed); }
+bool writes_array(const Typed& typed) { return typed.output.format->is_binary; }
+bool writes_scene(const Typed& typed) { return typed.output.format->has_nodes; }
+bool writes_pieces(const Typed& typed) { return typed.output.format->has_pieces; }
+bool writes_poses(const Typed& typed) { return typed.output.format->poses != nullptr; }
+bool writes_no_text(const Typed& typed) { return !typed.output.format->has_marks; }
+bool writes_no_csv(const Typed& typed) { return !typed.output.format->has_any_delimiter; }
+
+bool is_comparison(const Typed& typed) { return typed.has(option::check) || typed.has(option::identify); }
+bool writes_no_report(const Typed& typed) { return !typed.output.format->has_reports && !writes_picture(typed); }
+bool has_no_samples(const Typed& typed) { return !has_sampling_option(typed); }
 
 template <class Predicate>
-bool any_field(const TypedOptions& typed, Predicate predicate) {
+bool any_field(const Typed& typed, Predicate predicate) {
   return std::ranges::any_of(typed.output.fields, [&](std::size_t field) { return predicate(fields()[field]); });
 }
 
-bool needs_all_channels(const TypedOptions& typed) {
+bool needs_all_channels(const Typed& typed) {
   const bool times_of_distances =
       typed.has(option::parameter) && make_spec(typed.keys.rules).parameter.value_or(0) != 0;
   return typed.has(option::equal_speed) || times_of_distances;
 }
 
-}  // namespace
-
-bool has_other_input_than_delimited(const TypedOptions& typed) {
-  return typed.keys.input.format != nullptr && !typed.keys.input.format->has_marks;
+bool extends_curve(const Typed& typed) {
+  return typed.keys.rules.extrapolate && typed.keys.rules.extrapolate->value != "error";
 }
 
-bool has_one_comma_for_two(const TypedOptions& typed) {
-  return typed.keys.input.delimited.marks.decimal == ',' && typed.keys.input.delimited.delimiter == ',';
+/// The curve is extended, but all samples are on it, as with steps and counts without a range in time.
+bool stays_on_curve(const Typed& typed) {
+  const bool has_range_of_times = !by_length(typed.sampling.mode) && (typed.has(option::from) || typed.has(option::to));
+  return extends_curve(typed) && !typed.has(option::at) && !has_range_of_times;
 }
 
-bool has_one_mark_for_two(const TypedOptions& typed) {
+bool has_one_mark_for_two(const Typed& typed) {
   const NumberMarks& marks = typed.keys.input.delimited.marks;
   return marks.decimal == marks.thousands;
 }
 
-bool needs_output_delimiter(const TypedOptions& typed) {
-  return typed.output.decimal == ',' && !typed.output.delimiter && output_of(typed).delimiter == ',';
+constexpr std::string_view folder_reason = ", an output for each file";
+constexpr std::string_view report_reason = ", which takes the samples of its file and prints a report";
+constexpr std::string_view picture_reason = ", which draws the curve and has no rows";
+constexpr std::string_view no_picture_reason = " on an output that is not a picture";
+constexpr std::string_view on_curve_reason = " alone, whose samples are on the curve";
+
+constexpr Options range_options{option::from, option::to, option::end, option::keys, option::max_rows};
+constexpr Options place_options{option::from, option::to, option::end, option::keys};
+constexpr Options options_of_rows{option::output_dir,
+                                  option::files,
+                                  option::meta,
+                                  option::explain,
+                                  option::progress,
+                                  option::digits,
+                                  option::fixed,
+                                  option::golden,
+                                  option::exact_input,
+                                  option::hex,
+                                  option::no_output_header,
+                                  option::output_delimiter,
+                                  option::output_decimal,
+                                  option::like_input,
+                                  option::file_column,
+                                  option::time_format,
+                                  option::time_zero};
+constexpr Options options_without_picture{option::rotation_output,
+                                          option::emit,
+                                          option::fields,
+                                          option::side,
+                                          option::digits,
+                                          option::fixed,
+                                          option::golden,
+                                          option::exact_input,
+                                          option::meta,
+                                          option::hex,
+                                          option::no_output_header,
+                                          option::output_delimiter,
+                                          option::output_decimal,
+                                          option::like_input,
+                                          option::time_zero};
+
+/// The conflicts, in the order of the options. Where several apply, an error is about the first.
+constexpr Conflict conflicts[] = {
+    {option::null, needs, {option::files}},
+    {option::recursive, needs, {option::output_dir}, folder_reason},
+    {option::suffix, needs, {option::output_dir}, folder_reason},
+    {option::update, needs, {option::output_dir}, folder_reason},
+    {option::fail_fast, needs, {option::output_dir}, folder_reason},
+
+    {option::check, excludes, {option::identify}},
+    {option::check, disables, {option::emit, option::fit}, report_reason},
+    {option::check, disables, range_options, report_reason, has_no_samples},
+    {option::check, disables, options_of_rows, report_reason},
+    {option::check,
+     disables,
+     {option::output_format, option::plot},
+     ", whose report is text, json or svg",
+     writes_no_report},
+    {option::abs, needs, {option::check}},
+    {option::rel, needs, {option::check}},
+    {option::ulp, needs, {option::check}},
+    {option::map, needs, {option::check, option::identify}},
+    {option::identify, disables, some(sampling_options), report_reason},
+    {option::identify, disables, range_options, report_reason},
+    {option::identify, disables, options_of_rows, report_reason},
+    {option::identify,
+     disables,
+     {option::output_format, option::plot},
+     ", whose report is text, json or svg",
+     writes_no_report},
+    {option::identify,
+     disables,
+     {option::preset, option::tangents, option::ends, option::equal_speed, option::no_overshoot, option::side},
+     ", which tries all rules on positions"},
+
+    {option::input_format,
+     disables,
+     {option::delimiter, option::header, option::no_header, option::comment, option::skip_lines, option::units,
+      option::decimal, option::thousands},
+     "",
+     [](const Typed& typed) { return !typed.keys.input.format->has_marks; }},
+    {option::delimiter,
+     excludes,
+     {option::decimal},
+     "",
+     [](const Typed& typed) {
+       const DelimitedOptions& text = typed.keys.input.delimited;
+       return text.marks.decimal == ',' && text.delimiter == ',';
+     }},
+    {option::header, excludes, {option::no_header}},
+    {option::thousands, needs, {option::decimal}, ", as the point is the decimal mark", has_one_mark_for_two},
+    {option::thousands, excludes, {option::decimal}, ", as it would be both", has_one_mark_for_two},
+    {option::missing,
+     excludes,
+     {option::equal_speed, option::parameter},
+     ", as all channels are needed at each key",
+     [](const Typed& typed) {
+       return typed.keys.input.keys.missing == Missing::skip_cell && needs_all_channels(typed);
+     }},
+    {option::max_gap, excludes, {option::closed, option::period}},
+    {option::max_gap, excludes, {option::identify}, ", which tries rules on whole curves"},
+    {option::time_unit, excludes, {option::input_fps}},
+    {option::angles, needs, {option::rotation, option::rotation_output}, ", which tells where angles are"},
+
+    {option::metric, has_no_effect, {}, ", as no length or speed is requested", needs_no_metric},
+
+    {option::step, excludes, some(sampling_options)},
+    {option::step, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
+    {option::rate, excludes, some(sampling_options)},
+    {option::rate, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
+    {option::fps, excludes, some(sampling_options)},
+    {option::fps, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
+    {option::count, excludes, some(sampling_options)},
+    {option::count, disables, {option::end}},
+    {option::count, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
+    {option::segments, excludes, some(sampling_options)},
+    {option::segments, disables, {option::end}},
+    {option::segments, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
+    {option::per_segment, excludes, some(sampling_options)},
+    {option::per_segment, disables, place_options},
+    {option::per_segment, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
+    {option::at, excludes, some(sampling_options)},
+    {option::at, disables, place_options},
+    {option::arc_step, excludes, some(sampling_options)},
+    {option::arc_step, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
+    {option::arc_count, excludes, some(sampling_options)},
+    {option::arc_count, disables, {option::end}},
+    {option::arc_count, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
+    {option::arc_at, excludes, some(sampling_options)},
+    {option::arc_at, disables, place_options},
+    {option::arc_at, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
+    {option::tolerance, excludes, some(sampling_options)},
+    {option::tolerance, disables, {option::from, option::to, option::end}},
+    {option::tolerance, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
+    {option::emit, excludes, some(sampling_options)},
+    {option::emit, disables, {option::end, option::keys}},
+    {option::emit, disables, {option::extrapolate}, ", whose pieces lie between keys", extends_curve},
+    {option::fit, excludes, some(sampling_options)},
+    {option::fit,
+     disables,
+     {option::tcb,         option::tcb_scale,      option::rotation_output,
+      option::preset,      option::tangents,       option::ends,
+      option::closed,      option::period,         option::equal_speed,
+      option::parameter,   option::rotation_curve, option::no_ease,
+      option::extrapolate, option::from,           option::to,
+      option::end,         option::keys,           option::max_rows,
+      option::fields,      option::side,           option::golden,
+      option::exact_input, option::rename,         option::no_overshoot},
+     ", which prints keys with the default rules"},
+    {option::fit,
+     disables,
+     {option::digits, option::fixed},
+     ", whose numbers have the digits that the tolerance needs"},
+    {option::fit, excludes, {option::plot, option::explain}},
+    {option::fit_keys, needs, {option::fit}},
+    {option::keep_times, needs, {option::fit}},
+    {option::corner, needs, {option::fit}},
+
+    {option::output, excludes, {option::output_dir}},
+    {option::output_format, excludes, {option::plot}},
+    {option::output_format, disables, options_without_picture, picture_reason, writes_picture},
+    {option::output_format,
+     disables,
+     {option::digits, option::fixed, option::hex},
+     ", which holds the doubles themselves",
+     writes_array},
+    {option::output_format, disables, {option::time_format}, ", which holds numbers only", writes_array},
+    {option::output_format, disables, {option::hex}, ", which has no hexadecimal numbers", writes_no_text},
+    {option::output_format, disables, {option::no_output_header}, ", which has no line of names", writes_no_text},
+    {option::output_format,
+     disables,
+     {option::meta},
+     ", which has no comments",
+     [](const Typed& typed) { return !typed.output.format->has_provenance; }},
+    {option::output_format,
+     disables,
+     {option::fields, option::emit, option::fit, option::rotation_output, option::time_format, option::file_column,
+      option::output_delimiter, option::output_decimal, option::like_input},
+     ", whose rows are poses",
+     writes_poses},
+    {option::output_format,
+     disables,
+     {option::fields, option::fit, option::rotation_output, option::digits, option::fixed, option::time_format,
+      option::file_column, option::output_delimiter, option::output_decimal, option::like_input},
+     ", which is an animation",
+     writes_scene},
+    {option::output_format,
+     disables,
+     {option::emit},
+     ", whose pieces have the form hermite",
+     [](const Typed& typed) { return writes_scene(typed) && typed.form && *typed.form != field_of("hermite"); }},
+    {option::output_format,
+     disables,
+     {option::fields, option::fit, option::rotation_output, option::hex, option::time_format, option::file_column,
+      option::output_delimiter, option::output_decimal, option::like_input},
+     ", whose rows are polynomials",
+     writes_pieces},
+    {option::output_format, disables, some(sampling_options), ", whose rows have the form poly8",
+     [](const Typed& typed) {
+       const bool has_form = typed.sampling.mode == Mode::emit && *typed.form == field_of("poly8");
+       return writes_pieces(typed) && !has_form;
+     }},
+    {option::plot, disables, options_without_picture, picture_reason, writes_picture},
+    {option::fields,
+     excludes,
+     {option::emit},
+     ", as a piece has the fields s and length only",
+     [](const Typed& typed) {
+       return any_field(typed, [](const Field& field) { return !field.of_piece && field.name != "s"; });
+     }},
+    {option::fields,
+     needs,
+     {option::emit},
+     ", for the length of each piece",
+     [](const Typed& typed) { return any_field(typed, [](const Field& field) { return field.of_piece; }); }},
+    {option::side,
+     has_no_effect,
+     {},
+     " on these fields, which are the same on both sides",
+     [](const Typed& typed) {
+       if (is_comparison(typed) && !typed.has(option::fields)) return false;  // it may have any field
+       return !any_field(typed, [](const Field& field) { return field.has_side; });
+     }},
+    {option::digits, excludes, {option::fixed, option::hex}},
+    {option::digits,
+     needs,
+     {option::golden},
+     ", as a double has 17 significant digits",
+     [](const Typed& typed) { return typed.output.notation.count > digits_of_double; }},
+    {option::fixed, excludes, {option::hex}},
+    {option::golden,
+     excludes,
+     {option::fields},
+     ", as the exact s has no error",
+     [](const Typed& typed) { return any_field(typed, [](const Field& field) { return !field.is_exact; }); }},
+    {option::exact_input, needs, {option::golden}},
+    {option::output_delimiter, has_no_effect, {}, " on a format other than csv", writes_no_csv},
+    {option::output_delimiter, excludes, {option::like_input}},
+    {option::output_decimal, has_no_effect, {}, " on a format that is not delimited text", writes_no_text},
+    {option::output_decimal, excludes, {option::like_input, option::hex}},
+    {option::output_decimal,
+     needs,
+     {option::output_delimiter},
+     ", as the comma is the delimiter of csv",
+     [](const Typed& typed) {
+       const bool is_comma = typed.output.format->delimiter == ',';
+       return typed.output.decimal == ',' && !typed.output.delimiter && is_comma;
+     }},
+    {option::output_decimal,
+     excludes,
+     {option::output_delimiter},
+     ", as the comma cannot be both",
+     [](const Typed& typed) { return typed.output.decimal == ',' && typed.output.delimiter == ','; }},
+    {option::like_input, has_no_effect, {}, " on a format other than csv", writes_no_csv},
+    {option::like_input, excludes, {option::hex}},
+    {option::time_format,
+     needs,
+     {option::input_fps},
+     ", the rate of the frames",
+     [](const Typed& typed) { return typed.output.time_notation && counts_frames(*typed.output.time_notation); }},
+    {option::axes, has_no_effect, {}, no_picture_reason, writes_no_picture},
+    {option::title, has_no_effect, {}, no_picture_reason, writes_no_picture},
+    {option::size, has_no_effect, {}, no_picture_reason, writes_no_picture},
+
+    {option::explain, disables, {option::meta}, ", which prints no rows"},
+    {option::progress, excludes, {option::no_progress, option::quiet}},
+};
+
+/// A name, with the value if the conflict depends on values.
+std::string shown(const Typed& typed, std::string_view option, When when) {
+  const bool with_value = when != nullptr && row_of(option).kind != ValueKind::flag && typed.has(option);
+  return std::string(option) + (with_value ? " " + typed.value(option) : "");
 }
 
-bool has_one_output_comma_for_two(const TypedOptions& typed) {
-  return typed.output.decimal == ',' && typed.output.delimiter == ',';
+/// Throws: Error (usage) if the options that are given are in this conflict.
+void require_none(const Conflict& conflict, const Typed& typed) {
+  const auto is_given = [&](std::string_view name) { return name != conflict.option && typed.has(name); };
+  const auto* const other = std::ranges::find_if(conflict.others, is_given);
+  const bool has_other = other != conflict.others.end();
+  const bool needs_other = conflict.kind == needs || conflict.kind == has_no_effect;
+  if (has_other == needs_other || (conflict.when != nullptr && !conflict.when(typed))) return;
+  const std::string option = shown(typed, conflict.option, conflict.when);
+  switch (conflict.kind) {
+    case excludes:
+      throw usage_error("{} and {} cannot be combined{}; expected only one; remove the other", option,
+                        shown(typed, *other, conflict.when), conflict.reason);
+    case needs: throw usage_error("{} needs {}{}; give both, or neither", option, conflict.others[0], conflict.reason);
+    case disables:
+      throw usage_error("{0} has no effect with {1}{2}; remove {0}", shown(typed, *other, conflict.when), option,
+                        conflict.reason);
+    case has_no_effect: throw usage_error("{} has no effect{}; remove it", option, conflict.reason);
+  }
 }
 
-bool has_sparse_channels(const TypedOptions& typed) {
-  return typed.keys.input.keys.missing == Missing::skip_cell && needs_all_channels(typed);
+}  // namespace
+
+bool has_sampling_option(const TypedOptions& typed) {
+  return std::ranges::any_of(sampling_options, [&](std::string_view option) { return typed.has(option); });
 }
 
 bool needs_no_metric(const TypedOptions& typed) {
   const bool by_metric = by_length(typed.sampling.mode) || typed.has(option::tolerance) || typed.has(option::fit) ||
                          needs_all_channels(typed);
-  return !is_comparison(typed) && !has_picture(typed) && !by_metric &&
+  return !is_comparison(typed) && !writes_picture(typed) && !by_metric &&
          !any_field(typed, [](const Field& field) { return field.needs_lengths || field.over_metric; });
 }
 
-bool extends_curve(const TypedOptions& typed) { return typed.text(option::extrapolate) != "error"; }
-
-bool stays_on_curve(const TypedOptions& typed) {
-  const bool has_range_of_times = !by_length(typed.sampling.mode) && (typed.has(option::from) || typed.has(option::to));
-  return extends_curve(typed) && !typed.has(option::at) && !has_range_of_times;
+void require_no_conflict(const TypedOptions& typed) {
+  for (const Conflict& conflict : conflicts) {
+    if (typed.has(conflict.option)) require_none(conflict, typed);
+  }
 }
-
-bool has_field_of_samples(const TypedOptions& typed) {
-  return any_field(typed, [](const Field& field) { return !field.of_piece && field.name != "s"; });
-}
-
-bool has_field_of_pieces(const TypedOptions& typed) {
-  return any_field(typed, [](const Field& field) { return field.of_piece; });
-}
-
-bool has_rounded_field(const TypedOptions& typed) {
-  return any_field(typed, [](const Field& field) { return !field.is_exact; });
-}
-
-bool has_no_side(const TypedOptions& typed) {
-  if (is_comparison(typed) && !typed.has(option::fields)) return false;
-  return !any_field(typed, [](const Field& field) { return field.has_side; });
-}
-
-bool has_more_digits_than_doubles(const TypedOptions& typed) { return typed.output.notation.count > digits_of_double; }
-
-bool has_frames_of_time(const TypedOptions& typed) {
-  return typed.output.time_notation && counts_frames(*typed.output.time_notation);
-}
-
-bool has_no_sampling_option(const TypedOptions& typed) {
-  return std::ranges::none_of(sampling_options, [&](std::string_view option) { return typed.has(option); });
-}
-
-bool has_no_format_of_reports(const TypedOptions& typed) {
-  return !output_of(typed).has_reports && !has_picture(typed);
-}
-
-bool has_picture(const TypedOptions& typed) { return output_of(typed).is_picture; }
-bool has_no_picture(const TypedOptions& typed) { return !has_picture(typed); }
-bool has_poses(const TypedOptions& typed) { return output_of(typed).poses != nullptr; }
-bool has_scene(const TypedOptions& typed) { return output_of(typed).has_nodes; }
-bool has_scene_of_other_form(const TypedOptions& typed) {
-  return has_scene(typed) && typed.form && *typed.form != field_of("hermite");
-}
-bool has_pieces(const TypedOptions& typed) { return output_of(typed).has_pieces; }
-bool has_samples_in_pieces(const TypedOptions& typed) {
-  return has_pieces(typed) && (typed.sampling.mode != Mode::emit || *typed.form != field_of("poly8"));
-}
-bool has_binary_output(const TypedOptions& typed) { return output_of(typed).is_binary; }
-bool has_no_header(const TypedOptions& typed) { return !output_of(typed).has_marks; }
-bool has_fixed_delimiter(const TypedOptions& typed) { return !output_of(typed).has_any_delimiter; }
-bool has_no_provenance(const TypedOptions& typed) { return !output_of(typed).has_provenance; }
 
 }  // namespace tcb

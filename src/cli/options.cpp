@@ -1,4 +1,4 @@
-// Options: the table of names, texts, defaults, how each value is stored, and conflicts.
+// Options: the table of names, texts, defaults, and how each value is stored.
 #include "cli/options.hpp"
 
 #include <algorithm>
@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "cli/places.hpp"
-#include "cli/rotation_values.hpp"
 #include "cli/values.hpp"
 #include "formats/formats.hpp"
 #include "option_names.hpp"
@@ -32,28 +31,33 @@ struct SideName {
   std::string_view name;
   bool left;
 };
+struct UnitPolicy {
+  std::string_view name;
+  bool strips;
+};
+constexpr std::array unit_policies{UnitPolicy{"error", false}, UnitPolicy{"strip", true}};
+
 constexpr std::array side_names{SideName{"right", false}, SideName{"left", true}};
 
 /// The option changes the rows, so it is part of their provenance.
 constexpr bool recorded = true, unrecorded = false;
 
-// Conflicts of several options.
-
-void need_folder(const Conflicts& of) { of.need({option::output_dir}, ", an output for each file"); }
-void need_check(const Conflicts& of) { of.need({option::check}); }
-void need_fit(const Conflicts& of) { of.need({option::fit}); }
-
-Error not_a_time_zero(std::string_view text) {
-  return usage_error("{} is no time; expected a number in the unit of the times of the keys, or first",
-                     in_quotes(text));
-}
+constexpr std::string_view expects_time_zero =
+    "is no time; expected a number in the unit of the times of the keys, or first";
 
 /// The value of a time or a step, whose unit is noted.
-Rational stored_time(SamplingRequest& sampling, Fault fault, Text text, bool InSeconds::*member) {
-  TimeValue time = time_value(fault, text);
+Rational stored_time(SamplingRequest& sampling, std::string_view words, Text text, bool InSeconds::*member) {
+  TimeValue time = time_value(words, text);
   sampling.in_seconds.*member = time.in_seconds;
   sampling.in_seconds.has_duration |= time.in_seconds;
   return std::move(time.value);
+}
+
+/// A bound of the samples, which may also be a date or a time of day; these are read when all options are known.
+Rational stored_bound(Typed& typed, Text text, bool InSeconds::*member) {
+  if (!find_notation(text)) return stored_time(typed.sampling, expects_ratio, text, member);
+  typed.has_times_in_words = true;
+  return 0;
 }
 
 /// Sets the rate of the samples, which the text gives.
@@ -63,122 +67,80 @@ void set_rate(SamplingRequest& sampling, const Rational& rate, Text text) {
   sampling.step = step_of_rate(rate, text);
 }
 
-/// A sampling option; `disabled` have no effect with it.
-void check_mode(const Conflicts& of, Conflicts::Options disabled = {}) {
-  of.exclude(sampling_options);
-  of.disable(disabled);
-  of.disable({option::extrapolate}, " alone, whose samples are on the curve", stays_on_curve);
-}
-
-/// A report has no rows, and takes the samples of a file.
-constexpr std::string_view reason_of_reports = ", which takes the samples of its file and prints a report";
-
-void disable_options_of_samples(const Conflicts& of, Conflicts::Condition condition = nullptr) {
-  of.disable({option::from, option::to, option::end, option::keys, option::max_rows}, reason_of_reports, condition);
-}
-
-void disable_options_of_rows(const Conflicts& of) {
-  constexpr std::string_view reason = reason_of_reports;
-  of.disable({option::output_dir, option::files, option::meta, option::explain, option::progress}, reason);
-  of.disable({option::digits, option::fixed, option::golden, option::exact_input, option::hex, option::no_output_header,
-              option::output_delimiter, option::output_decimal, option::like_input, option::file_column,
-              option::time_format, option::time_zero},
-             reason);
-  of.disable({option::output_format, option::plot}, ", whose report is text, json or svg", has_no_format_of_reports);
-}
-
-void disable_options_without_picture(const Conflicts& of) {
-  of.disable({option::rotation_output, option::emit, option::fields, option::side, option::digits, option::fixed,
-              option::golden, option::exact_input, option::meta, option::hex, option::no_output_header,
-              option::output_delimiter, option::output_decimal, option::like_input, option::time_zero},
-             ", which draws the curve and has no rows", has_picture);
-}
-
-void require_picture(const Conflicts& of) { of.require_effect(" on an output that is not a picture", has_no_picture); }
-
 constexpr OptionRow option_rows[] = {
     {option::output_dir, "", "DIR", files_group,
-     "Writes one output for each input into the folder DIR, with the ending of the output format", "", folder,
-     unrecorded, [](Typed& to, Text text) { to.files.outputs.folder = text; }},
+     "Writes one output for each input into the folder DIR, with the ending of the output format",
+     "", folder, unrecorded, [](Typed& to, Text text) { to.files.outputs.folder = text; }},
     {option::files, "", "LIST", files_group,
-     "Reads further names of files from LIST, one per line; - reads LIST from standard input", "", file, unrecorded,
-     [](Typed& to, Text text) { to.files.list = text; }},
-    {option::null, "-0", "", files_group, "The names in LIST end with NUL instead of a line end", "", flag, unrecorded,
-     [](Typed& to, Text) { to.files.nul = true; }, [](const Conflicts& of) { of.need({option::files}); }},
+     "Reads further names of files from LIST, one per line; - reads LIST from standard input",
+     "", file, unrecorded, [](Typed& to, Text text) { to.files.list = text; }},
+    {option::null, "-0", "", files_group,
+     "The names in LIST end with NUL instead of a line end",
+     "", flag, unrecorded, [](Typed& to, Text) { to.files.nul = true; }},
     {option::recursive, "", "", files_group,
-     "A folder stands for all files below it whose ending names a format, or with --input-format for all files below "
-     "it; DIR gets the same tree",
-     "", flag, unrecorded, [](Typed& to, Text) { to.files.recursive = true; }, need_folder},
-    {option::suffix, "", "S", files_group, "Appends S to the name of each output, before the ending", "", other,
-     unrecorded, [](Typed& to, Text text) { to.files.outputs.suffix = name_part(text); }, need_folder},
-    {option::update, "", "", files_group, "Skips inputs that are not newer than their outputs", "", flag, unrecorded,
-     [](Typed& to, Text) { to.files.update = true; }, need_folder},
+     "A folder stands for all files below it whose ending names a format, or with --input-format for all files "
+     "below it; DIR gets the same tree",
+     "", flag, unrecorded, [](Typed& to, Text) { to.files.recursive = true; }},
+    {option::suffix, "", "S", files_group,
+     "Appends S to the name of each output, before the ending",
+     "", other, unrecorded, [](Typed& to, Text text) { to.files.outputs.suffix = name_part(text); }},
+    {option::update, "", "", files_group,
+     "Skips inputs that are not newer than their outputs",
+     "", flag, unrecorded, [](Typed& to, Text) { to.files.update = true; }},
     {option::fail_fast, "", "", files_group,
-     "Stops at the first file that fails; by default the other files are processed", "", flag, unrecorded,
-     [](Typed& to, Text) { to.fail_fast = true; }, need_folder},
+     "Stops at the first file that fails; by default the other files are processed",
+     "", flag, unrecorded, [](Typed& to, Text) { to.fail_fast = true; }},
 
     {option::check, "", "FILE", comparison_group,
-     "Compares the samples in FILE, made by any program, with the curve at the same times or arc lengths, and prints a "
-     "report. With a sampling option, or provenance in FILE, a missing or surplus row is a difference as well",
-     "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; },
-     [](const Conflicts& of) {
-       of.exclude({option::identify});
-       of.disable({option::emit, option::fit}, reason_of_reports);
-       disable_options_of_samples(of, has_no_sampling_option);
-       disable_options_of_rows(of);
-     }},
+     "Compares the samples in FILE, made by any program, with the curve at the same times or arc lengths, and "
+     "prints a report. With a sampling option, or provenance in FILE, a missing or surplus row is a difference as "
+     "well",
+     "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; }},
     {option::abs, "", "[COL=]D,...", comparison_group,
-     "With --check: the largest accepted difference between two numbers, in all columns, or in one, as in x=1e-6", "",
-     other, recorded, [](Typed& to, Text text) { to.comparison.abs = tolerances(text); }, need_check},
+     "With --check: the largest accepted difference between two numbers, in all columns, or in one, as in x=1e-6",
+     "", other, recorded, [](Typed& to, Text text) { to.comparison.abs = tolerances(text); }},
     {option::rel, "", "[COL=]D,...", comparison_group,
-     "With --check: the largest accepted difference as a fraction of the number on the curve", "", other, recorded,
-     [](Typed& to, Text text) { to.comparison.rel = tolerances(text); }, need_check},
+     "With --check: the largest accepted difference as a fraction of the number on the curve",
+     "", other, recorded, [](Typed& to, Text text) { to.comparison.rel = tolerances(text); }},
     {option::ulp, "", "[COL=]N,...", comparison_group,
-     "With --check: the largest accepted difference in units in the last place, the steps between neighbouring doubles",
-     "0", other, recorded, [](Typed& to, Text text) { to.comparison.ulp = tolerances(text); }, need_check},
+     "With --check: the largest accepted difference in units in the last place, the steps between neighbouring "
+     "doubles",
+     "0", other, recorded, [](Typed& to, Text text) { to.comparison.ulp = tolerances(text); }},
     {option::map, "", "THEIRS=OURS,...", comparison_group,
-     "Renames columns of FILE before they are compared, as in frame_time=t,px=x", "", other, recorded,
-     [](Typed& to, Text text) { to.comparison.maps = renamings(text); },
-     [](const Conflicts& of) {
-       of.need({option::check, option::identify});
-     }},
+     "Renames columns of FILE before they are compared, as in frame_time=t,px=x",
+     "", other, recorded, [](Typed& to, Text text) { to.comparison.maps = renamings(text); }},
     {option::identify, "", "FILE", comparison_group,
-     "Finds the tangent rule, the end rule, the speeds, and the order and signs of T, C, B that produce the positions "
-     "in FILE, and prints a ranked table",
-     "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; },
-     [](const Conflicts& of) {
-       of.disable(sampling_options, reason_of_reports);
-       disable_options_of_samples(of);
-       disable_options_of_rows(of);
-       of.disable(
-           {option::preset, option::tangents, option::ends, option::equal_speed, option::no_overshoot, option::side},
-           ", which tries all rules on positions");
-     }},
+     "Finds the tangent rule, the end rule, the speeds, and the order and signs of T, C, B that produce the "
+     "positions in FILE, and prints a ranked table",
+     "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; }},
 
     {option::input_format, "-i", "FORMAT", input_group,
      "The format of the input: @NAMES@; see tcbsample-input(5). By default it follows from the first bytes and the "
-     "ending "
-     "of the file; other text is JSON where it begins with [ or {, else delimited",
-     "", name, recorded, [](Typed& to, Text text) { to.keys.input.format = input_format(text); },
-     [](const Conflicts& of) {
-       of.disable(
-           {option::delimiter, option::header, option::no_header, option::comment, option::decimal, option::thousands},
-           "", has_other_input_than_delimited);
-     },
-     input_format_names},
+     "ending of the file; other text is JSON where it begins with [ or {, else delimited",
+     "", name, recorded, [](Typed& to, Text text) { to.keys.input.format = input_format(text); }, input_format_names},
     {option::delimiter, "-d", "CHAR", input_group,
      "The character between cells, or tab, comma, semicolon, space or pipe; by default the first of tab, semicolon, "
      "comma and space that occurs in the first record",
-     "", name, recorded, [](Typed& to, Text text) { to.keys.input.delimited.delimiter = delimiter(text); },
-     [](const Conflicts& of) { of.exclude({option::decimal}, "", has_one_comma_for_two); }, names_in<delimiter_names>},
+     "", name, recorded,
+     [](Typed& to, Text text) { to.keys.input.delimited.delimiter = delimiter(text); }, names_in<delimiter_names>},
     {option::header, "", "", input_group,
-     "The first record names the columns; by default it does so if one of its cells is not a number", "", flag,
-     recorded, [](Typed& to, Text) { to.keys.input.delimited.header = true; },
-     [](const Conflicts& of) { of.exclude({option::no_header}); }},
-    {option::no_header, "", "", input_group, "The first record is a key", "", flag, recorded,
-     [](Typed& to, Text) { to.keys.input.delimited.header = false; }},
-    {option::comment, "", "PREFIX", input_group, "Skips lines that begin with PREFIX; none skips no lines", "#", other,
-     recorded, [](Typed& to, Text text) { to.keys.input.delimited.comment = text == "none" ? "" : text; }},
+     "The first record names the columns; by default it does so if one of its cells is not a number",
+     "", flag, recorded, [](Typed& to, Text) { to.keys.input.delimited.header = true; }},
+    {option::no_header, "", "", input_group,
+     "The first record is a key",
+     "", flag, recorded, [](Typed& to, Text) { to.keys.input.delimited.header = false; }},
+    {option::comment, "", "PREFIX", input_group,
+     "Skips lines that begin with PREFIX; none skips no lines",
+     "#", other, recorded, [](Typed& to, Text text) { to.keys.input.delimited.comment = text == "none" ? "" : text; }},
+    {option::skip_lines, "", "N", input_group,
+     "Skips the first N lines, which are no part of the table",
+     "", other, recorded,
+     [](Typed& to, Text text) { to.keys.input.delimited.skipped_lines = count_between(text, 0, INT64_MAX); }},
+    {option::units, "", "POLICY", input_group,
+     "What happens to units in cells, as in 2.35 m: error rejects them, strip removes them",
+     "error", name, recorded,
+     [](Typed& to, Text text) { to.keys.input.delimited.strips_units = named_row(unit_policies, text).strips; },
+     names_in<unit_policies>},
     {option::columns, "", "ROLE=NAME,...", input_group,
      "The roles of columns, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label. By default "
      "they follow from the header; without a header, the first column is the time, and the others are positions",
@@ -187,30 +149,23 @@ constexpr OptionRow option_rows[] = {
        auto roles = parse_roles(text);
        to.keys.input.columns.roles.insert(to.keys.input.columns.roles.begin(), roles.begin(), roles.end());
      }},
-    {option::tcb, "", "T,C,B", input_group, "Tension, continuity and bias of keys for which the input has none",
+    {option::tcb, "", "T,C,B", input_group,
+     "Tension, continuity and bias of keys for which the input has none",
      "0,0,0", other, recorded, [](Typed& to, Text text) { to.keys.input.keys.tcb = tcb_values(text); }},
-    {option::tcb_scale,
-     "",
-     "SCALE",
-     input_group,
-     "The scale of tension, continuity and bias: 3dsmax converts 0 to 50 into -1 to 1; none, the default, takes them "
-     "as "
-     "they are",
-     "",
-     name,
-     recorded,
+    {option::tcb_scale, "", "SCALE", input_group,
+     "The scale of tension, continuity and bias: 3dsmax converts 0 to 50 into -1 to 1; none, the default, takes "
+     "them as they are",
+     "", name, recorded,
      [](Typed& to, Text text) { to.keys.input.keys.tcb_scale = named_row(tcb_scales, text).scale; },
-     {},
      names_in<tcb_scales>},
-    {option::decimal, "", "MARK", input_group, "The decimal mark of numbers, a point or a comma", ".", other, recorded,
-     [](Typed& to, Text text) { to.keys.input.delimited.marks.decimal = decimal_mark(text); }},
+    {option::decimal, "", "MARK", input_group,
+     "The decimal mark of numbers, a point or a comma",
+     ".", other, recorded, [](Typed& to, Text text) { to.keys.input.delimited.marks.decimal = decimal_mark(text); }},
     {option::thousands, "", "CHAR", input_group,
-     "The character between groups of three digits, which is skipped, or comma, point, apostrophe, underscore or space",
-     "", name, recorded, [](Typed& to, Text text) { to.keys.input.delimited.marks.thousands = thousands_mark(text); },
-     [](const Conflicts& of) {
-       of.need({option::decimal}, ", as the point is the decimal mark", has_one_mark_for_two);
-       of.exclude({option::decimal}, ", as it would be both", has_one_mark_for_two);
-     },
+     "The character between groups of three digits, which is skipped, or comma, point, apostrophe, underscore or "
+     "space",
+     "", name, recorded,
+     [](Typed& to, Text text) { to.keys.input.delimited.marks.thousands = thousands_mark(text); },
      names_in<thousands_names>},
     {option::group, "-g", "COL[,COL]", input_group,
      "Makes one curve of all rows with the same values in these columns, in any order; output rows begin with these "
@@ -220,38 +175,35 @@ constexpr OptionRow option_rows[] = {
        to.keys.input.columns.roles.push_back({Role::group, column_list(text), option::group});
      }},
     {option::only, "", "PATTERN,...", input_group,
-     "Reads only these tracks of a file with several objects: OBJECT or OBJECT/TRACK, with * and ?", "", other,
-     recorded,
+     "Reads only these tracks of a file with several objects: OBJECT or OBJECT/TRACK, with * and ?",
+     "", other, recorded,
      [](Typed& to, Text text) {
        for (const std::string_view pattern : split(text, ',')) to.keys.input.only.emplace_back(pattern);
      }},
     {option::records, "", "PATH", input_group,
-     "Reads the list of keys at this path of JSON, such as data.result[0].values; with * for any name, each list is a "
-     "curve",
+     "Reads the list of keys at this path of JSON, such as data.result[0].values; with * for any name, each list is "
+     "a curve",
      "", other, recorded, [](Typed& to, Text text) { to.keys.input.records = text; }},
     {option::max_memory, "", "SIZE", input_group,
-     "Fails if a file whose format is kept as a whole needs more memory, such as 512MiB or 4GiB", "1GiB", other,
-     unrecorded, [](Typed& to, Text text) { to.keys.input.max_memory = memory_size(text); }},
+     "Fails if a file whose format is kept as a whole needs more memory, such as 512MiB or 4GiB",
+     "1GiB", other, unrecorded, [](Typed& to, Text text) { to.keys.input.max_memory = memory_size(text); }},
     {option::missing, "", "POLICY", input_group,
-     "What happens to a cell that is empty or marks a missing number, such as NA: error rejects it; skip-row skips the "
-     "key; skip-cell interpolates the channel through its other keys; break begins a new curve after it",
+     "What happens to a cell that is empty or marks a missing number, such as NA: error rejects it; skip-row skips "
+     "the key; skip-cell interpolates the channel through its other keys; break begins a new curve after it",
      "error", name, recorded,
      [](Typed& to, Text text) { to.keys.input.keys.missing = named_row(missing_names, text).value; },
-     [](const Conflicts& of) {
-       of.exclude({option::equal_speed, option::parameter}, ", as all channels are needed at each key",
-                  has_sparse_channels);
-     },
      names_in<missing_names>},
     {option::na, "", "TEXT,...", input_group,
-     "Further texts that mark a missing number, besides NA, nan, null, - and the like", "", other, recorded,
-     [](Typed& to, Text text) { to.keys.input.keys.signs = column_list(text); }},
+     "Further texts that mark a missing number, besides NA, nan, null, - and the like",
+     "", other, recorded, [](Typed& to, Text text) { to.keys.input.keys.signs = column_list(text); }},
     {option::time_unit, "", "UNIT", input_group,
      "The unit of times: s, ms, us, ns, min, h, d or frames; --rate is then per second. By default the name of the "
      "column tells the unit, as in time_ms",
-     "", name, recorded, [](Typed& to, Text text) { to.keys.input.units.time = named_row(time_units, text).unit; },
-     [](const Conflicts& of) { of.exclude({option::input_fps}); }, names_in<time_units>},
+     "", name, recorded,
+     [](Typed& to, Text text) { to.keys.input.units.time = named_row(time_units, text).unit; }, names_in<time_units>},
     {option::input_fps, "", "HZ", input_group,
-     "Converts times from frame numbers at HZ frames per second, such as 24 or 30000/1001, to seconds; HZ as for --fps",
+     "Converts times from frame numbers at HZ frames per second, such as 24 or 30000/1001, to seconds; HZ as for "
+     "--fps",
      "", other, recorded,
      [](Typed& to, Text text) {
        UnitOptions& units = to.keys.input.units;
@@ -259,50 +211,43 @@ constexpr OptionRow option_rows[] = {
        if (broadcast_rate(text)) units.rate_as_decimal = text;
      }},
     {option::date_order, "", "ORDER", input_group,
-     "The order of dates such as 01.02.2024 or 1/2/2024 8:05, which have the year last: dmy or mdy", "", name, recorded,
-     [](Typed& to, Text text) { to.keys.input.units.date_order = named_row(date_orders, text).order; }, nullptr,
+     "The order of dates such as 01.02.2024 or 1/2/2024 8:05, which have the year last: dmy or mdy",
+     "", name, recorded,
+     [](Typed& to, Text text) { to.keys.input.units.date_order = named_row(date_orders, text).order; },
      names_in<date_orders>},
     {option::scale, "", "CHANNEL=FACTOR,...", input_group,
-     "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01", "", columns, recorded,
-     [](Typed& to, Text text) { to.keys.input.units.scales = channel_scales(text); }},
+     "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01",
+     "", columns, recorded, [](Typed& to, Text text) { to.keys.input.units.scales = channel_scales(text); }},
     {option::rotation, "", "FORM=COLUMN:...", input_group,
      "The columns, by name or number, that together are a rotation: quaternion=X:Y:Z:W, "
-     "axis-angle=X:Y:Z:ANGLE[,relative], euler=A:B:C,order=XYZ or matrix=M11:M12:M13:M21:M22:M23:M31:M32:M33. Repeat "
-     "the option for each rotation; none takes all columns as plain channels. By default columns with names such as "
-     "qx, "
-     "qy, qz and qw are a rotation",
+     "axis-angle=X:Y:Z:ANGLE[,relative], euler=A:B:C,order=XYZ or matrix=M11:M12:M13:M21:M22:M23:M31:M32:M33. "
+     "Repeat the option for each rotation; none takes all columns as plain channels. By default columns with names "
+     "such as qx, qy, qz and qw are a rotation",
      "", other, recorded,
      [](Typed& to, Text text) {
        RotationOptions& options = to.keys.input.rotation;
        options.requests = rotations(text, options.none);
      }},
-    {option::angles, "", "UNIT", input_group, "The unit of the angles in rotations: radians or degrees", "radians",
-     name, recorded,
+    {option::angles, "", "UNIT", input_group,
+     "The unit of the angles in rotations: radians or degrees",
+     "radians", name, recorded,
      [](Typed& to, Text text) { to.keys.input.rotation.degrees = named_row(angle_units, text).degrees; },
-     [](const Conflicts& of) {
-       of.need({option::rotation, option::rotation_output}, ", which tells where angles are");
-     },
      names_in<angle_units>},
     {option::rotation_output, "", "FORM", input_group,
      "The form of rotations in rows: quaternion, axis-angle, matrix, or euler=XYZ; by default the form in the input",
      "", other, recorded, [](Typed& to, Text text) { to.keys.input.rotation.shown = rotation_form(text); }},
     {option::angle, "", "CHANNEL=UNIT,...", input_group,
-     "Channels that are angles, in degrees or radians, and turn the shorter way from key to key", "", columns, recorded,
-     [](Typed& to, Text text) { to.keys.input.rotation.angles = angle_channels(text); }},
+     "Channels that are angles, in degrees or radians, and turn the shorter way from key to key",
+     "", columns, recorded, [](Typed& to, Text text) { to.keys.input.rotation.angles = angle_channels(text); }},
     {option::normalize, "", "", input_group,
-     "Divides quaternions by their norm, which may be any number but 0, and replaces a matrix by the nearest rotation",
+     "Divides quaternions by their norm, which may be any number but 0, and replaces a matrix by the nearest "
+     "rotation",
      "", flag, recorded, [](Typed& to, Text) { to.keys.input.rotation.normalize = true; }},
-    {option::duplicates,
-     "",
-     "POLICY",
-     input_group,
+    {option::duplicates, "", "POLICY", input_group,
      "What happens to keys with equal times: error rejects them; first or last keeps that one; break begins a new "
      "curve with the second; spread gives them equal parts of the step to the next time",
-     "error",
-     name,
-     recorded,
+     "error", name, recorded,
      [](Typed& to, Text text) { to.keys.curves.duplicates = named_row(duplicates_names, text).value; },
-     {},
      names_in<duplicates_names>},
     {option::max_gap, "", "D", input_group,
      "Begins a new curve where keys are further apart in time than D, a number or a duration such as 2s; rows at steps "
@@ -312,138 +257,82 @@ constexpr OptionRow option_rows[] = {
        const std::optional<Rational> duration = read_duration(text);
        to.keys.curves.max_gap = duration ? *duration : positive_ratio(text);
        to.keys.curves.is_max_gap_in_seconds = duration.has_value();
-     },
-     [](const Conflicts& of) {
-       of.exclude({option::closed, option::period});
-       of.exclude({option::identify}, ", which tries rules on whole curves");
      }},
-    {option::sort, "", "", input_group, "Sorts keys by time before use; keys with equal times keep their order", "",
-     flag, recorded, [](Typed& to, Text) { to.keys.curves.sort = true; }},
+    {option::sort, "", "", input_group,
+     "Sorts keys by time before use; keys with equal times keep their order",
+     "", flag, recorded, [](Typed& to, Text) { to.keys.curves.sort = true; }},
 
-    {option::preset,
-     "",
-     "NAME",
-     curve_group,
+    {option::preset, "", "NAME", curve_group,
      "The rules of a product for tangents, ends and rotations; --list-presets shows all products",
-     "gte",
-     name,
-     recorded,
+     "gte", name, recorded,
      [](Typed& to, Text text) {
        to.keys.rules.preset = {std::string(named_row(spline::presets, text).name), {option::preset}};
-     },
-     {},
-     names_in<spline::presets>},
-    {option::tangents,
-     "",
-     "RULE",
-     curve_group,
+     }, names_in<spline::presets>},
+    {option::tangents, "", "RULE", curve_group,
      "The rule for the tangents at inner keys, instead of the preset's rule",
-     "",
-     name,
-     recorded,
+     "", name, recorded,
      [](Typed& to, Text text) {
        to.keys.rules.tangents = {std::string(named_row(spline::tangent_rules<double>, text).name), {option::tangents}};
-     },
-     {},
-     names_in<spline::tangent_rules<double>>},
-    {option::ends,
-     "",
-     "RULE[,RULE]",
-     curve_group,
-     "The rule for the tangents at the first and the last key, one for both or one for each, instead of the preset's "
-     "rule; velocity=V:V... sets a velocity, with one number for each channel",
-     "",
-     names,
-     recorded,
-     [](Typed& to, Text text) {
-       to.keys.rules.ends = {text, {option::ends}};
-     },
-     {},
-     names_in<spline::end_rules<double>>},
-    {option::closed, "", "", curve_group, "The curve continues from the last key to the first", "", flag, recorded,
-     [](Typed& to, Text) {
-       to.keys.rules.closed = {true, {option::closed}};
-     }},
+     }, names_in<spline::tangent_rules<double>>},
+    {option::ends, "", "RULE[,RULE]", curve_group,
+     "The rule for the tangents at the first and the last key, one for both or one for each, instead of the "
+     "preset's rule; velocity=V:V... sets a velocity, with one number for each channel",
+     "", names, recorded,
+     [](Typed& to, Text text) { to.keys.rules.ends = {text, {option::ends}}; }, names_in<spline::end_rules<double>>},
+    {option::closed, "", "", curve_group,
+     "The curve continues from the last key to the first",
+     "", flag, recorded, [](Typed& to, Text) { to.keys.rules.closed = {true, {option::closed}}; }},
     {option::period, "", "P", curve_group,
      "The time that a closed curve takes to return to its first key, which may have a unit as for --step; implies "
      "--closed",
-     "", other, recorded,
-     [](Typed& to, Text text) {
-       to.keys.rules.period = {text, {option::period}};
-     }},
+     "", other, recorded, [](Typed& to, Text text) { to.keys.rules.period = {text, {option::period}}; }},
     {option::equal_speed, "", "", curve_group,
-     "Makes the speeds on both sides of a key equal, even if the continuity is not 0", "", flag, recorded,
-     [](Typed& to, Text) { to.keys.rules.equal_speed = true; }},
+     "Makes the speeds on both sides of a key equal, even if the continuity is not 0",
+     "", flag, recorded, [](Typed& to, Text) { to.keys.rules.equal_speed = true; }},
     {option::no_overshoot, "", "", curve_group,
      "Keeps each channel between the positions of two neighbouring keys, by smaller tangents where it would leave them",
      "", flag, recorded, [](Typed& to, Text) { to.keys.rules.no_overshoot = true; }},
-    {option::parameter,
-     "",
-     "NAME",
-     curve_group,
-     "Makes times for keys that have none: uniform, chordal, centripetal, or an exponent of the distances between keys",
-     "uniform",
-     name,
-     recorded,
-     [](Typed& to, Text text) {
-       to.keys.rules.parameter = {text, {option::parameter}};
-     },
-     {},
-     names_in<parameter_names>},
+    {option::parameter, "", "NAME", curve_group,
+     "Makes times for keys that have none: uniform, chordal, centripetal, or an exponent of the distances between "
+     "keys",
+     "uniform", name, recorded,
+     [](Typed& to, Text text) { to.keys.rules.parameter = {text, {option::parameter}}; }, names_in<parameter_names>},
     {option::metric, "", "CHANNEL,...", curve_group,
-     "The channels, by name or number, over which lengths and speeds are measured; by default all channels. rotation "
-     "measures the angles through which rotations turn, in radians",
-     "", columns, recorded,
-     [](Typed& to, Text text) {
-       to.keys.rules.metric = {text, {option::metric}};
-     },
-     [](const Conflicts& of) { of.require_effect(", as no length or speed is requested", needs_no_metric); }},
-    {option::rotation_curve,
-     "",
-     "NAME",
-     curve_group,
+     "The channels, by name or number, over which lengths and speeds are measured; by default those called x, y and "
+     "z where these are, otherwise all. all measures all channels, rotation the angles through which rotations "
+     "turn, in radians",
+     "", columns, recorded, [](Typed& to, Text text) { to.keys.rules.metric = {text, {option::metric}}; }},
+    {option::rotation_curve, "", "NAME", curve_group,
      "The curve between rotations, instead of the preset's curve: squad, casteljau, components or slerp",
-     "",
-     name,
-     recorded,
+     "", name, recorded,
      [](Typed& to, Text text) {
        const auto& row = named_row(spline::rotation_curves, text);
        to.keys.rules.rotation_curve = {std::string(row.name), {option::rotation_curve}};
-     },
-     {},
-     names_in<spline::rotation_curves>},
-    {option::no_ease, "", "", curve_group, "Ignores the columns ease_in and ease_out", "", flag, recorded,
-     [](Typed& to, Text) { to.keys.rules.no_ease = true; }},
-    {option::extrapolate,
-     "",
-     "RULE[,RULE]",
-     curve_group,
-     "What happens to times outside the curve, one rule for both sides or one each for before and after: error rejects "
-     "them; hold, linear, repeat, offset and oscillate extend the curve",
-     "error",
-     names,
-     recorded,
+     }, names_in<spline::rotation_curves>},
+    {option::no_ease, "", "", curve_group,
+     "Ignores the columns ease_in and ease_out",
+     "", flag, recorded, [](Typed& to, Text) { to.keys.rules.no_ease = true; }},
+    {option::extrapolate, "", "RULE[,RULE]", curve_group,
+     "What happens to times outside the curve, one rule for both sides or one each for before and after: error "
+     "rejects them; hold, linear, repeat, offset and oscillate extend the curve",
+     "error", names, recorded,
      [](Typed& to, Text text) {
        for (const std::string_view rule : split(text, ',')) (void)named_row(extrapolations, rule);
        to.keys.rules.extrapolate = {text, {option::extrapolate}};
-     },
-     {},
-     names_in<extrapolations>},
+     }, names_in<extrapolations>},
 
     {option::step, "-s", "H", sampling_group,
-     "Samples every H of time from the first key; H is a decimal, a ratio such as 1/24, or a duration such as 20ms or "
-     "30min",
+     "Samples every H of time from the first key; H is a decimal, a ratio such as 1/24, or a duration such as 20ms "
+     "or 30min",
      "", other, recorded,
      [](Typed& to, Text text) {
        to.sampling.mode = Mode::step;
-       to.sampling.step = stored_time(to.sampling, not_a_positive_ratio, text, &InSeconds::step);
-       if (to.sampling.step <= 0) throw not_a_positive_ratio(text);
-     },
-     [](const Conflicts& of) { check_mode(of); }},
+       to.sampling.step = stored_time(to.sampling, expects_positive_ratio, text, &InSeconds::step);
+       if (to.sampling.step <= 0) throw usage_error("{} {}", in_quotes(text), expects_positive_ratio);
+     }},
     {option::rate, "", "HZ", sampling_group,
-     "Samples HZ times per second, or per unit of time if the unit is unknown; the step is exactly 1/HZ", "", other,
-     recorded, [](Typed& to, Text text) { set_rate(to.sampling, positive_ratio(text), text); },
-     [](const Conflicts& of) { check_mode(of); }},
+     "Samples HZ times per second, or per unit of time if the unit is unknown; the step is exactly 1/HZ",
+     "", other, recorded, [](Typed& to, Text text) { set_rate(to.sampling, positive_ratio(text), text); }},
     {option::fps, "", "HZ", sampling_group,
      "Samples as --rate does; the frame rates 23.976, 29.97, 59.94 and the like are 24000/1001, 30000/1001 and "
      "60000/1001",
@@ -451,260 +340,147 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) {
        set_rate(to.sampling, frame_rate(text), text);
        if (broadcast_rate(text)) to.sampling.rate_as_decimal = text;
-     },
-     [](const Conflicts& of) { check_mode(of); }},
+     }},
     {option::count, "-n", "N", sampling_group,
-     "Takes N samples equally spaced in time, including the first and the last key", "", other, recorded,
-     [](Typed& to, Text text) {
-       to.sampling.mode = Mode::count;
-       to.sampling.count = positive_count(text);
-     },
-     [](const Conflicts& of) { check_mode(of, {option::end}); }},
-    {option::segments, "", "N", sampling_group, "Divides the time into N equal intervals, so there are N+1 samples", "",
-     other, recorded,
-     [](Typed& to, Text text) {
-       to.sampling.mode = Mode::segments;
-       to.sampling.count = positive_count(text);
-     },
-     [](const Conflicts& of) { check_mode(of, {option::end}); }},
+     "Takes N samples equally spaced in time, including the first and the last key",
+     "", other, recorded,
+     [](Typed& to, Text text) { to.sampling.mode = Mode::count; to.sampling.count = positive_count(text); }},
+    {option::segments, "", "N", sampling_group,
+     "Divides the time into N equal intervals, so there are N+1 samples",
+     "", other, recorded,
+     [](Typed& to, Text text) { to.sampling.mode = Mode::segments; to.sampling.count = positive_count(text); }},
     {option::per_segment, "", "N", sampling_group,
-     "Divides every segment between two keys into N equal intervals of time", "", other, recorded,
-     [](Typed& to, Text text) {
-       to.sampling.mode = Mode::per_segment;
-       to.sampling.count = positive_count(text);
-     },
-     [](const Conflicts& of) {
-       check_mode(of, {option::from, option::to, option::end, option::keys});
-     }},
+     "Divides every segment between two keys into N equal intervals of time",
+     "", other, recorded,
+     [](Typed& to, Text text) { to.sampling.mode = Mode::per_segment; to.sampling.count = positive_count(text); }},
     {option::at, "", "T,...", sampling_group,
-     "Samples at these times, in this order. A:B:H means from A to B in steps of H; @FILE means the numbers in a file; "
-     "@FILE:COLUMN means a column of a recording; - means the numbers in standard input",
+     "Samples at these times, in this order. A:B:H means from A to B in steps of H; @FILE means the numbers in a "
+     "file; @FILE:COLUMN means a column of a recording; - means the numbers in standard input",
      "", places, recorded,
-     [](Typed& to, Text text) {
-       to.sampling.mode = Mode::at;
-       store_places(to, option::at, text);
-     },
-     [](const Conflicts& of) {
-       check_mode(of, {option::from, option::to, option::end, option::keys});
-     }},
-    {option::arc_step, "-a", "H", sampling_group, "Samples every H of arc length from the first key", "", other,
-     recorded,
-     [](Typed& to, Text text) {
-       to.sampling.mode = Mode::arc_step;
-       to.sampling.step = positive_ratio(text);
-     },
-     [](const Conflicts& of) { check_mode(of); }},
-    {option::arc_count, "", "N", sampling_group, "Takes N samples equally spaced in arc length, including both ends",
+     [](Typed& to, Text text) { to.sampling.mode = Mode::at; store_places(to, option::at, text); }},
+    {option::arc_step, "-a", "H", sampling_group,
+     "Samples every H of arc length from the first key",
      "", other, recorded,
-     [](Typed& to, Text text) {
-       to.sampling.mode = Mode::arc_count;
-       to.sampling.count = positive_count(text);
-     },
-     [](const Conflicts& of) { check_mode(of, {option::end}); }},
-    {option::arc_at, "", "S,...", sampling_group, "Samples at these arc lengths, written as in --at", "", places,
-     recorded,
-     [](Typed& to, Text text) {
-       to.sampling.mode = Mode::arc_at;
-       store_places(to, option::arc_at, text);
-     },
-     [](const Conflicts& of) {
-       check_mode(of, {option::from, option::to, option::end, option::keys});
-     }},
+     [](Typed& to, Text text) { to.sampling.mode = Mode::arc_step; to.sampling.step = positive_ratio(text); }},
+    {option::arc_count, "", "N", sampling_group,
+     "Takes N samples equally spaced in arc length, including both ends",
+     "", other, recorded,
+     [](Typed& to, Text text) { to.sampling.mode = Mode::arc_count; to.sampling.count = positive_count(text); }},
+    {option::arc_at, "", "S,...", sampling_group,
+     "Samples at these arc lengths, written as in --at",
+     "", places, recorded,
+     [](Typed& to, Text text) { to.sampling.mode = Mode::arc_at; store_places(to, option::arc_at, text); }},
     {option::tolerance, "", "D[,ANGLE]", sampling_group,
-     "Uses a greedy search for few samples whose polyline stays within D of the curve, over the metric "
-     "channels, and whose rotations stay within ANGLE, such as 0.5deg or 0.01rad",
+     "Uses a greedy search for few samples whose polyline stays within D of the curve, over the metric channels, "
+     "and whose rotations stay within ANGLE, such as 0.5deg or 0.01rad",
      "", other, recorded,
-     [](Typed& to, Text text) {
-       to.sampling.mode = Mode::tolerance;
-       to.sampling.tolerance = curve_tolerance(text);
-     },
-     [](const Conflicts& of) {
-       check_mode(of, {option::from, option::to, option::end});
-     }},
+     [](Typed& to, Text text) { to.sampling.mode = Mode::tolerance; to.sampling.tolerance = curve_tolerance(text); }},
     {option::emit, "", "FORM", sampling_group,
-     "Prints the exact cubics instead of samples, one row for each segment: hermite has position and velocity at both "
-     "ends, bezier four control points, poly the coefficients of (t - start)^0 to ^3, and polyN pads these to N with "
-     "zeros",
+     "Prints the exact cubics instead of samples, one row for each segment: hermite has position and velocity at "
+     "both ends, bezier four control points, poly the coefficients of (t - start)^0 to ^3, and polyN pads these to "
+     "N with zeros",
      "", name, recorded,
      [](Typed& to, Text text) {
        to.sampling.mode = Mode::emit;
        to.sampling.count = 1;
        to.form = form_of_pieces(text);
-     },
-     [](const Conflicts& of) {
-       of.exclude(sampling_options);
-       of.disable({option::end, option::keys});
-       of.disable({option::extrapolate}, ", whose pieces lie between keys", extends_curve);
-     },
-     names_in<form_table>},
+     }, names_in<form_table>},
     {option::fit, "", "D,...", sampling_group,
-     "Prints keys, not samples: the fewest keys found whose curve is within D of every sample in the input, over the "
-     "metric channels. NAME=D limits one channel; 0.5deg or 0.01rad limits rotations",
-     "", other, recorded, [](Typed& to, Text text) { std::tie(to.fit.tolerances, to.fit.angle) = fit_limits(text); },
-     [](const Conflicts& of) {
-       of.exclude(sampling_options);
-       of.disable({option::tcb,          option::tcb_scale,   option::rotation_output,
-                   option::preset,       option::tangents,    option::ends,
-                   option::closed,       option::period,      option::equal_speed,
-                   option::no_overshoot, option::parameter,   option::rotation_curve,
-                   option::no_ease,      option::extrapolate, option::from,
-                   option::to,           option::end,         option::keys,
-                   option::max_rows,     option::fields,      option::side,
-                   option::golden,       option::exact_input, option::rename},
-                  ", which prints keys with the default rules");
-       of.disable({option::digits, option::fixed}, ", whose numbers have the digits that the tolerance needs");
-       of.exclude({option::plot, option::explain});
-     }},
+     "Prints keys, not samples: the fewest keys found whose curve is within D of every sample in the input, over "
+     "the metric channels. NAME=D limits one channel; 0.5deg or 0.01rad limits rotations",
+     "", other, recorded, [](Typed& to, Text text) { std::tie(to.fit.tolerances, to.fit.angle) = fit_limits(text); }},
     {option::fit_keys, "", "KIND", sampling_group,
-     "The parameters of the keys of --fit: tcb means tension and bias, hermite means velocities", "tcb", name, recorded,
-     [](Typed& to, Text text) { to.fit.keys = named_row(fit_key_names, text).keys; }, need_fit,
-     names_in<fit_key_names>},
+     "The parameters of the keys of --fit: tcb means tension and bias, hermite means velocities",
+     "tcb", name, recorded,
+     [](Typed& to, Text text) { to.fit.keys = named_row(fit_key_names, text).keys; }, names_in<fit_key_names>},
     {option::keep_times, "", "T,...", sampling_group,
-     "Times of samples that --fit turns into keys in any case, written as in --at", "", places, recorded,
-     [](Typed& to, Text text) { store_places(to, option::keep_times, text); }, need_fit},
+     "Times of samples that --fit turns into keys in any case, written as in --at",
+     "", places, recorded, [](Typed& to, Text text) { store_places(to, option::keep_times, text); }},
     {option::corner, "", "DEGREES", sampling_group,
-     "Allows a key of --fit to be a corner where the samples turn by more than DEGREES", "", other, recorded,
-     [](Typed& to, Text text) { to.fit.corner = corner_angle(text); }, need_fit},
+     "Allows a key of --fit to be a corner where the samples turn by more than DEGREES",
+     "", other, recorded, [](Typed& to, Text text) { to.fit.corner = corner_angle(text); }},
     {option::from, "", "T", sampling_group,
      "Where sampling begins: a time, which may have a unit as for --step, or an arc length for the arc modes; by "
-     "default "
-     "the first key",
-     "", other, recorded,
-     [](Typed& to, Text text) { to.sampling.from = stored_time(to.sampling, not_a_ratio, text, &InSeconds::from); }},
-    {option::to, "", "T", sampling_group, "Where sampling ends; by default the last key", "", other, recorded,
-     [](Typed& to, Text text) { to.sampling.to = stored_time(to.sampling, not_a_ratio, text, &InSeconds::to); }},
-    {option::end,
-     "",
-     "POLICY",
-     sampling_group,
+     "default the first key",
+     "", other, recorded, [](Typed& to, Text text) { to.sampling.from = stored_bound(to, text, &InSeconds::from); }},
+    {option::to, "", "T", sampling_group,
+     "Where sampling ends; by default the last key",
+     "", other, recorded, [](Typed& to, Text text) { to.sampling.to = stored_bound(to, text, &InSeconds::to); }},
+    {option::end, "", "POLICY", sampling_group,
      "What happens if the steps do not meet the end: drop stops before it; keep adds it after a shorter step; fit "
      "takes the nearest whole number of equal steps, fit-down the largest equal steps of at most H, and fit-up the "
      "smallest of at least H",
-     "drop",
-     name,
-     recorded,
-     [](Typed& to, Text text) { to.sampling.end = named_row(end_policies, text).policy; },
-     {},
-     names_in<end_policies>},
+     "drop", name, recorded,
+     [](Typed& to, Text text) { to.sampling.end = named_row(end_policies, text).policy; }, names_in<end_policies>},
     {option::keys, "", "", sampling_group,
-     "Adds every key as a sample, in place of a sample within a billionth of a step of the key", "", flag, recorded,
-     [](Typed& to, Text) { to.sampling.keys = true; }},
-    {option::max_rows, "", "N", sampling_group, "Fails if there are more than N samples", "1e9", other, recorded,
-     [](Typed& to, Text text) { to.sampling.max_rows = count_between(text, 1, INT64_MAX); }},
+     "Adds every key as a sample, in place of a sample within a billionth of a step of the key",
+     "", flag, recorded, [](Typed& to, Text) { to.sampling.keys = true; }},
+    {option::max_rows, "", "N", sampling_group,
+     "Fails if there are more than N samples",
+     "1e9", other, recorded, [](Typed& to, Text text) { to.sampling.max_rows = count_between(text, 1, INT64_MAX); }},
 
     {option::output, "-o", "FILE", output_group,
-     "Writes to FILE, which appears when it is complete; - is standard output", "", file, unrecorded,
-     [](Typed& to, Text text) { to.files.outputs.file = text; },
-     [](const Conflicts& of) { of.exclude({option::output_dir}); }},
+     "Writes to FILE, which appears when it is complete; - is standard output",
+     "", file, unrecorded, [](Typed& to, Text text) { to.files.outputs.file = text; }},
     {option::output_format, "-f", "FORMAT", output_group,
-     "The format of the output: @NAMES@; see tcbsample-output(5). By default it is that of FILE's ending, or csv", "",
-     name, recorded, [](Typed& to, Text text) { to.output.format = output_format(text); },
-     [](const Conflicts& of) {
-       of.exclude({option::plot});
-       disable_options_without_picture(of);
-       of.disable({option::digits, option::fixed, option::hex}, ", which holds the doubles themselves",
-                  has_binary_output);
-       of.disable({option::time_format}, ", which holds numbers only", has_binary_output);
-       of.disable({option::hex}, ", which has no hexadecimal numbers", has_no_header);
-       of.disable({option::no_output_header}, ", which has no line of names", has_no_header);
-       of.disable({option::meta}, ", which has no comments", has_no_provenance);
-       of.disable({option::fields, option::emit, option::fit, option::rotation_output, option::time_format,
-                   option::file_column, option::output_delimiter, option::output_decimal, option::like_input},
-                  ", whose rows are poses", has_poses);
-       of.disable(
-           {option::fields, option::fit, option::rotation_output, option::digits, option::fixed, option::time_format,
-            option::file_column, option::output_delimiter, option::output_decimal, option::like_input},
-           ", which is an animation", has_scene);
-       of.disable({option::emit}, ", whose pieces have the form hermite", has_scene_of_other_form);
-       of.disable({option::fields, option::fit, option::rotation_output, option::hex, option::time_format,
-                   option::file_column, option::output_delimiter, option::output_decimal, option::like_input},
-                  ", whose rows are polynomials", has_pieces);
-       of.disable(sampling_options, ", whose rows have the form poly8", has_samples_in_pieces);
-     },
-     output_format_names},
+     "The format of the output: @NAMES@; see tcbsample-output(5). By default it is that of FILE's ending, or csv",
+     "", name, recorded, [](Typed& to, Text text) { to.output.format = output_format(text); }, output_format_names},
     {option::plot, "", "", output_group,
-     "Draws the curve and its samples, as -f svg does; without a sampling option, it draws 51 samples equally spaced "
-     "in time",
-     "", flag, unrecorded, [](Typed& to, Text) { to.output.format = find_format("svg"); },
-     disable_options_without_picture},
+     "Draws the curve and its samples, as -f svg does; without a sampling option, it draws 51 samples equally "
+     "spaced in time",
+     "", flag, unrecorded, [](Typed& to, Text) { to.output.format = find_format("svg"); }},
     {option::fields, "", "FIELD,...", output_group,
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
      "curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error. With --emit: s and length, "
      "which follow the cubics",
-     "time,position", names, recorded, [](Typed& to, Text text) { to.output.fields = field_list(text); },
-     [](const Conflicts& of) {
-       of.exclude({option::emit}, ", as a piece has the fields s and length only", has_field_of_samples);
-       of.need({option::emit}, ", for the length of each piece", has_field_of_pieces);
-     },
-     field_names},
+     "time,position", names, recorded, [](Typed& to, Text text) { to.output.fields = field_list(text); }, field_names},
     {option::side, "", "SIDE", output_group,
-     "Which segment a row at a key describes if two segments differ there: right is the segment after the key, left is "
-     "the segment before it",
-     "right", name, recorded, [](Typed& to, Text text) { to.sampling.from_left = named_row(side_names, text).left; },
-     [](const Conflicts& of) { of.require_effect(" on these fields, which are the same on both sides", has_no_side); },
-     names_in<side_names>},
+     "Which segment a row at a key describes if two segments differ there: right is the segment after the key, left "
+     "is the segment before it",
+     "right", name, recorded,
+     [](Typed& to, Text text) { to.sampling.from_left = named_row(side_names, text).left; }, names_in<side_names>},
     {option::digits, "", "N", output_group,
-     "Prints numbers with N significant digits, from 1 to 17, or with --golden to 100; by default as the shortest text "
-     "that reads back as the same double",
+     "Prints numbers with N significant digits, from 1 to 17, or with --golden to 100; by default as the shortest "
+     "text that reads back as the same double",
      "", other, recorded,
-     [](Typed& to, Text text) {
-       to.output.notation = {Notation::Kind::digits, digit_count(text, 1)};
-     },
-     [](const Conflicts& of) {
-       of.exclude({option::fixed, option::hex});
-       of.need({option::golden}, ", as a double has 17 significant digits", has_more_digits_than_doubles);
-     }},
-    {option::fixed, "", "N", output_group, "Prints numbers with N decimals, from 0 to 100", "", other, recorded,
-     [](Typed& to, Text text) {
-       to.output.notation = {Notation::Kind::fixed, digit_count(text, 0)};
-     },
-     [](const Conflicts& of) { of.exclude({option::hex}); }},
+     [](Typed& to, Text text) { to.output.notation = {Notation::Kind::digits, digit_count(text, 1)}; }},
+    {option::fixed, "", "N", output_group,
+     "Prints numbers with N decimals, from 0 to 100",
+     "", other, recorded,
+     [](Typed& to, Text text) { to.output.notation = {Notation::Kind::fixed, digit_count(text, 0)}; }},
     {option::jobs, "-j", "N", output_group,
-     "The number of threads; by default one per core, or one thread for a live pipe. The output is the same for every "
-     "N",
+     "The number of threads; by default one per core, or one thread for a live pipe. The output is the same for "
+     "every N",
      "", other, unrecorded,
      [](Typed& to, Text text) { to.threads.requested = static_cast<unsigned>(count_between(text, 1, 1024)); }},
-    {option::golden, "", "", output_group, "Prints every number as the exact result, rounded once", "", flag, recorded,
-     [](Typed&, Text) {},
-     [](const Conflicts& of) { of.exclude({option::fields}, ", as the exact s has no error", has_rounded_field); }},
+    {option::golden, "", "", output_group,
+     "Prints every number as the exact result, rounded once",
+     "", flag, recorded, [](Typed& to, Text) { to.golden = true; }},
     {option::exact_input, "", "", output_group,
-     "With --golden: a decimal in the input means exactly that decimal, not the nearest double", "", flag, recorded,
-     [](Typed&, Text) {}, [](const Conflicts& of) { of.need({option::golden}); }},
+     "With --golden: a decimal in the input means exactly that decimal, not the nearest double",
+     "", flag, recorded, [](Typed& to, Text) { to.exact_input = true; }},
     {option::meta, "", "", output_group,
-     "Adds provenance to the rows: version, rules, options, SHA-256 of the input, and counts", "", flag, recorded,
-     [](Typed&, Text) {}},
+     "Adds provenance to the rows: version, rules, options, SHA-256 of the input, and counts",
+     "", flag, recorded, [](Typed& to, Text) { to.meta = true; }},
     {option::from_meta, "", "FILE", output_group,
-     "Reproduces FILE, an output with provenance, with all the options recorded in it", "", file, unrecorded,
-     [](Typed&, Text) {}},
+     "Reproduces FILE, an output with provenance, with all the options recorded in it",
+     "", file, unrecorded, [](Typed& to, Text text) { to.from_meta = text; }},
     {option::hex, "", "", output_group,
-     "Prints numbers in hexadecimal as C does, such as 0x1.8p+1, which strtod reads back bit for bit", "", flag,
-     recorded, [](Typed& to, Text) { to.output.notation = {Notation::Kind::hex}; }},
+     "Prints numbers in hexadecimal as C does, such as 0x1.8p+1, which strtod reads back bit for bit",
+     "", flag, recorded, [](Typed& to, Text) { to.output.notation = {Notation::Kind::hex}; }},
     {option::no_output_header, "", "", output_group,
-     "Prints no names above the rows; this is the default if the input has no names", "", flag, recorded,
-     [](Typed& to, Text) { to.output.header = false; }},
+     "Prints no names above the rows; this is the default if the input has no names",
+     "", flag, recorded, [](Typed& to, Text) { to.output.header = false; }},
     {option::output_delimiter, "", "CHAR", output_group,
-     "The character between the cells of csv, as for --delimiter; by default a comma", "", name, recorded,
-     [](Typed& to, Text text) { to.output.delimiter = delimiter(text); },
-     [](const Conflicts& of) {
-       of.require_effect(" on a format other than csv", has_fixed_delimiter);
-       of.exclude({option::like_input});
-     },
-     names_in<delimiter_names>},
-    {option::output_decimal, "", "MARK", output_group, "The decimal mark of rows, a point or a comma", ".", other,
-     recorded, [](Typed& to, Text text) { to.output.decimal = decimal_mark(text); },
-     [](const Conflicts& of) {
-       of.require_effect(" on a format that is not delimited text", has_no_header);
-       of.exclude({option::like_input, option::hex});
-       of.need({option::output_delimiter}, ", as the comma is the delimiter of csv", needs_output_delimiter);
-       of.exclude({option::output_delimiter}, ", as the comma cannot be both", has_one_output_comma_for_two);
-     }},
+     "The character between the cells of csv, as for --delimiter; by default a comma",
+     "", name, recorded,
+     [](Typed& to, Text text) { to.output.delimiter = delimiter(text); }, names_in<delimiter_names>},
+    {option::output_decimal, "", "MARK", output_group,
+     "The decimal mark of rows, a point or a comma",
+     ".", other, recorded, [](Typed& to, Text text) { to.output.decimal = decimal_mark(text); }},
     {option::like_input, "", "", output_group,
-     "Writes csv with the delimiter, the decimal mark and the line ends of the input", "", flag, recorded,
-     [](Typed& to, Text) { to.output.like_input = true; },
-     [](const Conflicts& of) {
-       of.require_effect(" on a format other than csv", has_fixed_delimiter);
-       of.exclude({option::hex});
-     }},
+     "Writes csv with the delimiter, the decimal mark and the line ends of the input",
+     "", flag, recorded, [](Typed& to, Text) { to.output.like_input = true; }},
     {option::file_column, "", "[=NAME]", output_group,
      "Adds the name of the input as the first column, which is called NAME, and leaves out the blank line between "
      "files",
@@ -714,73 +490,62 @@ constexpr OptionRow option_rows[] = {
      "8601); by default the notation in the input",
      "", name, recorded,
      [](Typed& to, Text text) { to.output.time_notation = named_row(time_notations, text).notation; },
-     [](const Conflicts& of) { of.need({option::input_fps}, ", the rate of the frames", has_frames_of_time); },
      names_in<time_notations>},
     {option::time_zero, "", "T", output_group,
-     "Subtracts T, a time in the unit of the keys, exactly from all times in the output; first is the time of the first "
-     "key",
+     "Subtracts T, a time in the unit of the keys, exactly from all times in the output; first is the time of the "
+     "first key",
      "", other, recorded,
      [](Typed& to, Text text) {
        to.output.time_zero.emplace();
-       if (text != "first") to.output.time_zero->time = ratio_or(not_a_time_zero, text);
+       if (text != "first") to.output.time_zero->time = ratio_or(expects_time_zero, text);
      }},
     {option::rename, "", "OLD=NEW,...", output_group,
-     "Renames columns of the input, in the output and for the options about channels", "", columns, recorded,
-     [](Typed& to, Text text) { to.keys.input.renamings = renamings(text); }},
+     "Renames columns of the input, in the output and for the options about channels",
+     "", columns, recorded, [](Typed& to, Text text) { to.keys.input.renamings = renamings(text); }},
     {option::axes, "", "X:Y", output_group,
-     "With a picture: the channels, by name or number, that point right and up in the view of the path; by default the "
-     "first two metric channels",
-     "", column_pair, unrecorded, [](Typed& to, Text text) { to.picture.axes = axis_names(text); }, require_picture},
-    {option::title, "", "TEXT", output_group, "With a picture: its title; by default the name of the file", "", other,
-     unrecorded, [](Typed& to, Text text) { to.picture.title = text; }, require_picture},
+     "With a picture: the channels, by name or number, that point right and up in the view of the path; by default "
+     "the first two metric channels",
+     "", column_pair, unrecorded, [](Typed& to, Text text) { to.picture.axes = axis_names(text); }},
+    {option::title, "", "TEXT", output_group,
+     "With a picture: its title; by default the name of the file",
+     "", other, unrecorded, [](Typed& to, Text text) { to.picture.title = text; }},
     {option::size, "", "WxH", output_group,
-     "With a picture: its width and height in pixels; by default as large as its contents require", "", other,
-     unrecorded, [](Typed& to, Text text) { to.picture.size = picture_size(text); }, require_picture},
+     "With a picture: its width and height in pixels; by default as large as its contents require",
+     "", other, unrecorded, [](Typed& to, Text text) { to.picture.size = picture_size(text); }},
 
     {option::explain, "", "", about_group,
-     "Prints what was detected, and with a sampling option what would be done, instead of samples", "", flag, recorded,
-     [](Typed&, Text) {}, [](const Conflicts& of) { of.disable({option::meta}, ", which prints no rows"); }},
+     "Prints what was detected, and with a sampling option what would be done, instead of samples",
+     "", flag, recorded, [](Typed& to, Text) { to.explain = true; }},
     {option::progress, "", "", about_group,
      "Shows the progress on a terminal after a second, even if the rows go to the terminal; by default it is shown "
-     "only "
-     "if they do not",
-     "", flag, unrecorded, [](Typed&, Text) {},
-     [](const Conflicts& of) {
-       of.exclude({option::no_progress, option::quiet});
-     }},
-    {option::no_progress, "", "", about_group, "Does not show the progress", "", flag, unrecorded, [](Typed&, Text) {}},
-    {option::quiet, "-q", "", about_group, "Prints only errors on standard error", "", flag, unrecorded,
-     [](Typed&, Text) {}},
-    {option::color,
-     "",
-     "WHEN",
-     about_group,
-     "When errors, warnings and notes are colored: always, never, or auto, on a terminal unless the environment says "
-     "otherwise",
-     "auto",
-     name,
-     unrecorded,
-     [](Typed& to, Text text) { to.color = named_row(color_names, text).when; },
-     {},
-     names_in<color_names>},
-    {option::generate,
-     "",
-     "KIND",
-     about_group,
-     "Prints a page of the manual (man, man-curves), the completions for a shell (bash, zsh, fish), the names of the "
-     "columns of FILE (columns), of those that may be positions (positions), or all options and presets as JSON "
+     "only if they do not",
+     "", flag, unrecorded, [](Typed& to, Text) { to.progress = true; }},
+    {option::no_progress, "", "", about_group,
+     "Does not show the progress",
+     "", flag, unrecorded, [](Typed& to, Text) { to.no_progress = true; }},
+    {option::quiet, "-q", "", about_group,
+     "Prints only errors on standard error",
+     "", flag, unrecorded, [](Typed& to, Text) { to.quiet = true; }},
+    {option::color, "", "WHEN", about_group,
+     "When errors, warnings and notes are colored: always, never, or auto, on a terminal unless the environment "
+     "says otherwise",
+     "auto", name, unrecorded,
+     [](Typed& to, Text text) { to.color = named_row(color_names, text).when; }, names_in<color_names>},
+    {option::generate, "", "KIND", about_group,
+     "Prints a page of the manual (man, man-curves), the completions for a shell (bash, zsh, fish), the names of "
+     "the columns of FILE (columns), of those that may be positions (positions), or all options and presets as JSON "
      "(tables)",
-     "",
-     name,
-     unrecorded,
-     [](Typed& to, Text text) { to.generated = named_row(generated_names, text).kind; },
-     {},
-     names_in<generated_names>},
-    {option::list_presets, "", "", about_group, "Prints the presets, and the rules with their formulas", "", flag,
-     unrecorded, [](Typed&, Text) {}},
-    {option::version, "-V", "", about_group, "Prints the version", "", flag, unrecorded, [](Typed&, Text) {}},
-    {option::help, "-h", "", about_group, "-h prints the most common options, --help prints all options", "", flag,
-     unrecorded, [](Typed&, Text) {}},
+     "", name, unrecorded,
+     [](Typed& to, Text text) { to.generated = named_row(generated_names, text).kind; }, names_in<generated_names>},
+    {option::list_presets, "", "", about_group,
+     "Prints the presets, and the rules with their formulas",
+     "", flag, unrecorded, [](Typed& to, Text) { to.list_presets = true; }},
+    {option::version, "-V", "", about_group,
+     "Prints the version",
+     "", flag, unrecorded, [](Typed& to, Text) { to.version = true; }},
+    {option::help, "-h", "", about_group,
+     "-h prints the most common options, --help prints all options",
+     "", flag, unrecorded, [](Typed& to, Text) { to.help = true; }},
 };
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/conflicts.hpp"
 #include "cli/typed_options.hpp"
 
 namespace tcb {
@@ -48,8 +47,6 @@ struct OptionRow {
   bool changes_rows;  ///< it is part of the provenance of the output
   /// Reads the value. Throws: Error (usage); the caller adds the name of the option.
   void (*store)(TypedOptions& typed, const std::string& value);
-  /// Throws: Error (usage) if the option conflicts with others; called if it is given.
-  void (*check)(const Conflicts& conflicts) = nullptr;
   /// The names that the value is made of, for ValueKind::name and names.
   std::vector<std::string_view> (*known)() = nullptr;
 

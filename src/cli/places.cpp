@@ -9,7 +9,6 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/errors.hpp"
 #include "cli/values.hpp"
 #include "formats/open_input.hpp"
 #include "io/compression.hpp"
@@ -20,12 +19,18 @@
 #include "option_names.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/text_bytes.hpp"
-#include "schema/missing.hpp"
+#include "schema/key_rules.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+constexpr std::string_view not_a_range = "is not a range; expected FIRST:LAST:STEP, such as 0:10:0.5";
+
+constexpr std::string_view not_a_list_of_numbers =
+    "is not a number; expected decimals or ratios of whole numbers, separated by commas, such as "
+    "0,0.5,7/24";
 
 /// So many numbers of an option are kept at most.
 constexpr std::uint64_t most_places = 10'000'000;
@@ -35,36 +40,55 @@ class PlaceNumbers {
  public:
   /// Appends a number, or A, A + H, ... up to B for "A:B:H". Throws: Error (usage).
   void add(std::string_view item) {
-    if (item.find(':') == std::string_view::npos) {
+    const auto notation = find_notation(item);
+    if (notation && is_date(*notation)) {
+      places_.list.emplace_back(0);
+      ++dates_;
+    } else if (item.find(':') == std::string_view::npos) {
       places_.list.push_back(number(not_a_list_of_numbers, item));
     } else {
       add_range(item);
     }
   }
 
-  NumberedPlaces take() { return std::move(places_); }
+  NumberedPlaces take() {
+    if (dates_ > 0 && dates_ != places_.list.size()) {
+      throw usage_error("there are both dates and numbers; expected one of the two");
+    }
+    places_.are_dates = dates_ > 0;
+    return std::move(places_);
+  }
 
  private:
   /// The places of a range are kept, so there is a limit to their number.
   void add_range(std::string_view text) {
     const std::vector<std::string_view> parts = split(text, ':');
-    if (parts.size() != 3) throw not_a_range(text);
+    if (parts.size() != 3) throw usage_error("{} {}", in_quotes(text), not_a_range);
     const auto part = [&](std::size_t i) { return number(not_a_range, parts[i]); };
     const Rational first = part(0), last = part(1), step = part(2);
-    if (step == 0 || (last - first) / step < 0) throw range_without_end(text);
+    if (step == 0 || (last - first) / step < 0)
+      throw usage_error("{} never reaches its end; expected a step that leads from the first number to the last",
+                        in_quotes(text));
     const Rational steps = floor((last - first) / step);
-    if (steps >= most_places) throw range_of_too_many_numbers(text, most_places);
+    if (steps >= most_places)
+      throw usage_error("{} is a range of more than {} numbers; expected fewer; give {}, {} and {} instead",
+                        in_quotes(text), most_places, option::from, option::to, option::step);
     for (std::uint64_t i = 0; i <= whole_number(steps); ++i) places_.list.push_back(first + step * i);
   }
 
-  Rational number(Fault fault, std::string_view text) {
-    TimeValue value = time_value(fault, text);
-    if (std::exchange(any_, true) && value.in_seconds != places_.in_seconds) throw units_of_some_numbers(text);
+  Rational number(std::string_view words, std::string_view text) {
+    TimeValue value = time_value(words, text);
+    if (std::exchange(any_, true) && value.in_seconds != places_.in_seconds)
+      throw usage_error(
+          "{} and the numbers before it do not both have a unit of time; expected a unit for each number, "
+          "or for none",
+          in_quotes(text));
     places_.in_seconds = value.in_seconds;
     return std::move(value.value);
   }
 
   NumberedPlaces places_;
+  std::size_t dates_ = 0;
   bool any_ = false;
 };
 
@@ -94,12 +118,14 @@ class NumberList {
       if (cell.empty()) continue;
       at_position({shown_name(path_), line_, 0}, [&] { (void)ratio_or(not_a_list_of_numbers, cell); });
       items_ += (items_.empty() ? "" : ",") + std::string(cell);
-      if (++count_ > most_places) throw list_of_too_many_numbers(most_places).in(shown_name(path_));
+      if (++count_ > most_places)
+        throw usage_error("the list has more than {} numbers; expected fewer; divide the list", most_places)
+            .in(shown_name(path_));
     }
   }
 
   std::string items() const {
-    if (items_.empty()) throw list_without_numbers().in(shown_name(path_));
+    if (items_.empty()) throw usage_error("the file has no numbers; expected at least one").in(shown_name(path_));
     return items_;
   }
 
@@ -138,7 +164,9 @@ std::string listed_numbers(const std::string& text) {
   if (text == "-") return numbers_in(text);
   if (!text.starts_with('@')) return text;
   const std::string path = text.substr(1);
-  if (!exists(path)) throw list_unreadable().in(path);
+  if (!exists(path))
+    throw usage_error("the file cannot be read; expected a file of numbers, or @FILE:COLUMN for a column of a file")
+        .in(path);
   return numbers_in(path);
 }
 
@@ -204,11 +232,15 @@ void store_places(TypedOptions& typed, std::string_view option, const std::strin
   if (typed.places.column) return;
   if (typed.places.from_input) typed.files.other_inputs.push_back(text);
   if (text.starts_with('@')) typed.files.other_inputs.push_back(text.substr(1));
-  typed.set_text(option, listed_numbers(text));
-  NumberedPlaces places = numbered_places(typed.text(option));
-  if (places.in_seconds && option == option::arc_at) throw duration_is_no_length();
+  typed.give(option, listed_numbers(text));
+  NumberedPlaces places = numbered_places(typed.value(option));
+  if (places.in_seconds && option == option::arc_at)
+    throw usage_error(
+        "a unit of time is given, but samples are placed by arc length; expected a length without a unit");
   typed.places.list = std::move(places.list);
   typed.places.in_seconds = places.in_seconds;
+  typed.has_times_in_words = typed.has_times_in_words || places.are_dates;
+  if (places.are_dates && option != option::at) throw usage_error("there are dates; expected numbers");
 }
 
 void read_place_column(TypedOptions& typed) {
@@ -217,14 +249,19 @@ void read_place_column(TypedOptions& typed) {
   GroupedPlaces places = in_file(column.path, [&] { return read_places(column, typed.keys.input); });
   const auto alone = places.find({});
   if (alone == places.end()) {
-    if (typed.has(option::meta)) throw groups_of_numbers_in_provenance().about(column.option);
+    if (typed.meta)
+      throw usage_error(
+          "the column has different numbers for each group, which {} cannot record; expected the same "
+          "numbers for all groups; remove {}, or list the numbers",
+          option::meta, option::meta)
+          .about(column.option);
     typed.places.grouped = std::move(places);
     return;
   }
   typed.places.list = std::move(alone->second);
   std::vector<std::string> texts;
   for (const Rational& place : typed.places.list) texts.push_back(text_of(place));
-  typed.set_text(column.option, fmt::format("{}", fmt::join(texts, ",")));
+  typed.give(column.option, fmt::format("{}", fmt::join(texts, ",")));
 }
 
 }  // namespace tcb

@@ -13,6 +13,7 @@ namespace tcb {
 struct NumberedPlaces {
   std::vector<Rational> list;
   bool in_seconds = false;  ///< they have units of time, as in 30min
+  bool are_dates = false;   ///< each is 0 until the date is read
 };
 
 /// Throws: Error (usage); the caller adds the name of the option.

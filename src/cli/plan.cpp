@@ -1,17 +1,20 @@
 // Plan: from arguments to typed options, and from these to the job of a product.
 #include "cli/plan.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "cli/errors.hpp"
+#include <algorithm>
+#include <array>
+
+#include "cli/conflicts.hpp"
 #include "cli/help.hpp"
 #include "cli/options.hpp"
-#include "cli/output_ending.hpp"
 #include "cli/places.hpp"
 #include "cli/provenance_options.hpp"
 #include "cli/read_options.hpp"
 #include "cli/values.hpp"
 #include "formats/formats.hpp"
+#include "formats/other_files.hpp"
 #include "io/system.hpp"
 #include "option_names.hpp"
 #include "read/input_format.hpp"
@@ -19,16 +22,101 @@
 #include "sample/fields.hpp"
 #include "schema/pose_formats.hpp"
 #include "text/file_ending.hpp"
+#include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
 
 std::string asked_text(const TypedOptions& typed, const std::vector<std::string>& words) {
   const bool is_long = std::ranges::count(words, option::help) > 0;
-  if (typed.has(option::help)) return is_long ? help_text() : short_help_text();
-  if (typed.has(option::list_presets)) return presets_text();
-  if (typed.has(option::version)) return version_text();
+  if (typed.help) return is_long ? help_text() : short_help_text();
+  if (typed.list_presets) return presets_text();
+  if (typed.version) return version_text();
   return generated_text(*typed.generated, typed.files.files);
+}
+
+/// Sets the format that the ending of an output names, unless an option gives the same. A report is JSON by its ending.
+/// `earlier`: the format is that of an earlier output. Throws: Error (usage) for another format than the option's, and
+/// for the ending of a format that is not written.
+void set_output_format(TypedOptions& typed, bool earlier) {
+  const std::string& path = typed.files.outputs.file;
+  const bool is_report = typed.has(option::check) || typed.has(option::identify);
+  const Format* const named = find_output_format(path);
+  const std::string other(other_ending(path));
+  if (named == nullptr && !other.empty()) {
+    throw usage_error(
+        "{} {}: {} is not an output format; expected one of {}; choose another ending, and convert the file afterwards",
+        option::output, path, other, listed(output_endings()));
+  }
+  if (named == nullptr || (is_report && !named->has_reports)) return;
+  if (typed.has(option::output_format) || typed.has(option::plot) || earlier) {
+    if (named->ending != typed.output.format->ending) {
+      throw usage_error("the ending of {} {} means {}, but {} is {}; expected the same format; change one of them",
+                        option::output, path, named->name, option::output_format, typed.output.format->name);
+    }
+    return;
+  }
+  if (named == &formats().front()) return;  // as without the ending
+  typed.output.format = named;
+  typed.give(option::output_format, std::string(named->name));
+}
+
+/// The seconds of a date, a time of day or timecode in the value of an option; nothing for other texts.
+/// Throws: Error (usage) where another option has to tell its meaning.
+std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_view option, std::string_view text) {
+  const std::optional<TimeNotation> notation = find_notation(text);
+  if (!notation) return std::nullopt;
+  if (counts_frames(*notation) && !units.frame_rate) {
+    throw usage_error("{} is timecode, and no frame rate is given; expected one; give {}", in_quotes(text),
+                      option::input_fps)
+        .about(option);
+  }
+  const std::optional<DateFormat> format = find_date_format(text);
+  const bool is_year_first = !format || format->order == DateOrder::ymd;
+  if (!is_year_first && !units.date_order) {
+    throw usage_error(
+        "the date {} does not tell which number is the day; expected the year first; or give {} dmy or "
+        "{} mdy",
+        in_quotes(text), option::date_order, option::date_order)
+        .about(option);
+  }
+  const DateOrder order = is_year_first ? DateOrder::ymd : *units.date_order;
+  const auto seconds = read_time(text, *notation, units.frame_rate.value_or(1), order);
+  if (!seconds) throw usage_error("{} is no time that exists; correct it", in_quotes(text)).about(option);
+  return seconds;
+}
+
+/// Reads the dates and times of day that are bounds or times of samples.
+void read_times_in_words(TypedOptions& typed) {
+  if (!typed.has_times_in_words) return;
+  const UnitOptions& units = typed.keys.input.units;
+  SamplingRequest& sampling = typed.sampling;
+  if (const auto from = seconds_in_words(units, option::from, typed.value(option::from))) {
+    sampling.from = *from;
+    sampling.in_seconds.from = sampling.in_seconds.has_duration = true;
+  }
+  if (const auto to = seconds_in_words(units, option::to, typed.value(option::to))) {
+    sampling.to = *to;
+    sampling.in_seconds.to = sampling.in_seconds.has_duration = true;
+  }
+  const std::string text = typed.value(option::at);
+  const std::vector<std::string_view> places = split(text, ',');
+  for (std::size_t i = 0; i < places.size() && i < typed.places.list.size(); ++i) {
+    const auto time = seconds_in_words(units, option::at, places[i]);
+    if (!time) continue;
+    typed.places.list[i] = *time;
+    typed.places.in_seconds = true;
+  }
+}
+
+/// Whether an earlier output measured lengths over all channels by default, as versions before 0.4 did.
+bool measures_all_channels(std::string_view program, const std::vector<std::string>& options) {
+  constexpr std::array<std::string_view, 4> before{" 0.0.", " 0.1.", " 0.2.", " 0.3."};
+  const bool is_before =
+      std::ranges::any_of(before, [&](std::string_view version) { return program.find(version) != std::string::npos; });
+  const TypedOptions typed = is_before ? read_options(options) : TypedOptions();
+  return is_before && program != version_text() && !typed.has(option::metric) && !needs_no_metric(typed);
 }
 
 /// An output of pieces has the exact ones where no samples are requested.
@@ -36,29 +124,32 @@ void set_exact_pieces(TypedOptions& typed, std::string_view form) {
   typed.sampling.mode = Mode::emit;
   typed.sampling.count = 1;
   typed.form = field_of(form);
-  typed.set_text(option::emit, std::string(form));
+  typed.give(option::emit, std::string(form));
 }
 
 }  // namespace
 
-Job parse(int argc, const char* const* argv) {
+Job parse(int argc, const char* const* argv, ColorWhen* color) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (words.empty() && system::is_terminal(system::standard_input)) return PrintText{usage_text(), Exit::usage};
-  TypedOptions typed = read_options(words);
+  TypedOptions typed = read_options(words, color);
   if (typed.wants_text()) return PrintText{asked_text(typed, words)};
   std::optional<ProvenanceRequest> provenance;
-  if (typed.has(option::from_meta)) {
+  if (!typed.from_meta.empty()) {
     provenance = earlier_provenance(typed);
     words.insert(words.begin(), provenance->earlier.options.begin(), provenance->earlier.options.end());
+    if (measures_all_channels(provenance->earlier.program, provenance->earlier.options))
+      words.insert(words.begin(), fmt::format("{}=all", option::metric));
     typed = read_options(words);
     typed.files.other_inputs.push_back(provenance->from);
   }
   set_output_format(typed, provenance.has_value());
-  if (has_no_sampling_option(typed) && has_scene(typed)) set_exact_pieces(typed, "hermite");
-  if (has_no_sampling_option(typed) && has_pieces(typed)) set_exact_pieces(typed, "poly8");
+  if (!has_sampling_option(typed) && typed.output.format->has_nodes) set_exact_pieces(typed, "hermite");
+  if (!has_sampling_option(typed) && typed.output.format->has_pieces) set_exact_pieces(typed, "poly8");
   require_no_conflict(typed);
+  read_times_in_words(typed);
   read_place_column(typed);
-  if (typed.has(option::meta) && !provenance) provenance.emplace();
+  if (typed.meta && !provenance) provenance.emplace();
   if (provenance) provenance->meta = new_provenance(typed);
   return make_job(typed, std::move(provenance));
 }
@@ -70,14 +161,18 @@ void require_one_reader(const TypedOptions& typed) {
   const bool keys_from_input = std::ranges::count(typed.files.files, "-") > 0;
   const bool no_files = typed.files.files.empty();
   const auto require = [](bool reads_twice, std::string_view option) {
-    if (reads_twice) throw standard_input_twice().about(option);
+    if (reads_twice)
+      throw usage_error(
+          "the file and the keys are both standard input; expected it once; give a file name for one of them")
+          .about(option);
   };
-  require(typed.text(option::files) == "-" && keys_from_input, option::files);
+  require(typed.files.list == "-" && keys_from_input, option::files);
   const std::string_view places = typed.has(option::at) ? option::at : option::arc_at;
-  const bool is_used = keys_from_input || no_files || typed.text(option::check) == "-";
+  const bool is_used = keys_from_input || no_files || (typed.has(option::check) && typed.comparison.file == "-");
   require(typed.places.from_input && is_used, places);
-  require(typed.text(option::check) == "-" && (keys_from_input || no_files), option::check);
-  require(typed.text(option::identify) == "-" && (keys_from_input || no_files), option::identify);
+  require((typed.has(option::check) && typed.comparison.file == "-") && (keys_from_input || no_files), option::check);
+  require((typed.has(option::identify) && typed.comparison.file == "-") && (keys_from_input || no_files),
+          option::identify);
 }
 
 /// Throws: Error (usage) for a range of samples that runs backwards.
@@ -85,11 +180,18 @@ void require_forward_range(const TypedOptions& typed) {
   const SamplingRequest& sampling = typed.sampling;
   const InSeconds& seconds = sampling.in_seconds;
   if (by_length(sampling.mode) && (seconds.from || seconds.to)) {
-    throw duration_is_no_length().about(seconds.from ? option::from : option::to);
+    throw usage_error("a unit of time is given, but samples are placed by arc length; expected a length without a unit")
+        .about(seconds.from ? option::from : option::to);
   }
   if (sampling.from && sampling.to && seconds.from == seconds.to && *sampling.to < *sampling.from) {
-    throw range_backwards(typed.text(option::from), typed.text(option::to));
+    throw usage_error("{} {} is before {} {}; expected a later end; swap the two", option::to, typed.value(option::to),
+                      option::from, typed.value(option::from));
   }
+}
+
+Error no_sampling_option() {
+  return usage_error("there is no sampling option; expected one of {}; give one, as in tcbsample {} 0.1 keys.csv",
+                     listed(sampling_options), option::step);
 }
 
 /// Whether the input may be a camera path, which has frames of its own, so that no sampling option is needed.
@@ -105,8 +207,8 @@ bool may_have_frames(const TypedOptions& typed) {
 
 /// Throws: Error (usage) unless a sampling option is given, and the range of the samples runs forwards.
 void require_samples(const TypedOptions& typed) {
-  const bool is_needed = !typed.has(option::plot) && !typed.has(option::explain) && !may_have_frames(typed);
-  if (has_no_sampling_option(typed) && is_needed) throw no_sampling_option(sampling_options);
+  const bool is_needed = !typed.has(option::plot) && !typed.explain && !may_have_frames(typed);
+  if (!has_sampling_option(typed) && is_needed) throw no_sampling_option();
   require_forward_range(typed);
 }
 
@@ -123,15 +225,23 @@ InputListOptions files_of(const TypedOptions& typed) {
 
 /// Throws: Error (usage) for rules that do not fit each other.
 KeyOptions keys_of(const TypedOptions& typed) {
-  (void)make_spec(typed.keys.rules);
+  const CurveSpec spec = make_spec(typed.keys.rules);
   KeyOptions keys = typed.keys;
+  keys.input.has_shown_tcb_scale = shown_tcb_scale(spec.preset).has_value();
   keys.input.columns.timeless = keys.rules.parameter.has_value();
-  keys.input.keys.keeps_decimals = typed.has(option::exact_input);
-  if (has_poses(typed)) {
+  keys.input.keys.keeps_decimals = typed.exact_input;
+  const auto positions = std::ranges::find(keys.input.columns.roles, Role::position, &RoleRequest::role);
+  if (positions != keys.input.columns.roles.end()) {  // the numbers of requested rotations are positions as well
+    for (const GivenRotation& rotation : keys.input.rotation.requests) {
+      keys.input.columns.roles.push_back(
+          {.role = Role::position, .columns = rotation.columns, .option = option::rotation, .unless_taken = true});
+    }
+  }
+  if (typed.output.format->poses != nullptr) {
     keys.input.rotation.shown = {.form = typed.output.format->poses->form};
     keys.input.rotation.shown_by_format = true;
   }
-  if (has_scene(typed)) {
+  if (typed.output.format->has_nodes) {
     keys.input.rotation.shown = spline::RotationNotation{};
     keys.input.rotation.shown_by_format = true;
   }
@@ -153,12 +263,12 @@ bool is_from_left(const TypedOptions& typed, const std::vector<std::size_t>& cho
 
 /// The fields of rows.
 std::vector<std::size_t> fields_of(const TypedOptions& typed) {
-  if (has_poses(typed)) {
+  if (typed.output.format->poses != nullptr) {
     const bool has_times = typed.output.format->poses->has_times;
     return has_times ? std::vector{field_of("time"), field_of("position")} : std::vector{field_of("position")};
   }
-  if (has_pieces(typed)) return {field_of("duration"), field_of("poly8")};
-  if (has_scene(typed)) {
+  if (typed.output.format->has_pieces) return {field_of("duration"), field_of("poly8")};
+  if (typed.output.format->has_nodes) {
     if (typed.sampling.mode != Mode::emit) return {field_of("time"), field_of("position")};
     return {field_of("start"), field_of("duration"), field_of("hermite")};
   }
@@ -173,18 +283,18 @@ SampleOptions samples_of(const TypedOptions& typed) {
   samples.request.in_seconds.places = typed.places.in_seconds;
   samples.request.in_seconds.has_duration |= typed.places.in_seconds;
   samples.request.from_left = is_from_left(typed, fields_of(typed));
-  if (has_no_sampling_option(typed)) {  // a picture has samples of its own, and an explanation mentions none
+  if (!has_sampling_option(typed)) {  // a picture has samples of its own, and an explanation mentions none
     samples.request.mode = Mode::segments;
     samples.request.count = 50;
-    const bool is_drawn = typed.output.format->is_picture || typed.has(option::explain);
-    if (!is_drawn && may_have_frames(typed)) samples.unless_frames = no_sampling_option(sampling_options);
+    const bool is_drawn = typed.output.format->is_picture || typed.explain;
+    if (!is_drawn && may_have_frames(typed)) samples.unless_frames = no_sampling_option();
   }
   return samples;
 }
 
 std::optional<GoldenOptions> golden_of(const TypedOptions& typed) {
-  if (!typed.has(option::golden)) return std::nullopt;
-  return GoldenOptions{typed.has(option::exact_input), typed.output.notation};
+  if (!typed.golden) return std::nullopt;
+  return GoldenOptions{typed.exact_input, typed.output.notation};
 }
 
 /// Throws: Error (usage) for rows that a terminal cannot show.
@@ -192,7 +302,10 @@ WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest
   const bool to_terminal =
       typed.files.outputs.file == "-" && !typed.files.outputs.folder && system::is_terminal(system::standard_output);
   if (to_terminal && typed.output.format->is_binary) {
-    throw binary_to_terminal();
+    throw usage_error(
+        "the format npy is binary, and standard output is a terminal; expected a file or a pipe; "
+        "give {} FILE.npy",
+        option::output);
   }
   WriterOptions rows = typed.output;
   rows.fields = fields_of(typed);
@@ -202,11 +315,11 @@ WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest
 }
 
 Verbosity verbosity_of(const TypedOptions& typed) {
-  const bool quiet = typed.has(option::quiet), terminal = system::is_terminal(system::standard_error);
+  const bool quiet = typed.quiet, terminal = system::is_terminal(system::standard_error);
   const bool to_file =
       typed.has(option::output) || typed.has(option::output_dir) || !system::is_terminal(system::standard_output);
-  const bool by_default = to_file && !typed.has(option::no_progress) && !quiet;
-  const bool progress = terminal && (typed.has(option::progress) || by_default);
+  const bool by_default = to_file && !typed.no_progress && !quiet;
+  const bool progress = terminal && (typed.progress || by_default);
   return {quiet, terminal && !quiet, progress, colors_messages(typed.color)};
 }
 
@@ -221,7 +334,8 @@ std::optional<ExpectedSamples> recorded_samples(const EarlierOutput& earlier) {
   } catch (const Error&) {
     return std::nullopt;
   }
-  if (has_no_sampling_option(typed) || typed.has(option::emit) || typed.has(option::fit)) return std::nullopt;
+  if (!has_sampling_option(typed) || typed.has(option::emit) || typed.has(option::fit)) return std::nullopt;
+  if (measures_all_channels(earlier.program, earlier.options)) typed.keys.rules.metric = {"all", {option::metric}};
   ExpectedSamples expected{samples_of(typed), typed.keys.rules.metric, typed.output.notation};
   SamplingRequest& request = expected.samples.request;
   const std::optional<TimeUnit>& unit = typed.keys.input.units.time;
@@ -236,7 +350,8 @@ CompareJob compare_job(const TypedOptions& typed) {
   const bool identifies = typed.has(option::identify);
   const InputListOptions files = files_of(typed);
   if (files.files.size() > 1) {
-    throw comparison_of_several_files(files.files.size()).about(identifies ? option::identify : option::check);
+    throw usage_error("there are {} files of keys; expected one; remove the others", files.files.size())
+        .about(identifies ? option::identify : option::check);
   }
   Comparison comparison = typed.comparison;
   comparison.keys_file = files.files[0];
@@ -244,7 +359,7 @@ CompareJob compare_job(const TypedOptions& typed) {
   comparison.fields = typed.output.fields;
   comparison.from_left = is_from_left(typed, comparison.fields);
   comparison.threads = typed.threads;
-  if (!has_no_sampling_option(typed)) {
+  if (has_sampling_option(typed)) {
     require_forward_range(typed);
     comparison.expected = ExpectedSamples{samples_of(typed)};
   } else if (!identifies) {
@@ -255,7 +370,7 @@ CompareJob compare_job(const TypedOptions& typed) {
 }
 
 ExplainJob explain_job(const TypedOptions& typed) {
-  const bool has_samples = !has_no_sampling_option(typed) || typed.has(option::plot);
+  const bool has_samples = has_sampling_option(typed) || typed.has(option::plot);
   return {files_of(typed),  keys_of(typed),   samples_of(typed),   has_samples,
           golden_of(typed), fields_of(typed), typed.output.format, typed.output.header};
 }
@@ -286,7 +401,7 @@ Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provena
   require_one_reader(typed);
   if (typed.has(option::check) || typed.has(option::identify)) return compare_job(typed);
   require_samples(typed);
-  if (typed.has(option::explain)) return explain_job(typed);
+  if (typed.explain) return explain_job(typed);
   if (typed.has(option::fit)) return fit_job(typed, std::move(provenance));
   if (typed.output.format->is_picture) return plot_job(typed);
   return resample_job(typed, std::move(provenance));

@@ -25,8 +25,9 @@ struct PrintText {
 /// What the command line requests.
 using Job = std::variant<PrintText, ResampleJob, ExplainJob, PlotJob, FitJob, CompareJob>;
 
-/// Reads the command line. Throws: Error (usage) that names the option, what was expected, and the remedy.
-Job parse(int argc, const char* const* argv);
+/// Reads the command line. Throws: Error (usage) that names the option, what was expected, and the remedy. `color`: as
+/// requested, so that errors have it too.
+Job parse(int argc, const char* const* argv, ColorWhen* color = nullptr);
 
 /// The job of these options. `provenance`: that of its output, if it has one. Requires: no conflict.
 /// Throws: Error (usage) if they do not fit each other.

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "cli/errors.hpp"
 #include "cli/help.hpp"
 #include "cli/options.hpp"
 #include "cli/read_options.hpp"
@@ -15,6 +14,7 @@
 #include "io/input_file.hpp"
 #include "option_names.hpp"
 #include "read/earlier_output.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -28,7 +28,11 @@ void require_no_file(const std::vector<std::string>& words) {
       const std::string_view value = std::string_view(word).substr(std::min(end + 1, word.size()));
       const bool reads = row.kind == ValueKind::file || row.kind == ValueKind::folder ||
                          (row.kind == ValueKind::places && (value.starts_with('@') || value == "-"));
-      if (is_named && row.changes_rows && reads) throw option_of_provenance_reads_file(row.name);
+      if (is_named && row.changes_rows && reads)
+        throw data_error(
+            "the provenance has {} with the name of a file to be read; expected the numbers "
+            "themselves, as the program records them; replace the name",
+            row.name);
     }
   }
 }
@@ -36,9 +40,13 @@ void require_no_file(const std::vector<std::string>& words) {
 /// An option as one word; numbers are listed in it, wherever they came from.
 std::string word_of(const OptionRow& row, const TypedOptions& typed) {
   std::string word(row.name);
-  if (row.kind != ValueKind::flag) word += "=" + typed.text(row.name);
+  if (row.kind != ValueKind::flag) word += "=" + typed.value(row.name);
   if (word.find_first_of("\r\n") != std::string::npos) {
-    throw line_end_in_provenance().about(row.name);
+    throw usage_error(
+        "the value has a line end, which {} cannot record; expected a value of one line; remove {}, "
+        "or rename columns",
+        option::meta, option::meta)
+        .about(row.name);
   }
   return word;
 }
@@ -50,10 +58,18 @@ void require_recorded(const std::vector<std::string>& words) {
   const TypedOptions typed = read_options(words);
   for (const OptionRow& row : option_table()) {
     if (!typed.has(row.name) || row.changes_rows) continue;
-    throw option_not_of_provenance(row.name);
+    throw data_error(
+        "the provenance has the option {}, which does not affect the rows; expected options "
+        "that do; remove it from the provenance",
+        row.name);
   }
-  if (!typed.files.files.empty()) throw file_in_provenance(typed.files.files[0]);
-  if (!typed.has(option::meta)) throw provenance_without_meta();
+  if (!typed.files.files.empty())
+    throw data_error(
+        "the provenance has the file {} among its options; expected options only; remove it "
+        "from the provenance",
+        in_quotes(typed.files.files[0]));
+  if (!typed.meta)
+    throw data_error("the provenance lacks the option {}; expected all options of the run; add it", option::meta);
 }
 
 Provenance new_provenance(const TypedOptions& typed) {
@@ -66,10 +82,11 @@ Provenance new_provenance(const TypedOptions& typed) {
 }
 
 ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
-  const std::string& from = typed.text(option::from_meta);
+  const std::string& from = typed.from_meta;
   for (const OptionRow& row : option_table()) {
     if (!row.changes_rows || !typed.has(row.name)) continue;
-    throw option_besides_provenance(row.name, from);
+    throw usage_error("{} is given with {}, which takes all options from {}; remove {}", row.name, option::from_meta,
+                      from, row.name);
   }
   ProvenanceRequest request;
   request.from = from;
@@ -82,7 +99,9 @@ ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
   });
   const std::size_t files = std::max<std::size_t>(typed.files.files.size(), 1), before = request.earlier.inputs.size();
   const bool counted = typed.files.list.empty() && !typed.files.recursive;
-  if (counted && files != before) throw other_number_of_files(from, before, files);
+  if (counted && files != before)
+    throw usage_error("the number of key files is {}, but {} was made from {}; give the same files", files, from,
+                      before);
   return request;
 }
 

@@ -8,29 +8,64 @@
 #include <algorithm>
 #include <string_view>
 
-#include "cli/errors.hpp"
 #include "cli/options.hpp"
 #include "cli/values.hpp"
+#include "option_names.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
+
+const TypedOptions::Given* TypedOptions::find(std::string_view option) const {
+  const auto found = std::ranges::find(given_, option, &Given::option);
+  return found == given_.end() ? nullptr : &*found;
+}
+
+std::string TypedOptions::value(std::string_view option) const {
+  const Given* const given = find(option);
+  return given == nullptr ? "" : given->value;
+}
+
+void TypedOptions::give(std::string_view option, std::string value) {
+  const auto found = std::ranges::find(given_, option, &Given::option);
+  if (found == given_.end()) {
+    given_.push_back({option, std::move(value)});
+  } else {
+    found->value = std::move(value);
+  }
+}
+
 namespace {
+
+Error value_empty() {
+  return usage_error("the value is empty; expected one as in {}; add it, or remove the option", option::help);
+}
+
+Error value_missing(std::string_view option) {
+  return usage_error("{}: the value is missing; expected one after the option; see {}", option, option::help);
+}
+
+Error unknown_option(std::string_view name, std::string_view suggestion) {
+  const std::string meant = suggestion.empty() ? "" : fmt::format("; did you mean {}?", suggestion);
+  return usage_error("unknown option {}{} ({} lists all options)", name, meant, option::help);
+}
 
 /// Flags, and the lists that several options may give, as in --abs 1e-9 --abs x=1e-6.
 bool may_repeat(const OptionRow& row) {
   return row.kind == ValueKind::flag || row.name == option::abs || row.name == option::rel || row.name == option::ulp ||
-         row.name == option::rotation;
+         row.name == option::rotation || row.name == option::angle;
 }
 
 /// Checks and stores the value of an option; if a text is to be printed, only stores its text.
-void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::string>& values) {
-  const bool wants_text = typed.wants_text();
-  typed.set_text(row.name, row.kind == ValueKind::flag ? "true" : fmt::format("{}", fmt::join(values, ",")));
-  if (wants_text) return;
+void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::string>& values, ColorWhen* color) {
+  const std::string value = row.kind == ValueKind::flag ? "" : fmt::format("{}", fmt::join(values, ","));
+  typed.give(row.name, value);
+  if (typed.wants_text()) return;
   try {
-    if (values.size() > 1 && !may_repeat(row)) throw option_repeated();
+    if (values.size() > 1 && !may_repeat(row))
+      throw usage_error("the option is repeated; expected it once; remove all but one");
     if (std::ranges::count(values, "") > 0) throw value_empty();
-    row.store(typed, std::string(typed.text(row.name)));
+    row.store(typed, value);
+    if (color != nullptr) *color = typed.color;
   } catch (const Error& error) {
     throw error.about(row.name);
   }
@@ -47,15 +82,15 @@ bool may_name(const std::string& word, const OptionRow& row) {
 
 /// From the last to the first, so that an option for a text, such as --help, is stored before all others. CLI11
 /// compares each new option with all others, so only those that the words may name are declared.
-void declare(CLI::App& app, TypedOptions& typed, const std::vector<std::string>& words) {
+void declare(CLI::App& app, TypedOptions& typed, const std::vector<std::string>& words, ColorWhen* color) {
   app.set_help_flag();
   app.add_option("FILE", typed.files.files);
   for (std::size_t i = option_table().size(); i-- > 0;) {
     const OptionRow& row = option_table()[i];
     if (std::ranges::none_of(words, [&row](const std::string& word) { return may_name(word, row); })) continue;
     const std::string names = fmt::format("{}", fmt::join(row.all_names(), ","));
-    CLI::Option* const option = app.add_option(names, [&row, &typed](const CLI::results_t& values) {
-      store(row, typed, values);
+    CLI::Option* const option = app.add_option(names, [&row, &typed, color](const CLI::results_t& values) {
+      store(row, typed, values, color);
       return true;
     });
     option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -108,10 +143,11 @@ std::string meant_option(const std::string& unknown) {
     const auto is_it = [&name](const OptionRow& row) {
       return row.kind == ValueKind::flag && (row.name == name || row.other_name == name);
     };
-    if (name.size() < word.size() && std::ranges::any_of(option_table(), is_it)) throw flag_with_value(name);
+    if (name.size() < word.size() && std::ranges::any_of(option_table(), is_it))
+      throw usage_error("{} takes no value; remove the value", name);
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && !words.empty()) throw value_missing(name_of(words.back()));
-  throw command_line_not_understood(error.what());
+  throw usage_error("{}; see {}", error.what(), option::help);
 }
 
 /// Throws: Error (usage) for a long name after a single dash, as in -fps, which would be a short option with a value.
@@ -142,31 +178,20 @@ std::vector<std::string> with_values(std::vector<std::string> words) {
 
 }  // namespace
 
-TypedOptions read_options(const std::vector<std::string>& given) {
+TypedOptions read_options(const std::vector<std::string>& given, ColorWhen* color) {
   const std::vector<std::string> words = with_values(given);
   TypedOptions typed;
   CLI::App app;
   require_two_dashes(words);
-  declare(app, typed, words);
+  declare(app, typed, words, color);
   try {
     app.parse(std::vector(words.rbegin(), words.rend()));  // CLI11 takes them from the back
   } catch (const CLI::ParseError& error) {
     refuse(error, app, words);
   }
-  if (std::ranges::count(typed.files.files, "") > 0) throw file_name_empty();
+  if (std::ranges::count(typed.files.files, "") > 0)
+    throw usage_error("the name of a file is empty; expected a file, or - for standard input; remove it");
   return typed;
-}
-
-ColorWhen color_of(int argc, const char* const* argv) {
-  constexpr std::string_view name = option::color;
-  std::string_view value;
-  for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
-    const std::string_view word = argv[i];
-    if (word == name && i + 1 < argc) value = argv[i + 1];
-    if (word.starts_with(name) && word.substr(name.size()).starts_with('=')) value = word.substr(name.size() + 1);
-  }
-  const auto row = std::ranges::find(color_names, value, &ColorName::name);
-  return row == color_names.end() ? ColorWhen::by_terminal : row->when;
 }
 
 }  // namespace tcb

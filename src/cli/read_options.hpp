@@ -8,10 +8,8 @@
 
 namespace tcb {
 
-/// Throws: Error (usage) for unknown options, and for values that are wrong in themselves.
-TypedOptions read_options(const std::vector<std::string>& given);
-
-/// The value of --color, found without reading the rest, so that errors in the command line are colored too.
-ColorWhen color_of(int argc, const char* const* argv);
+/// Throws: Error (usage) for unknown options, and for values that are wrong in themselves. `color`: where errors are
+/// shown, which is set before the first that is about a value.
+TypedOptions read_options(const std::vector<std::string>& given, ColorWhen* color = nullptr);
 
 }  // namespace tcb

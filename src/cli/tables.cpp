@@ -48,8 +48,9 @@ std::string tables_text() {
   for_each_group([](std::string_view) {}, [&options](const OptionRow& row) { options.push_back(option_object(row)); });
   for (const auto& row : spline::presets) {
     preset_rows.push_back(fmt::format(R"({{"name":{},"tangents":{},"ends":{},"timing":{},"product":{}}})",
-                                  json_text(row.name), json_text(name_of(row.tangents)), json_text(name_of(row.ends)),
-                                  json_text(name_of(row.timing)), json_text(row.product)));
+                                      json_text(row.name), json_text(name_of(row.tangents)),
+                                      json_text(name_of(row.ends)), json_text(name_of(row.timing)),
+                                      json_text(row.product)));
   }
   return fmt::format("{{\"version\":{},\n\"options\":[\n{}],\n\"presets\":[\n{}]}}", json_text(TCBSAMPLE_VERSION),
                      fmt::join(options, ",\n"), fmt::join(preset_rows, ",\n"));

@@ -54,17 +54,32 @@ struct TypedOptions {
   std::optional<Generated> generated;
   ColorWhen color = ColorWhen::by_terminal;
   std::optional<std::size_t> form = {};  ///< the field with the cubics of pieces
+  bool has_times_in_words = false;       ///< --from, --to or --at has dates, which the order of dates decides
 
-  bool has(std::string_view option) const { return !text(option).empty(); }
-  /// The value of an option as typed, or "" if the option is not given. For a list in a file: its numbers.
-  const std::string& text(std::string_view option) const;
-  void set_text(std::string_view option, std::string text);
+  bool golden = false, exact_input = false;
+  bool meta = false;
+  std::string from_meta = {};  ///< an earlier output
+  bool explain = false, progress = false, no_progress = false, quiet = false;
+  bool list_presets = false, version = false, help = false;
+
+  /// Whether an option is given.
+  bool has(std::string_view option) const { return find(option) != nullptr; }
+  /// The value of an option as messages and provenance show it; "" of a flag, and where it is not given.
+  std::string value(std::string_view option) const;
+  /// Notes that an option is given, or has another value.
+  void give(std::string_view option, std::string value = {});
 
   /// Whether a text is printed, so that no other value is read.
-  bool wants_text() const;
+  bool wants_text() const { return help || list_presets || version || generated; }
 
  private:
-  std::vector<std::pair<std::string_view, std::string>> texts_;  ///< by name, of the options that are given
+  struct Given {
+    std::string_view option;  ///< its name
+    std::string value;        ///< as typed; of a list in a file its numbers
+  };
+  const Given* find(std::string_view option) const;
+
+  std::vector<Given> given_;
 };
 
 }  // namespace tcb

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "cli/errors.hpp"
 #include "formats/formats.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
@@ -17,6 +16,41 @@
 
 namespace tcb {
 namespace {
+
+constexpr std::string_view not_a_list_of_angles =
+    "is not a list of angles; expected CHANNEL=degrees or CHANNEL=radians, separated by commas, such "
+    "as heading=degrees";
+
+constexpr std::string_view not_a_list_of_scales =
+    "is not a list of factors; expected CHANNEL=FACTOR pairs separated by commas, with factors other "
+    "than 0, such as x=0.01,y=1/3";
+
+constexpr std::string_view not_a_list_of_renamings =
+    "is not a list of renamings; expected NAME=NAME pairs separated by commas, such as "
+    "pos_x=x,pos_y=y";
+
+Error not_three_parameters(std::string_view text) {
+  return usage_error("{} is not a tension, a continuity and a bias; expected three numbers T,C,B, such as 0,0.5,-0.25",
+                     in_quotes(text));
+}
+
+Error not_limits_of_a_fit(std::string_view text) {
+  return usage_error(
+      "{} is not a list of tolerances; expected a distance above 0 for all channels, NAME=D for one "
+      "channel, an angle with deg or rad for rotations, or several of these separated by commas, such "
+      "as 0.01 or 0.01,fov=0.5,0.5deg",
+      in_quotes(text));
+}
+
+Error not_a_whole_number(std::string_view text, std::uint64_t least, std::uint64_t most) {
+  return usage_error("{0} is not valid; expected a whole number from {1} to {2}, such as {1}", in_quotes(text), least,
+                     most);
+}
+
+Error number_beyond_doubles(std::string_view text) {
+  return usage_error("{} is too large; expected at most 1.7976931348623157e308 in size, the largest double",
+                     in_quotes(text));
+}
 
 template <class Int>
 std::optional<Int> in_digits(std::string_view text) {
@@ -64,16 +98,16 @@ std::optional<Tolerance> tolerance_of(std::string_view text) {
 
 }  // namespace
 
-Rational ratio_or(Fault fault, std::string_view text) {
+Rational ratio_or(std::string_view words, std::string_view text) {
   auto value = parse_rational(text);
-  if (!value) throw fault(text);
+  if (!value) throw usage_error("{} {}", in_quotes(text), words);
   if (!within_doubles(*value)) throw number_beyond_doubles(text);
   return *value;
 }
 
 Rational positive_ratio(const std::string& text) {
-  Rational value = ratio_or(not_a_positive_ratio, text);
-  if (value <= 0) throw not_a_positive_ratio(text);
+  Rational value = ratio_or(expects_positive_ratio, text);
+  if (value <= 0) throw usage_error("{} {}", in_quotes(text), expects_positive_ratio);
   return value;
 }
 
@@ -87,22 +121,25 @@ Rational frame_rate(const std::string& text) {
   return known ? *known : positive_ratio(text);
 }
 
-TimeValue time_value(Fault fault, std::string_view text) {
+TimeValue time_value(std::string_view words, std::string_view text) {
   const std::optional<Rational> seconds = read_duration(text);
-  if (!seconds) return {ratio_or(fault, text)};
+  if (!seconds) return {ratio_or(words, text)};
   if (!within_doubles(*seconds)) throw number_beyond_doubles(text);
   return {*seconds, true};
 }
 
 Rational step_of_rate(const Rational& rate, std::string_view text) {
   Rational step = 1 / rate;
-  if (!within_doubles(step)) throw step_of_rate_beyond_doubles(text);
+  if (!within_doubles(step))
+    throw usage_error("{} is too small a rate; expected one whose step, 1/HZ, is at most 1.7976931348623157e308",
+                      in_quotes(text));
   return step;
 }
 
 std::uint64_t positive_count(const std::string& text) {
   const auto value = in_digits<std::uint64_t>(text);
-  if (!value || *value == 0 || *value > INT64_MAX) throw not_a_count(text);
+  if (!value || *value == 0 || *value > INT64_MAX)
+    throw usage_error("{} is not a count; expected a whole number from 1 to 2^63 - 1, in digits", in_quotes(text));
   return *value;
 }
 
@@ -152,7 +189,11 @@ CurveTolerance curve_tolerance(const std::string& text) {
   for (const std::string_view part : split(text, ',')) {
     const std::optional<double> angle = angle_with_unit(part), value = angle ? angle : parse_number(part);
     double& limit = angle ? tolerance.angle : tolerance.distance;
-    if (!value || *value <= 0 || std::isfinite(limit)) throw not_a_curve_tolerance(text);
+    if (!value || *value <= 0 || std::isfinite(limit))
+      throw usage_error(
+          "{} is not a tolerance; expected a distance above 0, an angle with deg or rad for rotations, or both "
+          "separated by a comma, such as 0.01 or 0.01,0.5deg",
+          in_quotes(text));
     limit = *value;
   }
   return tolerance;
@@ -162,7 +203,11 @@ std::vector<Tolerance> tolerances(const std::string& text) {
   std::vector<Tolerance> list;
   for (const std::string_view part : split(text, ',')) {
     const std::optional<Tolerance> tolerance = tolerance_of(part);
-    if (!tolerance) throw not_a_tolerance(part);
+    if (!tolerance)
+      throw usage_error(
+          "{} is not a tolerance; expected a distance of at least 0 for all columns, or COLUMN=DISTANCE for "
+          "one, such as 1e-9 or x=1e-6",
+          in_quotes(part));
     list.push_back(*tolerance);
   }
   return list;
@@ -187,7 +232,9 @@ std::pair<std::vector<Tolerance>, std::optional<double>> fit_limits(const std::s
 
 double corner_angle(const std::string& text) {
   const auto value = parse_number(text);
-  if (!value || *value <= 0 || *value >= 180) throw not_an_angle_of_a_corner(text);
+  if (!value || *value <= 0 || *value >= 180)
+    throw usage_error("{} is not an angle of a corner; expected degrees above 0 and below 180, such as 30",
+                      in_quotes(text));
   return *value;
 }
 
@@ -197,12 +244,17 @@ char delimiter(const std::string& text) {
   }
   const bool usable =
       text.size() == 1 && std::string_view("\"\n\r+-.0123456789eE").find(text[0]) == std::string_view::npos;
-  if (!usable) throw not_a_delimiter(text);
+  if (!usable)
+    throw usage_error(
+        "{} is not a delimiter; expected one character that cannot be part of a number, or tab, comma, "
+        "semicolon, space or pipe",
+        in_quotes(text));
   return text[0];
 }
 
 char decimal_mark(const std::string& text) {
-  if (text != "," && text != ".") throw not_a_decimal_mark(text);
+  if (text != "," && text != ".")
+    throw usage_error("{} is not a decimal mark; expected a comma or a point", in_quotes(text));
   return text[0];
 }
 
@@ -210,7 +262,8 @@ char thousands_mark(const std::string& text) {
   for (const auto& [name, character] : thousands_names) {
     if (text == name || text == std::string(1, character)) return character;
   }
-  throw not_a_thousands_mark(text);
+  throw usage_error("{} is no mark between thousands; expected comma, point, apostrophe, underscore or space",
+                    in_quotes(text));
 }
 
 spline::Tcb<double> tcb_values(const std::string& text) {
@@ -227,18 +280,21 @@ spline::Tcb<double> tcb_values(const std::string& text) {
 
 std::vector<std::string> column_list(const std::string& text) {
   const auto names = split(text, ',');
-  if (std::ranges::count(names, "") > 0) throw not_a_list_of_columns(text);
+  if (std::ranges::count(names, "") > 0)
+    throw usage_error("{} has an empty item; expected column names or numbers between commas; remove a comma",
+                      in_quotes(text));
   return {names.begin(), names.end()};
 }
 
 namespace {
 
-/// "a=b,c=d". Throws: the fault unless all names and values are there.
-std::vector<std::pair<std::string, std::string>> named_values(const std::string& text, Fault fault) {
+/// "a=b,c=d". Throws: Error (usage) with the words unless all names and values are there.
+std::vector<std::pair<std::string, std::string>> named_values(const std::string& text, std::string_view words) {
   std::vector<std::pair<std::string, std::string>> all;
   for (const std::string_view item : split(text, ',')) {
     const std::size_t equals = item.rfind('=');
-    if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size()) throw fault(text);
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size())
+      throw usage_error("{} {}", in_quotes(text), words);
     all.emplace_back(item.substr(0, equals), item.substr(equals + 1));
   }
   return all;
@@ -256,7 +312,7 @@ std::vector<ChannelScale> channel_scales(const std::string& text) {
   std::vector<ChannelScale> all;
   for (const auto& [channel, factor] : named_values(text, not_a_list_of_scales)) {
     all.push_back({channel, ratio_or(not_a_list_of_scales, factor)});
-    if (all.back().factor == 0) throw not_a_list_of_scales(text);
+    if (all.back().factor == 0) throw usage_error("{} {}", in_quotes(text), not_a_list_of_scales);
   }
   return all;
 }
@@ -265,7 +321,7 @@ std::vector<NamedAngle> angle_channels(const std::string& text) {
   std::vector<NamedAngle> all;
   for (const auto& [channel, unit] : named_values(text, not_a_list_of_angles)) {
     const auto known = std::ranges::find(angle_units, unit, &AngleUnit::name);
-    if (known == angle_units.end()) throw not_a_list_of_angles(text);
+    if (known == angle_units.end()) throw usage_error("{} {}", in_quotes(text), not_a_list_of_angles);
     all.push_back({channel, known->degrees});
   }
   return all;
@@ -275,7 +331,8 @@ std::vector<std::size_t> field_list(const std::string& text) {
   std::vector<std::size_t> chosen;
   for (const std::string_view name : split(text, ',')) {
     const auto field = static_cast<std::size_t>(&named_row(named_fields(), name) - fields().data());
-    if (std::ranges::count(chosen, field) > 0) throw field_repeated(name);
+    if (std::ranges::count(chosen, field) > 0)
+      throw usage_error("field {} is repeated; expected each field once; remove one", name);
     chosen.push_back(field);
   }
   return chosen;
@@ -284,18 +341,24 @@ std::vector<std::size_t> field_list(const std::string& text) {
 std::size_t form_of_pieces(const std::string& text) {
   const auto form = std::ranges::find(fields(), text == "poly4" ? "poly" : text, &Field::name);
   const bool is_form = form != fields().end() && form->of_piece && form->per_channel;
-  if (!is_form && text.starts_with("poly") && in_digits<int>(text.substr(4))) throw other_number_of_coefficients(text);
+  if (!is_form && text.starts_with("poly") && in_digits<int>(text.substr(4)))
+    throw usage_error("{} is not a form of polynomials; expected 4 to 32 coefficients, such as poly8", in_quotes(text));
   return is_form ? static_cast<std::size_t>(form - fields().begin()) : field_of(named_row(form_table, text).name);
 }
 
 std::string name_part(const std::string& text) {
-  if (text.find('/') != std::string::npos) throw not_a_part_of_a_name(text);
+  if (text.find('/') != std::string::npos)
+    throw usage_error("{} contains /; expected part of a file name; remove the /", in_quotes(text));
   return text;
 }
 
 std::vector<std::string> axis_names(const std::string& text) {
   const auto names = split(text, ':');
-  if (names.size() != 2 || std::ranges::count(names, "") > 0) throw not_two_axes(text);
+  if (names.size() != 2 || std::ranges::count(names, "") > 0)
+    throw usage_error(
+        "{} is not a pair of axes; expected two channels by name or number, with a colon between them, such "
+        "as x:z",
+        in_quotes(text));
   return {names.begin(), names.end()};
 }
 
@@ -305,7 +368,10 @@ PictureSize picture_size(const std::string& text) {
   PictureSize size;
   if (parts.size() == 2) size = {in_digits<int>(parts[0]).value_or(0), in_digits<int>(parts[1]).value_or(0)};
   for (const int pixels : {size.width, size.height}) {
-    if (pixels < least || pixels > most) throw not_a_size(text);
+    if (pixels < least || pixels > most)
+      throw usage_error(
+          "{} is not a size; expected width and height in pixels, from 100 to 10000 each, such as 800x600",
+          in_quotes(text));
   }
   return size;
 }
@@ -319,6 +385,94 @@ std::vector<std::string_view> field_names() {
   std::vector<std::string_view> names;
   std::ranges::transform(named_fields(), std::back_inserter(names), &Field::name);
   return names;
+}
+
+Error unknown_value(std::string_view name, std::span<const std::string_view> known) {
+  return usage_error("{} is not a known name; expected one of {}{}", in_quotes(name), listed(known),
+                     did_you_mean(name, known));
+}
+
+namespace {
+
+Error not_a_rotation(std::string_view text) {
+  return usage_error(
+      "{} is not a rotation; expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, "
+      "axis-angle=X:Y:Z:ANGLE,relative, euler=A:B:C,order=XYZ, or matrix= with nine columns row by row, "
+      "where columns are names or numbers; or none",
+      in_quotes(text));
+}
+
+/// The axes of Euler angles: capital letters for turns around the axes as already turned, small ones around fixed axes.
+spline::RotationNotation euler_order(std::string_view letters, const std::string& text) {
+  spline::RotationNotation notation{spline::RotationForm::euler};
+  notation.intrinsic = letters.find_first_not_of("XYZ") == std::string_view::npos;
+  const bool is_order = notation.intrinsic || letters.find_first_not_of("xyz") == std::string_view::npos;
+  if (letters.size() != 3 || !is_order || letters[1] == letters[0] || letters[1] == letters[2]) {
+    throw usage_error(
+        "{} has no valid order of axes; expected three of the letters X, Y and Z, with no two equal letters "
+        "side by side, such as ZYX for intrinsic rotations, or zyx for extrinsic rotations",
+        in_quotes(text));
+  }
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    notation.axes[i] = static_cast<std::uint8_t>(letters[i] - (notation.intrinsic ? 'X' : 'x'));
+  }
+  return notation;
+}
+
+/// The columns of a rotation after its form. Euler angles still lack their order.
+GivenRotation rotation_request(std::string_view part, const std::string& text) {
+  const std::size_t equals = std::min(part.find('='), part.size());
+  const auto form = std::ranges::find(rotation_forms, part.substr(0, equals), &RotationFormName::name);
+  if (equals == part.size() || form == rotation_forms.end()) {
+    throw not_a_rotation(text);
+  }
+  GivenRotation request{{form->form}};
+  for (const std::string_view column : split(part.substr(equals + 1), ':')) request.columns.emplace_back(column);
+  if (request.columns.size() != request.notation.numbers() || std::ranges::count(request.columns, "") > 0) {
+    throw not_a_rotation(text);
+  }
+  return request;
+}
+
+}  // namespace
+
+std::vector<GivenRotation> rotations(const std::string& text, bool& none) {
+  constexpr std::string_view order = "order=";
+  std::vector<GivenRotation> result;
+  const auto last_is = [&](spline::RotationForm form) {
+    return !result.empty() && result.back().notation.form == form;
+  };
+  const auto lacks_order = [&] {
+    return last_is(spline::RotationForm::euler) && result.back().notation.axes == std::array<std::uint8_t, 3>{};
+  };
+  for (const std::string_view part : split(text, ',')) {
+    if (part.starts_with(order) && lacks_order()) {
+      result.back().notation = euler_order(part.substr(order.size()), text);
+    } else if (lacks_order()) {
+      throw not_a_rotation(text);
+    } else if (part == "relative" && last_is(spline::RotationForm::axis_angle)) {
+      result.back().relative = true;
+    } else if (part == "none") {
+      none = true;
+    } else {
+      result.push_back(rotation_request(part, text));
+    }
+  }
+  if (lacks_order() || (none && !result.empty())) throw not_a_rotation(text);
+  return result;
+}
+
+spline::RotationNotation rotation_form(const std::string& text) {
+  constexpr std::string_view euler = "euler=";
+  if (text.starts_with(euler)) return euler_order(text.substr(euler.size()), text);
+  const auto found = std::ranges::find(rotation_forms, text, &RotationFormName::name);
+  if (found == rotation_forms.end() || found->form == spline::RotationForm::euler) {
+    throw usage_error(
+        "{} is not a form of rotations; expected quaternion, axis-angle, matrix, or euler= and an order of "
+        "axes, as in euler=ZYX",
+        in_quotes(text));
+  }
+  return {found->form};
 }
 
 }  // namespace tcb

@@ -7,12 +7,12 @@
 #include <cstdint>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "cli/errors.hpp"
 #include "cli/typed_options.hpp"
 #include "schema/format.hpp"
 
@@ -58,8 +58,11 @@ inline constexpr std::array form_table{FormName{"hermite"}, FormName{"bezier"}, 
 
 /// Above 0: a decimal or a ratio of two.
 Rational positive_ratio(const std::string& text);
-/// Makes the error of a wrong value.
-using Fault = Error (*)(std::string_view text);
+/// What an error about a value says after it.
+inline constexpr std::string_view expects_ratio =
+    "is not a number; expected a decimal or a ratio of whole numbers, such as 1.5 or 7/24";
+inline constexpr std::string_view expects_positive_ratio =
+    "is not a number above 0; expected a decimal or a ratio of whole numbers, such as 0.1 or 1/24";
 
 /// A time or a step of time: a number in the unit of the times, or a duration such as 30min, in seconds.
 struct TimeValue {
@@ -67,8 +70,8 @@ struct TimeValue {
   bool in_seconds = false;
 };
 
-/// A ratio, or one with a unit of time other than frames. Throws: the fault for any other text.
-TimeValue time_value(Fault fault, std::string_view text);
+/// A ratio, or one with a unit of time other than frames. Throws: Error (usage) with the words for any other text.
+TimeValue time_value(std::string_view words, std::string_view text);
 
 /// The step of a rate.
 /// A frame rate: that of broadcast_rates for its decimal, else a ratio above 0. Throws: Error (usage).
@@ -80,8 +83,8 @@ std::optional<Rational> broadcast_rate(std::string_view text);
 /// The step of a rate, which the text gives.
 Rational step_of_rate(const Rational& rate, std::string_view text);
 
-/// A decimal or a ratio of two within the doubles. Throws: the fault for any other text.
-Rational ratio_or(Fault fault, std::string_view text);
+/// A decimal or a ratio of two within the doubles. Throws: Error (usage) with the words for any other text.
+Rational ratio_or(std::string_view words, std::string_view text);
 /// In digits, from 1 to 2^63 - 1.
 std::uint64_t positive_count(const std::string& text);
 /// A whole number from `least` to `most`, also as 1e9.
@@ -119,6 +122,10 @@ std::string name_part(const std::string& text);
 std::vector<std::string> axis_names(const std::string& text);
 /// Width and height with an x between them.
 PictureSize picture_size(const std::string& text);
+/// The value of --rotation; sets `none` if it is "none", for no rotation.
+std::vector<GivenRotation> rotations(const std::string& text, bool& none);
+/// The value of --rotation-output.
+spline::RotationNotation rotation_form(const std::string& text);
 const Format* input_format(const std::string& text);
 const Format* output_format(const std::string& text);
 
@@ -134,6 +141,9 @@ std::vector<std::string_view> names_in() {
   std::ranges::transform(table, std::back_inserter(names), [](const auto& row) { return row.name; });
   return names;
 }
+
+/// A name that is not one of those known.
+Error unknown_value(std::string_view name, std::span<const std::string_view> known);
 
 /// The row of a table by its name. Throws: Error (usage) with the nearest known name.
 template <class Table>

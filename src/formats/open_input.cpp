@@ -14,6 +14,7 @@
 #include "option_names.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/input_format.hpp"
+#include "schema/doubts.hpp"
 #include "schema/rotation_columns.hpp"
 #include "text/file_ending.hpp"
 #include "text/utf8.hpp"
@@ -120,6 +121,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   if (records.rotation && rotation.requests.empty() && !rotation.none) rotation.requests.push_back(*records.rotation);
   if (!options.columns.samples) input.schema = with_rotations(std::move(input.schema), columns, rotation);
   input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
+  if (!input.schema.time.unit) input.schema.time.unit = records.time_unit;
   if (!input.schema.time.unit) input.schema.time.epoch_unit = records.epoch_unit;
   input.schema.marks = records.marks;
   input.schema.camera_path = std::move(records.camera_path);
@@ -127,7 +129,10 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   if (!encoding.empty()) input.facts.encoding = encoding;
   if (!input.facts.is_recording) input.facts.roles = columns.shape_roles();
   input.facts.ignored = columns.ignored;
-  input.facts.likely_rotation = columns.likely_rotation;
+  const bool chosen = std::ranges::count(options.columns.roles, Role::position, &RoleRequest::role) > 0;
+  if (format.is_json && !chosen && !options.columns.samples) {
+    if (auto note = note_of_letters(columns.channels)) input.facts.doubts.push_back(*std::move(note));
+  }
   KeyTraits& traits = input.keys.traits;
   traits.are_segments = columns.are_segments;
   traits.may_miss = options.keys.missing == Missing::skip_cell;

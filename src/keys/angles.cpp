@@ -109,11 +109,15 @@ Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn>& a
   };
 }
 
-LikelyAngles::LikelyAngles(const Schema& schema) {
+LikelyAngles::LikelyAngles(const Schema& schema) : has_names_(schema.named) {
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
     const bool is_angle = std::ranges::count(schema.angles, i, &AngleColumn::channel) > 0;
-    if (is_angle || !is_usual_angle(schema.channels[i])) continue;
-    channels_.push_back({schema.sources.empty() ? i : schema.sources[i], schema.channels[i]});
+    const bool is_named = is_usual_angle(schema.channels[i]);
+    if (is_angle || !(is_named || !schema.named || may_be_angle(schema.channels[i]))) continue;
+    const bool is_of_rotation =
+        std::ranges::any_of(schema.rotations, [i](const RotationSchema& rotation) { return rotation.columns.has(i); });
+    if (is_of_rotation) continue;
+    channels_.push_back({schema.sources.empty() ? i : schema.sources[i], schema.channels[i], is_named, true});
   }
 }
 
@@ -126,6 +130,7 @@ Source<KeyBlock> LikelyAngles::observe(Source<KeyBlock> blocks) {
         const double value = block.keys.position(key)[channel.channel];
         if (std::isnan(value)) continue;
         channel.largest = std::max(channel.largest, std::abs(value));
+        channel.is_positive = channel.is_positive && value >= 0;
         channel.jump = std::max(channel.jump, std::abs(value - channel.before.value_or(value)));
         channel.before = value;
       }
@@ -139,6 +144,9 @@ std::vector<NamedAngle> LikelyAngles::found() const {
   std::vector<NamedAngle> angles;
   for (const Channel& channel : channels_) {
     const bool degrees = channel.largest > whole_turn;
+    // Within one turn, from 0 or around 0, where the name tells little.
+    const double most = channel.is_positive ? (degrees ? 360.5 : 6.29) : (degrees ? 180.5 : half_turn);
+    if (!channel.is_named && (channel.largest > most || (!has_names_ && !degrees))) continue;
     if (channel.jump > (degrees ? 180 : half_turn)) angles.push_back({channel.name, degrees});
   }
   return angles;

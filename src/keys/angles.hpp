@@ -52,9 +52,12 @@ class LikelyAngles {
   struct Channel {
     std::size_t channel;
     std::string name;
+    bool is_named = true;     ///< by a name that is one of angles alone
+    bool is_positive = true;  ///< no number is below 0
     double largest = 0, jump = 0;
     std::optional<double> before = {};
   };
+  bool has_names_;  ///< the channels have; small numbers without a name are no angles
   std::vector<Channel> channels_;
 };
 

@@ -20,7 +20,6 @@
 #include "keys/grouping.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
-#include "schema/errors.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

@@ -11,7 +11,6 @@
 
 #include "error.hpp"
 #include "option_names.hpp"
-#include "schema/errors.hpp"
 #include "schema/roles.hpp"
 #include "tcb/spline/scalar.hpp"
 #include "text/utf8.hpp"
@@ -154,7 +153,10 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) 
         before = now;
       }
       if (!is_clear && keys > 1 && (!block || keys == most)) {
-        throw times_unclear(channel);
+        throw data_error(
+            "there is no time column, but column {} may be one; expected a column called time; give "
+            "{} time={}, or {} uniform if the keys have no times",
+            in_quotes(channel), option::columns, channel, option::parameter);
       }
       is_clear = is_clear || !block;
       if (block) held.push_back(std::move(*block));

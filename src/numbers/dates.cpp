@@ -165,6 +165,40 @@ std::optional<Rational> read_date(std::string_view text, DateOrder order) {
   return Rational(days * seconds_of_day - *offset) + *clock;
 }
 
+std::optional<DateSeconds> read_usual_date(std::string_view text, DateOrder order, bool has_zone) {
+  constexpr std::size_t size_of_date = 10, size = 19;  // YYYY-MM-DD hh:mm:ss
+  if (has_zone && !text.ends_with('Z')) return std::nullopt;
+  if (has_zone) text.remove_suffix(1);
+  if (text.size() < size || (text[size_of_date] != 'T' && text[size_of_date] != ' ')) return std::nullopt;
+  bool are_digits = true;
+  const auto number = [&](std::size_t at, std::size_t digits) {
+    int value = 0;
+    for (std::size_t i = at; i < at + digits; ++i) {
+      are_digits = are_digits && is_digit(text[i]);
+      value = value * 10 + (text[i] - '0');
+    }
+    return value;
+  };
+  const bool is_year_first = order == DateOrder::ymd;
+  const char mark = text[is_year_first ? 4 : 2];
+  const bool are_marked = (mark == '-' || mark == '/' || mark == '.') && text[is_year_first ? 7 : 5] == mark &&
+                          text[13] == ':' && text[16] == ':';
+  if (!are_marked) return std::nullopt;
+  const int year = is_year_first ? number(0, 4) : number(6, 4);
+  const int first = is_year_first ? number(5, 2) : number(0, 2), second = is_year_first ? number(8, 2) : number(3, 2);
+  const int month = order == DateOrder::dmy ? second : first, day = order == DateOrder::dmy ? first : second;
+  const int hours = number(11, 2), minutes = number(14, 2), seconds = number(17, 2);
+  std::string_view fraction = text.substr(size);
+  if (!fraction.empty() && (fraction.size() == 1 || !is_mark(fraction[0]))) return std::nullopt;
+  if (!fraction.empty()) fraction.remove_prefix(1);
+  if (!are_digits || !std::ranges::all_of(fraction, is_digit)) return std::nullopt;
+  const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day))};
+  if (!date.ok() || hours > 23 || minutes > 59 || seconds > 59) return std::nullopt;
+  const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
+  return DateSeconds{days * seconds_of_day + (hours * 60 + minutes) * 60 + seconds, fraction};
+}
+
 Rational zone_offset(const DateFormat& format) { return offset_of(format.zone).value_or(0); }
 
 std::optional<std::string> date_text(const Rational& seconds, const DateFormat& format, std::optional<int> decimals) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,6 +49,16 @@ std::optional<DateFormat> find_date_format(std::string_view text);
 /// The seconds of a date that has a form of find_date_format(), with its numbers in this order; nothing if that date
 /// does not exist.
 std::optional<Rational> read_date(std::string_view text, DateOrder order);
+
+/// The whole seconds of a date and the digits of its fraction.
+struct DateSeconds {
+  std::int64_t seconds = 0;
+  std::string_view fraction = {};
+};
+
+/// The same for dates with all digits and a time of day with seconds, in UTC without a zone or with Z, which are nearly
+/// all; nothing for any other text, which read_date() may read.
+std::optional<DateSeconds> read_usual_date(std::string_view text, DateOrder order, bool has_zone);
 
 /// The seconds by which local time in a format is ahead of UTC.
 Rational zone_offset(const DateFormat& format);

@@ -34,14 +34,15 @@ std::int64_t dropped_numbers(const Rational& rate) {
 std::optional<Rational> read_timecode(std::string_view text, bool drops, const Rational& rate) {
   const std::int64_t hours = take_number(text), minutes = take_number(text), seconds = take_number(text);
   const std::int64_t frame = take_number(text), nominal = nominal_rate(rate);
+  const auto part = text.empty() ? Rational(0) : parse_rational("0." + std::string(text));  // of a frame
   constexpr std::int64_t most_hours = 1'000'000'000;
-  if (hours < 0 || hours > most_hours || minutes > 59 || seconds > 59 || frame >= nominal) return std::nullopt;
+  if (hours < 0 || hours > most_hours || minutes > 59 || seconds > 59 || frame >= nominal || !part) return std::nullopt;
   const std::int64_t dropped = drops ? dropped_numbers(rate) : 0;
   if (drops && (dropped == 0 || (seconds == 0 && frame < dropped && minutes % 10 != 0))) return std::nullopt;
   const std::int64_t all_minutes = hours * 60 + minutes;
   const std::int64_t number =
       (all_minutes * 60 + seconds) * nominal + frame - dropped * (all_minutes - all_minutes / 10);
-  return Rational(number) / rate;
+  return (Rational(number) + *part) / rate;
 }
 
 std::optional<std::string> timecode_text(const Rational& seconds, bool drops, const Rational& rate) {
@@ -61,12 +62,45 @@ std::optional<std::string> timecode_text(const Rational& seconds, bool drops, co
                      number % nominal);
 }
 
+/// hh:mm:ss.fff, or mm:ss.fff
+bool is_clock(std::string_view text) {
+  return has_form(text, "9:00:00") || has_form(text, "9:00:00.9") || has_form(text, "9:00") || has_form(text, "9:00.9");
+}
+
+/// What follows the days of a duration such as "0 days 00:00:01.5" or "1 day, 0:00:01"; empty for any other text.
+std::string_view without_days(std::string_view text) {
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  for (const std::string_view words : {" days ", " days, ", " day, ", " day "}) {
+    if (text.substr(digits).starts_with(words)) return text.substr(digits + words.size());
+  }
+  return {};
+}
+
+std::optional<Rational> read_days_and_clock(std::string_view text) {
+  const std::string_view clock = without_days(text);
+  std::int64_t days = 0;
+  if (!clock.empty()) {
+    constexpr std::int64_t most_days = 10'000'000;
+    days = take_number(text);
+    if (days < 0 || days > most_days) return std::nullopt;
+    text = clock;
+  }
+  const auto parts = [](std::string_view clock) {  // mm:ss, of any number of minutes
+    const std::int64_t minutes = take_number(clock);
+    return fmt::format("{}:{:02}:{}", minutes / 60, minutes % 60, clock);
+  };
+  const std::optional<Rational> seconds =
+      std::ranges::count(text, ':') == 2 ? read_clock(text) : read_clock(parts(text));
+  return seconds ? std::optional(*seconds + Rational(days) * 86'400) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<TimeNotation> find_notation(std::string_view text) {
-  if (has_form(text, "9:00:00:00")) return TimeNotation::smpte;
-  if (has_form(text, "9:00:00;00")) return TimeNotation::drop_frame;
-  if (has_form(text, "9:00:00") || has_form(text, "9:00:00.9")) return TimeNotation::clock;
+  if (text.empty() || text[0] < '0' || text[0] > '9') return std::nullopt;
+  if (has_form(text, "9:00:00:00") || has_form(text, "9:00:00:00.9")) return TimeNotation::smpte;
+  if (has_form(text, "9:00:00;00") || has_form(text, "9:00:00;00.9")) return TimeNotation::drop_frame;
+  if (is_clock(text) || is_clock(without_days(text))) return TimeNotation::clock;
   const std::optional<DateFormat> dates = find_date_format(text);
   if (!dates) return std::nullopt;
   return dates->zone.empty() ? TimeNotation::date : TimeNotation::zoned_date;
@@ -75,7 +109,7 @@ std::optional<TimeNotation> find_notation(std::string_view text) {
 std::optional<Rational> read_time(std::string_view text, TimeNotation notation, const Rational& rate, DateOrder order) {
   if (find_notation(text) != notation) return std::nullopt;
   switch (notation) {
-    case TimeNotation::clock: return read_clock(text);
+    case TimeNotation::clock: return read_days_and_clock(text);
     case TimeNotation::smpte: return read_timecode(text, false, rate);
     case TimeNotation::drop_frame: return read_timecode(text, true, rate);
     case TimeNotation::date:

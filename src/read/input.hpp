@@ -34,7 +34,8 @@ struct InputFacts {
   std::vector<std::string> other_tracks = {};     ///< names of those left out as they have other channels
   std::map<std::vector<std::string>, EulerTrack> euler_tracks = {};  ///< by the groups of their curves, as texts
   std::vector<std::string> ignored = {};                             ///< names of columns without a role
-  std::optional<spline::RotationForm> likely_rotation = {};          ///< that columns without names and roles may be
+  std::optional<double> time_gap = {};   ///< the mean of the first gaps between times that are whole
+  std::vector<std::string> doubts = {};  ///< notes: what its columns may mean besides
 };
 
 /// The records of an input as the reader of its format finds them.
@@ -43,6 +44,7 @@ struct Records {
   TimeNotation time_notation = TimeNotation::seconds;
   DateFormat dates = {};                       ///< of times that are dates
   std::optional<TimeUnit> epoch_unit = {};     ///< of times that seem to count from 1970
+  std::optional<TimeUnit> time_unit = {};      ///< of times, by a row of units
   std::optional<TextMarks> marks = {};         ///< of delimited text
   std::optional<GivenRotation> rotation = {};  ///< that columns are by the format
   std::string camera_path = {};                ///< as in Schema

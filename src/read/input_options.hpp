@@ -8,7 +8,6 @@
 
 #include "numbers/parse_number.hpp"
 #include "read/memory_use.hpp"
-#include "schema/column_options.hpp"
 #include "schema/columns.hpp"
 #include "schema/format.hpp"
 #include "schema/key_rules.hpp"
@@ -23,6 +22,8 @@ struct DelimitedOptions {
   std::optional<bool> header = {};     ///< nothing: found in the first records
   std::string comment = "#";           ///< the prefix of lines to skip; empty: none
   NumberMarks marks = {};              ///< in numbers
+  std::uint64_t skipped_lines = 0;     ///< at the beginning, which are no part of the table
+  bool strips_units = false;           ///< units after the numbers in cells are removed
   std::string head = {};               ///< names of the columns, as a line above the text; empty: none
 
   friend bool operator==(const DelimitedOptions&, const DelimitedOptions&) = default;
@@ -34,6 +35,8 @@ struct InputOptions {
   DelimitedOptions delimited = {};
   ColumnOptions columns = {};
   KeyRules keys = {};
+  bool has_shown_tcb_scale =
+      false;  ///< the product of the preset shows a scale of T, C and B, which keys are checked by
   UnitOptions units = {};
   RotationOptions rotation = {};
   std::vector<Renaming> renamings = {};           ///< of columns in the output

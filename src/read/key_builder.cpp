@@ -1,12 +1,14 @@
 // Key builder: cells become keys, for delimited text and for JSON alike.
 #include "read/key_builder.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "numbers/decimal_time.hpp"
-#include "schema/errors.hpp"
+#include "numbers/parse_number.hpp"
 
 namespace tcb {
 namespace {
@@ -139,6 +141,19 @@ bool KeyBuilder::scale(const Columns::Column& column, std::string_view decimal) 
 }
 
 bool KeyBuilder::set_time_in_words(const Columns::Column& column, std::string_view text) {
+  if (is_date(units_.notation) && !keeps_decimals()) {
+    const bool has_zone = units_.notation == TimeNotation::zoned_date;
+    const auto usual = read_usual_date(text, units_.dates.order, has_zone);
+    if (usual && usual->fraction.empty()) {
+      time_ = whole_time(usual->seconds);
+      return true;
+    }
+    if (usual && usual->seconds >= 0) {
+      const auto time = parse_time(fmt::format("{}.{}", usual->seconds, usual->fraction));
+      if (time) time_ = *time;
+      if (time) return true;
+    }
+  }
   const auto seconds = read_time(text, units_.notation, units_.frame_rate.value_or(1), units_.dates.order);
   if (!seconds) return false;
   constexpr int as_many_as_it_has = 1;

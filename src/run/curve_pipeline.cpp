@@ -13,10 +13,25 @@
 #include "sample/anywhere.hpp"
 #include "sample/build.hpp"
 #include "sample/tolerance.hpp"
+#include "schema/doubts.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+/// The channels called x, y and z as the metric; nothing where there are no such, or all channels are.
+std::optional<TextSetting> metric_by_names(const Schema& schema) {
+  std::string names;
+  for (const std::size_t channel : spatial_channels(schema.channels)) {
+    const bool is_of_rotation = std::ranges::any_of(
+        schema.rotations, [&](const RotationSchema& rotation) { return rotation.columns.has(channel); });
+    const bool is_angle = std::ranges::count(schema.angles, channel, &AngleColumn::channel) > 0;
+    const std::string& name = schema.channels[channel];
+    if (is_of_rotation || is_angle || name.find(',') != std::string::npos) return std::nullopt;
+    names += (names.empty() ? "" : ",") + name;
+  }
+  return names.empty() ? std::nullopt : std::optional(TextSetting{names, {option::metric}});
+}
 
 /// Also checks the settings of the input, even those that the command line replaces. The extrapolation of an input
 /// matters only for samples that may be outside the keys. Its metric is that of lengths and speeds, while a tolerance
@@ -27,7 +42,9 @@ CurveSpec spec_of(const CurveSettings& settings, CurveSettings of_input, const S
   (void)make_spec(of_input, schema.channels, rotations, schema.angles);
   if (!may_leave_curve(request)) of_input.extrapolate.reset();
   if (request.mode == Mode::tolerance) of_input.metric.reset();
-  return make_spec(merged(settings, of_input), schema.channels, rotations, schema.angles);
+  CurveSettings all = merged(settings, of_input);
+  if (!all.metric && request.mode != Mode::tolerance) all.metric = metric_by_names(schema);
+  return make_spec(all, schema.channels, rotations, schema.angles);
 }
 
 PlacedCurve no_samples(const Time& first_key) {

@@ -16,6 +16,7 @@
 #include "run/in_words.hpp"
 #include "run/notes.hpp"
 #include "sample/fields.hpp"
+#include "schema/doubts.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
 #include "text/utf8.hpp"
@@ -90,6 +91,7 @@ Facts input_facts(const Input& input) {
   list("tracks with other channels", input.facts.other_tracks);
   list("tracks with one key", input.facts.constant_tracks);
   list("ignored", input.facts.ignored);
+  for (const std::string& doubt : input.facts.doubts) add("note", doubt);
   return facts;
 }
 
@@ -229,7 +231,9 @@ class Explainer {
     if (count_ == 0) {
       if (job_.has_samples) needs_ = in_words(pipeline.needs());
       append(intended_, rules_in_words(pipeline.facts()));
-      const bool has_metric = curve.curve_info->settings.metric && !job_.keys.rules.metric;
+      const bool has_metric =
+          (curve.curve_info->settings.metric || !spatial_channels(input_.schema.channels).empty()) &&
+          !job_.keys.rules.metric;
       const std::vector<std::size_t> metric = pipeline.facts().spec.rules.metric;
       append(intended_,
              intentions(job_, input_.schema, input_.facts.tcb, has_metric ? metric : std::vector<std::size_t>{}));

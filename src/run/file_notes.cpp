@@ -10,6 +10,8 @@
 #include "io/input_file.hpp"
 #include "numbers/decimal_time.hpp"
 #include "read/input_format.hpp"
+#include "sample/fields.hpp"
+#include "schema/doubts.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
@@ -51,17 +53,32 @@ std::vector<std::string> found_by_elimination(const Input& input) {
   return std::ranges::all_of(names, is_usual_channel) ? std::vector<std::string>{} : names;
 }
 
+/// What doubts look at in a request.
+RequestNeeds needs_of(const Input& input, const KeyOptions& options, const SamplingRequest& request,
+                      std::span<const std::size_t> chosen) {
+  RequestNeeds needs;
+  needs.by_length = by_length(request.mode);
+  needs.lengths = needs.by_length || options.rules.equal_speed ||
+                  std::ranges::any_of(chosen, [](std::size_t field) { return fields()[field].over_metric; });
+  const bool is_of_format = !input.facts.format->has_marks && !input.facts.format->is_json;
+  needs.chooses_metric = options.rules.metric || input.keys.curve_info.settings.metric || is_of_format;
+  needs.chooses_columns = !options.input.columns.roles.empty() || options.input.columns.timeless || is_of_format;
+  needs.time_gap = input.facts.time_gap;
+  if (request.mode == Mode::step && request.in_seconds.step) needs.step = nearest_double(request.step);
+  return needs;
+}
+
 }  // namespace
 
 FileNotes::FileNotes(Report& report, const std::string& path) : report_(report), path_(path) {
   if (is_terminal(path)) add(reads_terminal());
 }
 
-void FileNotes::add_input(const Input& input, const KeyOptions& options, const SamplingRequest& request) {
-  const bool takes_likely = !options.input.rotation.none && options.input.rotation.requests.empty();
-  if (takes_likely && input.facts.likely_rotation) {
-    const bool is_matrix = input.facts.likely_rotation == spline::RotationForm::matrix;
-    add(is_matrix ? likely_matrix() : likely_quaternion());
+void FileNotes::add_input(const Input& input, const KeyOptions& options, const SamplingRequest& request,
+                          std::span<const std::size_t> fields) {
+  for (const std::string& doubt : input.facts.doubts) add({doubt, true});
+  for (const std::string& doubt : doubts_of_request(input.schema, needs_of(input, options, request, fields))) {
+    add({doubt, true});
   }
   if (!input.facts.encoding.empty()) {
     const bool is_all = input.facts.encoding != name_of(Encoding::windows_1252);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "keys/curves.hpp"
@@ -25,7 +26,9 @@ class FileNotes {
   void add(const Note& note) { report_.note(path_, note); }
 
   /// Notes what was detected in the input, and how the samples that are requested of it are understood.
-  void add_input(const Input& input, const KeyOptions& options, const SamplingRequest& request = {});
+  /// `fields`: of the rows. Throws: Error (data) for a doubt that the request has to decide.
+  void add_input(const Input& input, const KeyOptions& options, const SamplingRequest& request = {},
+                 std::span<const std::size_t> fields = {});
 
   /// Notes where the samples of a curve end. Requires: they were all taken.
   void add_samples(const PlacedCurve& placed, const SamplingRequest& request, bool is_closed);

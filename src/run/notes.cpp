@@ -83,20 +83,6 @@ Note unchosen_columns(const std::vector<std::string>& names) {
   return {fmt::format("ignored, as {} chooses others: {}", option::columns, listed(names))};
 }
 
-Note likely_quaternion() {
-  return {fmt::format("columns 5 to 8 may be a quaternion; {0} quaternion=5:6:7:8 resamples them as a rotation, {0} "
-                      "none leaves out this note",
-                      option::rotation),
-          true};
-}
-
-Note likely_matrix() {
-  return {fmt::format("the columns may be poses, matrices of 3 rows and 4 columns; {0} uniform {1} "
-                      "matrix=1:2:3:5:6:7:9:10:11 resamples them as poses, {1} none leaves out this note",
-                      option::parameter, option::rotation),
-          true};
-}
-
 Note rate_of_broadcast(std::string_view decimal, std::string_view rate, std::string_view exact) {
   return {fmt::format("the frame rate {} is taken as {}; give {} for exactly {}", decimal, rate, exact, decimal), true};
 }

@@ -38,8 +38,6 @@ Note constant_tracks_left_out(const std::vector<std::string>& names);
 Note ignored_columns(const std::vector<std::string>& names);
 /// Columns that are ignored as the positions were chosen.
 Note unchosen_columns(const std::vector<std::string>& names);
-Note likely_quaternion();
-Note likely_matrix();
 /// A frame rate was given as a decimal such as 29.97, which stands for `rate`.
 Note rate_of_broadcast(std::string_view decimal, std::string_view rate, std::string_view exact);
 /// The unit of the times is unknown, and they seem to count from 1970.

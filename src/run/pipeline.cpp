@@ -40,7 +40,7 @@ class FileRun {
     InputOptions options = job_.keys.input;
     options.threads = threads_;
     const Input input = open_input(path_, bytes, options);  // split, parse
-    notes_.add_input(input, job_.keys, job_.samples.request);
+    notes_.add_input(input, job_.keys, job_.samples.request, job_.rows.fields);
     Curves curves(input.schema, input.keys, job_.keys.curves, live_);  // group, order, split into curves
     std::uint64_t rows = 0;
     while (const std::optional<InputCurve> curve = curves.next()) {

@@ -212,7 +212,7 @@ CurveSpec make_spec(const CurveSettings& settings) {
 
 namespace {
 
-/// Sets the metric: the named channels, or all that are no angles and no numbers of a rotation.
+/// Sets the metric: the named channels, or all that are no angles and no numbers of a rotation, also as "all".
 void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vector<std::string>& channels) {
   const std::vector<RotationColumns>& rotations = spec.rotations;
   const std::vector<AngleColumn>& angles = spec.angles;
@@ -220,7 +220,8 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
     return std::ranges::count(angles, channel, &spline::AngleChannel::channel) > 0;
   };
   std::vector<std::size_t>& metric = spec.rules.metric;
-  if (!settings.metric) {
+  const bool is_all = settings.metric && settings.metric->value == "all" && !find_channel("all", channels);
+  if (!settings.metric || is_all) {
     if (rotations.empty() && angles.empty()) return;
     for (std::size_t i = 0; i < channels.size(); ++i) {
       if (!spline::is_in_rotation(rotations, i) && !is_angle(i)) metric.push_back(i);

@@ -9,11 +9,25 @@
 #include <unordered_set>
 
 #include "option_names.hpp"
-#include "schema/errors.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+Error segment_column_missing(std::string_view column, std::string_view missing_column) {
+  return data_error(
+      "the rows are segments and have a column {}, but no {}; expected both; add the missing "
+      "column, or give {} ignore={}",
+      in_quotes(column), in_quotes(missing_column), option::columns, column);
+}
+
+Error velocity_column_missing(std::string_view column, std::string_view missing_column) {
+  return data_error(
+      "column {} gives the velocity on one side of a key, but there is no {} for the other "
+      "side; expected both, or one column for both sides; add it, or give {} ignore={}",
+      in_quotes(column), in_quotes(missing_column), option::columns, column);
+}
 
 /// Finds names: exactly, or else in another case.
 class NameIndex {
@@ -44,11 +58,19 @@ class RolesOfChannel {
   /// Throws: Error (data) for a velocity of one side alone, or two of one side, or with tension, continuity or bias.
   void require_whole_velocities() const {
     const auto both = name(Role::velocity), in = name(Role::velocity_in), out = name(Role::velocity_out);
-    if (both && (in || out)) throw velocity_columns_overlap(*both, in ? *in : *out);
+    if (both && (in || out))
+      throw data_error(
+          "columns {} and {} both give the velocity on the same side of a key; expected {} for "
+          "both sides, or a column for each side; remove one, or give {} ignore=NAME",
+          in_quotes(*both), in_quotes(in ? *in : *out), *both, option::columns);
     if (in && !out) throw velocity_column_missing(*in, with_role(Role::velocity_out));
     if (out && !in) throw velocity_column_missing(*out, with_role(Role::velocity_in));
     for (const Role role : {Role::channel_tension, Role::channel_continuity, Role::channel_bias}) {
-      if (has_velocity() && name(role)) throw velocity_with_tcb(both ? *both : *in, *name(role));
+      if (has_velocity() && name(role))
+        throw data_error(
+            "column {} gives velocities, so {} has no effect; expected velocities, or tension, "
+            "continuity and bias; remove one of the columns, or give {} ignore=NAME",
+            in_quotes(both ? *both : *in), in_quotes(*name(role)), option::columns);
     }
   }
   bool has_velocity() const { return name(Role::velocity) || name(Role::velocity_in); }
@@ -78,7 +100,11 @@ void require_whole_velocities(const Columns& columns) {
     has_all = has_all && channel.has_velocity();
   }
   for (const Role role : {Role::tension, Role::continuity, Role::bias}) {
-    if (has_all && columns.has(role)) throw tcb_with_all_velocities(role_name(role));
+    if (has_all && columns.has(role))
+      throw data_error(
+          "all channels have velocities, so the column of {} has no effect; expected velocities, "
+          "or tension, continuity and bias; remove the column, or give {} ignore=NAME",
+          role_name(role), option::columns);
   }
 }
 
@@ -109,7 +135,10 @@ std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::strin
     for (std::size_t i = 0; i < header.size(); ++i) {
       if (may_be_channel[i] && !named[i]) channels.push_back(header[i]);
     }
-    throw column_of_unknown_channel(header[cell], named[cell]->channel, channels);
+    throw data_error(
+        "column {} names a channel {}, which does not exist; expected one of "
+        "{}; correct the name, or name the channels with {} position=NAME:NAME",
+        in_quotes(header[cell]), in_quotes(named[cell]->channel), listed(channels), option::columns);
   }
   return roles;
 }
@@ -140,7 +169,11 @@ void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found
   for (const auto& [cell, role, name, requested] : found) {
     const auto channel = channels.find(role.channel);
     if (!channel) {
-      throw role_of_unknown_channel(role_name(role), role.channel, columns.channels).about(option::columns);
+      throw data_error(
+          "the role {} names a channel {}, which does not exist; expected one of the "
+          "channels {}; correct the role",
+          role_name(role), in_quotes(role.channel), listed(columns.channels))
+          .about(option::columns);
     }
     const std::string known = role_name(ChannelRole{role.role, columns.channels[*channel]});
     const auto [other, is_first] = taken.emplace(known, requested);

@@ -12,12 +12,19 @@
 
 #include "option_names.hpp"
 #include "schema/channel_columns.hpp"
-#include "schema/errors.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+Error two_times(std::string_view column, std::string_view other_column, std::string_view request,
+                std::string_view other_request) {
+  return data_error("both {} and {} may be the time; expected one column of times; give {} {} or {} {}",
+                    in_quotes(column), in_quotes(other_column), option::columns, in_shell(request), option::columns,
+                    in_shell(other_request));
+}
 
 /// For each name of a header its first cell, and whether another cell has the name.
 struct NamedCell {
@@ -54,7 +61,8 @@ std::size_t find_cell(const std::string& wanted, std::string_view option, std::s
 
 /// Sets the role of a cell. Throws: Error if it has another.
 void assign(Columns& columns, std::size_t cell, Role role, const std::string& name) {
-  if (columns.cells[cell].role != Role::ignored) throw column_with_two_roles(name);
+  if (columns.cells[cell].role != Role::ignored)
+    throw data_error("column {} has two roles; expected one; correct {}", in_quotes(name), option::columns);
   std::vector<std::string>* const several = role == Role::position ? &columns.channels
                                             : role == Role::group  ? &columns.groups
                                             : role == Role::carry  ? &columns.labels
@@ -73,6 +81,24 @@ void number_texts(Columns& columns) {
     if (column.role == Role::carry) column.channel += columns.groups.size();
   }
 }
+
+/// The roles that columns have by their names. T, C and B by themselves are parameters only beside the two others.
+class RolesByName {
+ public:
+  explicit RolesByName(std::span<const std::string> header)
+      : has_all_letters_(std::ranges::all_of(std::array{"T", "C", "B"}, [&](std::string_view letter) {
+          return std::ranges::count(header, letter) > 0;
+        })) {}
+
+  Role operator()(std::string_view name) const {
+    const Role role = role_of_name(name);
+    const bool is_letter = name == "T" || name == "C" || name == "B";
+    return is_letter && !has_all_letters_ ? Role::position : role;
+  }
+
+ private:
+  bool has_all_letters_;
+};
 
 /// The cells of a time in two columns.
 struct SplitTime {
@@ -163,6 +189,7 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
                      const std::vector<bool>& usual, bool timeless) {
   const bool positions_given = columns.has(Role::position);
   const auto requested = columns.cells;
+  const RolesByName named_role(header);
   std::array<bool, role_count> is_requested{};
   for (const Columns::Column& column : requested) is_requested[static_cast<std::size_t>(column.role)] = true;
   const auto is_text = [](const auto& column) {
@@ -174,13 +201,18 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     if (requested[cell].role != Role::ignored) continue;
     const bool first = cell == front && !timeless && !columns.has(Role::time);
     const bool is_time = header.empty() ? first : usual[cell];
-    const Role role = is_time ? Role::time : header.empty() ? Role::position : role_of_name(header[cell]);
+    const Role role = is_time ? Role::time : header.empty() ? Role::position : named_role(header[cell]);
     const bool has_request = is_requested[static_cast<std::size_t>(role)];
     columns.cells[cell].is_text = role == Role::position && !positions_given && !numeric[cell];
     if (role == Role::position ? positions_given || !numeric[cell] : has_request) continue;
     if (role == Role::position && !header.empty() && is_usual_counter(header[cell])) continue;
     if (role == Role::position && !header.empty() && tells_curves_apart(header[cell])) {
-      throw column_may_be_group(header[cell]);
+      throw data_error(
+          "column {} may tell curves apart, and is no position by its name; expected its role; give {} {} for "
+          "one curve per value, {} {} to keep it in the rows, or {} {} to leave it out",
+          in_quotes(header[cell]), option::group, in_shell(header[cell]), option::columns,
+          in_shell(fmt::format("carry={}", header[cell])), option::columns,
+          in_shell(fmt::format("ignore={}", header[cell])));
     }
     if (role == Role::time && columns.has(Role::time)) {
       throw two_times(columns.time, header[cell], "time=" + columns.time, "time=" + header[cell]);
@@ -236,6 +268,7 @@ Columns requested_columns(std::span<const std::string> header, const std::vector
   for (const RoleRequest& request : requests) {
     for (const std::string& name : request.columns) {
       const std::size_t cell = find_cell(name, request.option, header, named, numeric.size());
+      if (request.unless_taken && columns.cells[cell].role == request.role) continue;
       if (is_of_channel(request.role)) of_channels.push_back({cell, {request.role, request.channel}, name, true});
       const bool is_text = request.role == Role::group || request.role == Role::carry;
       assign(columns, cell, request.role,
@@ -281,7 +314,11 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
     if (columns.marks.size() == most_marks) continue;
     columns.marks.push_back({header.empty() ? fmt::format("{}", cell + 1) : header[cell], !numeric[cell]});
   }
-  if (columns.channels.empty()) throw no_channel_column();
+  if (columns.channels.empty())
+    throw data_error(
+        "there is no position column; expected at least one column of numbers besides the "
+        "time; name it with {} position=NAME",
+        option::columns);
   return columns;
 }
 
@@ -299,6 +336,31 @@ std::vector<std::string> default_channel_names(std::size_t channels) {
   std::vector<std::string> names;
   for (std::size_t i = 1; i <= channels; ++i) names.push_back(fmt::format("p{}", i));
   return names;
+}
+
+Error same_column_names(std::string_view name) {
+  return data_error(
+      "two columns are called {}; expected different names; rename one, or choose columns "
+      "by number with {}",
+      in_quotes(name), option::columns);
+}
+
+Error no_such_column(std::string_view name, std::span<const std::string> columns) {
+  return data_error("there is no column {}; expected one of {}; correct the name", in_quotes(name), listed(columns));
+}
+
+Error no_such_column_number(std::string_view number, std::size_t column_count) {
+  return data_error(
+      "there is no column {}; the columns have no names; expected a number from 1 to {}; "
+      "correct it",
+      in_quotes(number), column_count);
+}
+
+Error two_columns_for_role(std::string_view role, std::string_view second_column) {
+  return data_error(
+      "a second column, {}, has the role {}; expected one column with it; choose one with "
+      "{} {}=NAME",
+      in_quotes(second_column), role, option::columns, role);
 }
 
 }  // namespace tcb

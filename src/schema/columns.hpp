@@ -5,12 +5,35 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "error.hpp"
 #include "schema/roles.hpp"
-#include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
+
+/// Another name for a column.
+struct Renaming {
+  std::string from, to;
+};
+
+/// The names that samples of a curve are expected to have.
+struct SampleNames {
+  std::string time;                      ///< of the time column, if it is not one of the usual names
+  std::vector<std::string> groups = {};  ///< of the group columns, if they are there
+  std::vector<std::string> labels = {};  ///< of columns to ignore
+  std::size_t time_place = 0;            ///< where columns have no names: how many are before the time, without groups
+  std::vector<Renaming> maps = {};       ///< of columns of the samples
+  std::string_view times_only = {};      ///< nothing is read but the groups and `time`, which this option names
+};
+
+/// Which columns of records are read, and in which roles.
+struct ColumnOptions {
+  std::vector<RoleRequest> roles = {};
+  bool timeless = false;                    ///< no column is the time, unless by its name
+  std::optional<SampleNames> samples = {};  ///< the records are samples of a curve, not keys
+};
 
 /// A column without a role, whose cells may distinguish curves.
 struct Mark {
@@ -29,16 +52,16 @@ struct Columns {
                               ///< a key; of others, among the marks
     bool is_text = false;     ///< it has no role because it holds texts
   };
-  std::vector<Column> cells;          ///< one per cell of a record
-  bool named = false;                 ///< the input names its columns
-  std::string time = "t";             ///< name of the time column
-  std::vector<std::string> channels;  ///< names of the position channels
-  std::vector<std::string> groups;    ///< names of the group columns
-  std::vector<std::string> labels;    ///< names of the columns of labels
-  std::vector<std::string> ignored;   ///< names of the columns without a role
-  std::vector<Mark> marks;            ///< the first ignored columns
-  bool may_be_timed = false;          ///< the first channel may be the time, by its place and its name
-  std::optional<spline::RotationForm> likely_rotation = {};  ///< that columns without names may be by their numbers
+  std::vector<Column> cells;             ///< one per cell of a record
+  bool named = false;                    ///< the input names its columns
+  std::string time = "t";                ///< name of the time column
+  std::vector<std::string> channels;     ///< names of the position channels
+  std::vector<std::string> groups;       ///< names of the group columns
+  std::vector<std::string> labels;       ///< names of the columns of labels
+  std::vector<std::string> ignored;      ///< names of the columns without a role
+  std::vector<Mark> marks;               ///< the first ignored columns
+  bool may_be_timed = false;             ///< the first channel may be the time, by its place and its name
+  std::vector<std::string> doubts = {};  ///< notes: what the columns may mean besides
   bool are_segments = false;  ///< each record is a segment: start, duration, positions and velocities of its ends
 
   bool has(Role role) const;
@@ -60,12 +83,18 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
 Columns requested_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                           std::span<const RoleRequest> requests);
 
-/// Another name for a column.
-struct Renaming {
-  std::string from, to;
-};
+// Errors about names of columns. `columns`: the names that exist.
+Error same_column_names(std::string_view name);
+Error no_such_column(std::string_view name, std::span<const std::string> columns);
+Error no_such_column_number(std::string_view number, std::size_t column_count);
+Error two_columns_for_role(std::string_view role, std::string_view second_column);
 
 /// Names for channels without any: x, y, z, or p1, p2, … for more than three.
 std::vector<std::string> default_channel_names(std::size_t channels);
+
+/// The columns of samples: the time, the groups, and every other column of numbers as a channel, whatever its name.
+/// Throws: Error (data) as find_columns.
+Columns find_sample_columns(std::span<const std::string> given, const std::vector<bool>& numeric,
+                            const SampleNames& names, bool timeless);
 
 }  // namespace tcb

@@ -42,6 +42,9 @@ struct NumberOfKey {
   }
 };
 
+/// The duration of a record that is a segment is not above 0, or its end is beyond the doubles.
+Error segment_without_duration(double duration);
+
 /// The largest number of faults of an input that are reported.
 inline constexpr std::size_t most_faults = 1000;
 

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "schema/errors.hpp"
+#include "option_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -80,16 +81,6 @@ std::optional<std::string> near_miss(const std::string& name, const Columns& col
   const std::optional<Role> near = near_role(name);
   if (!near || columns.has(*near) || (timeless && *near == Role::time)) return std::nullopt;
   return std::string(role_name(*near));
-}
-
-void require_no_near_miss(std::span<const std::string> header, const Columns& columns,
-                          std::span<const RoleRequest> requests, bool timeless) {
-  for (std::size_t cell = 0; cell < header.size(); ++cell) {
-    if (columns.cells[cell].role != Role::position) continue;
-    const auto near = near_miss(header[cell], columns, requests, timeless);
-    if (!near) continue;
-    throw column_nearly_role(header[cell], *near);
-  }
 }
 
 }  // namespace tcb

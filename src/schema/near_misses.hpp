@@ -25,8 +25,4 @@ std::optional<ChannelRole> near_channel_role(std::string_view name, const std::v
 std::optional<std::string> near_miss(const std::string& name, const Columns& columns,
                                      std::span<const RoleRequest> requests, bool timeless);
 
-/// Throws: Error (data) for the first channel whose name is a near miss.
-void require_no_near_miss(std::span<const std::string> header, const Columns& columns,
-                          std::span<const RoleRequest> requests, bool timeless);
-
 }  // namespace tcb

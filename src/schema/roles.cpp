@@ -3,9 +3,10 @@
 
 #include <algorithm>
 
-#include "schema/errors.hpp"
+#include "option_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -72,9 +73,15 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
     const std::string_view name = part.substr(0, equals);
     const std::optional<Role> known = find_role(name);
     const std::optional<ChannelRole> of_channel = known ? std::nullopt : channel_role_of(name);
-    if ((known || of_channel) && equals + 1 == part.size()) throw role_without_column(part);
+    if ((known || of_channel) && equals + 1 == part.size())
+      throw usage_error("{} has no column; expected its name or number; give it, as in {}NAME", in_quotes(part), part);
     if (equals == std::string::npos || !(known || of_channel)) {
-      throw not_a_role_with_columns(part);
+      throw usage_error(
+          "{} is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
+          "continuity=, bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, "
+          "ease_in=, ease_out=, group=, carry=, ignore=, nanoseconds= or clock=; for example {} "
+          "time=frame,position=px:py",
+          in_quotes(part), option::columns);
     }
     const auto columns = split(part.substr(equals + 1), ':');
     requests.push_back({known ? *known : of_channel->role, {columns.begin(), columns.end()}});

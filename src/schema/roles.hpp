@@ -26,6 +26,7 @@ enum class Role {
   carry,
   unused,       ///< ignored on request
   nanoseconds,  ///< of the time, besides its whole seconds
+  clock,        ///< the time of day, besides the date that is the time
   // Of one channel:
   channel_tension,
   channel_continuity,
@@ -39,7 +40,7 @@ enum class Role {
   duration,
 };
 
-inline constexpr std::size_t role_count = 21;
+inline constexpr std::size_t role_count = 22;
 inline constexpr auto first_channel_role = Role::channel_tension;
 
 /// The role is one in a channel.
@@ -92,6 +93,7 @@ inline constexpr std::array role_names{
     RoleName{"carry", Role::carry, true, false},
     RoleName{"ignore", Role::unused, true, false},
     RoleName{"nanoseconds", Role::nanoseconds, true, false},
+    RoleName{"clock", Role::clock, true, false},
     RoleName{"t", Role::time, false},
     RoleName{"frame", Role::time, true},
     RoleName{"timestamp", Role::time, true},
@@ -116,7 +118,8 @@ struct RoleRequest {
   Role role;
   std::vector<std::string> columns;
   std::string_view option = option::columns;
-  std::string channel = {};  ///< of a role in one channel
+  std::string channel = {};   ///< of a role in one channel
+  bool unless_taken = false;  ///< columns that have the role already keep it
 };
 
 /// "time=frame,position=px:py:pz". Throws: Error (usage).

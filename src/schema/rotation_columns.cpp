@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "option_names.hpp"
-#include "schema/errors.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -51,7 +51,11 @@ std::size_t requested_channel(const std::string& name, const Columns& columns, s
     std::vector<std::string> others;
     others.reserve(numbers.size());
     for (const std::size_t other : numbers) others.push_back(std::to_string(other));
-    throw column_without_channel(name, others).about(option);
+    throw data_error(
+        "column {} is the time or has another role; expected one of the columns {}; give "
+        "another number, or {} uniform if the keys have no times",
+        name, listed(others), option::parameter)
+        .about(option);
   }
   if (number && !columns.named) throw no_such_column_number(name, columns.cells.size()).about(option);
   throw no_such_column(name, channels).about(option);
@@ -62,7 +66,9 @@ void require_letters(const std::vector<std::string>& channels) {
   std::map<std::string, std::map<char, std::string>> found;  // by stem and number
   for (const std::string& channel : channels) {
     char last = 0;
-    const auto stem = rotation_stem_of(channel, last);
+    std::string name = channel;  // q[0] as q0
+    std::erase_if(name, [](char c) { return c == '[' || c == ']'; });
+    const auto stem = rotation_stem_of(name, last);
     if (stem && last >= '0' && last <= '4') found[*stem][last] = channel;
   }
   for (const auto& [stem, numbered] : found) {
@@ -72,7 +78,11 @@ void require_letters(const std::vector<std::string>& channels) {
     const auto request = [&](std::size_t x, std::size_t y, std::size_t z, std::size_t w) {
       return "quaternion=" + names[x] + ":" + names[y] + ":" + names[z] + ":" + names[w];
     };
-    throw quaternion_without_letters(names, request(1, 2, 3, 0), request(0, 1, 2, 3));
+    throw data_error(
+        "columns {} may be a quaternion, but their names do not tell which of them is w; expected names with "
+        "x, y, z and w; give {} {} if it is {}, {} {} if it is {}, or {} none for plain channels",
+        listed(names), option::rotation, in_shell(request(1, 2, 3, 0)), in_quotes(names.front()), option::rotation,
+        in_shell(request(0, 1, 2, 3)), in_quotes(names.back()), option::rotation);
   }
 }
 
@@ -107,7 +117,10 @@ std::vector<spline::RotationChannels> rotations_by_name(const std::vector<std::s
     }
     std::string lacking = name;
     lacking[name.find('*')] = letters[static_cast<std::size_t>(std::ranges::find(rotation, none) - rotation.begin())];
-    throw rotation_column_missing(lacking, others);
+    throw data_error(
+        "columns {} are three numbers of a quaternion, but there is no {}; expected four "
+        "numbers; add the missing column, or give {} none to take the three as plain channels",
+        listed(others), in_quotes(lacking), option::rotation);
   }
   std::ranges::sort(rotations, {}, [](const spline::RotationChannels& rotation) { return std::ranges::min(rotation); });
   return rotations;
@@ -143,7 +156,12 @@ std::size_t rotation_with(const std::vector<RotationSchema>& rotations, std::siz
 void require_own_columns(const Schema& schema, const Columns& columns) {
   std::vector<bool> taken(columns.channels.size());
   const auto take = [&](std::size_t channel, std::string_view option) {
-    if (taken[channel]) throw column_in_two_rotations(columns.channels[channel]).about(option);
+    if (taken[channel])
+      throw data_error(
+          "column {} is used twice; expected different columns for each rotation and angle; "
+          "name another column",
+          in_quotes(columns.channels[channel]))
+          .about(option);
     taken[channel] = true;
   };
   for (const AngleColumn& angle : schema.angles) take(angle.channel, option::angle);
@@ -233,24 +251,6 @@ void add_rotation(Schema& schema, GivenRotation given, const Columns& columns) {
 
 }  // namespace
 
-std::optional<spline::RotationForm> likely_rotation(std::span<const double> record) {
-  constexpr double tolerance = 1e-3;
-  const auto product = [&](std::size_t a, std::size_t b, std::size_t count) {
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += record[a + i] * record[b + i];
-    return sum;
-  };
-  const auto is_unit = [&](std::size_t first, std::size_t count) {
-    return std::abs(std::sqrt(product(first, first, count)) - 1) <= tolerance;
-  };
-  if (record.size() == 8 && is_unit(4, 4)) return spline::RotationForm::quaternion;
-  if (record.size() != 12) return std::nullopt;
-  for (std::size_t row = 0; row < 12; row += 4) {
-    if (!is_unit(row, 3) || !(std::abs(product(row, (row + 4) % 12, 3)) <= tolerance)) return std::nullopt;
-  }
-  return spline::RotationForm::matrix;
-}
-
 Schema with_rotations(Schema schema, const Columns& columns, const RotationOptions& options) {
   for (const NamedAngle& angle : options.angles) {
     schema.angles.push_back({{requested_channel(angle.channel, columns, option::angle), angle.degrees}, false});
@@ -272,7 +272,11 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
   require_own_columns(schema, columns);
   if (!options.shown_by_format && options.shown && schema.rotations.empty()) {
     const auto form = std::ranges::find(rotation_forms, options.shown->form, &RotationFormName::form);
-    throw no_rotation_to_show(form->name).about(option::rotation_output);
+    throw data_error(
+        "there is no rotation to show as {}; expected columns of a rotation; name them with "
+        "{}",
+        form->name, option::rotation)
+        .about(option::rotation_output);
   }
   set_channels(schema, columns);
   for (std::size_t i = 0; i < schema.rotations.size(); ++i) {

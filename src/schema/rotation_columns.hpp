@@ -10,10 +10,6 @@
 
 namespace tcb {
 
-/// The rotation that numbers of a record may be, where columns have no names: in a record of 8 numbers, a quaternion of
-/// the norm 1 as the last four; in one of 12, a matrix of three rows, each followed by a number of the position.
-std::optional<spline::RotationForm> likely_rotation(std::span<const double> record);
-
 /// The meaning of records with rotations and angles among the channels of their columns: as requested, or else by their
 /// names: "q" and x, y, z and w, or w, x, y and z between the same texts of which the first has a "q". Columns are
 /// requested by name, or by number from 1. In place of the first column of a rotation in another form than a quaternion

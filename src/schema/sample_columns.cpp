@@ -1,5 +1,5 @@
 // Sample columns: the columns of samples of a curve, which have the names that the program gives them.
-#include "schema/sample_columns.hpp"
+#include "schema/columns.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,6 @@
 #include <unordered_map>
 
 #include "option_names.hpp"
-#include "schema/errors.hpp"
 #include "schema/usual_names.hpp"
 
 namespace tcb {

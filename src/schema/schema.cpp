@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "option_names.hpp"
-#include "schema/errors.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -66,7 +66,12 @@ Schema with_channels(const Schema& schema, std::vector<std::string> channels) {
 void require_distinct_names(Schema schema, std::string_view option) {
   std::vector<std::string> known;
   for (const std::string* name : names_of(schema)) {
-    if (std::ranges::count(known, *name) > 0) throw same_output_names(*name).about(option);
+    if (std::ranges::count(known, *name) > 0)
+      throw data_error(
+          "two columns of the output would be called {}; expected different names; choose "
+          "another name, or rename the column in the input",
+          in_quotes(*name))
+          .about(option);
     known.push_back(*name);
   }
 }

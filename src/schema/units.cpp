@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "option_names.hpp"
-#include "schema/errors.hpp"
 #include "schema/key_block.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -26,7 +26,11 @@ void require_unit(const UnitOptions& options, const Columns& columns) {
   const auto named = columns.has(Role::nanoseconds) ? TimeUnit::s : unit_of_time(time);
   if (!named || options.are_optional) return;
   const auto refuse = [&](std::string_view option, TimeUnit unit) {
-    throw time_units_differ(time, row_of(*named).name, row_of(unit).name).about(option);
+    throw data_error(
+        "the times are in {} by this option, but in {} by the name of column {}; "
+        "expected one unit; remove the option, or rename the column",
+        row_of(unit).name, row_of(*named).name, in_quotes(time))
+        .about(option);
   };
   if (options.frame_rate && *named != TimeUnit::frames) refuse(option::input_fps, TimeUnit::frames);
   if (options.time && *options.time != *named) refuse(option::time_unit, *options.time);
@@ -38,10 +42,19 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
   DateFormat format = find_date_format(date).value_or(DateFormat{});
   if (format.order == DateOrder::ymd) {
     if (options.date_order && !options.are_optional)
-      throw dates_have_year_first(column, date).about(option::date_order);
+      throw data_error(
+          "the dates in column {}, such as {}, have the year first; expected dates with the year "
+          "last; remove the option",
+          in_quotes(column), in_quotes(date))
+          .about(option::date_order);
     return format;
   }
-  if (!options.date_order) throw date_order_unknown(column, date);
+  if (!options.date_order)
+    throw data_error(
+        "the dates in column {}, such as {}, do not tell which number is the day; expected "
+        "dates with the year first, or their order; give {} dmy if the day is first, or {} "
+        "mdy if the month is",
+        in_quotes(column), in_quotes(date), option::date_order, option::date_order);
   format.order = *options.date_order;
   return format;
 }
@@ -68,7 +81,11 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
   if (is_date(units.notation)) {
     units.dates = date_format_of(options, first_time, columns.time);
   } else if (options.date_order && !options.are_optional) {
-    throw times_are_no_dates(columns.time).about(option::date_order);
+    throw data_error(
+        "the times in column {} are not dates; expected dates with the year last; remove the "
+        "option",
+        in_quotes(columns.time))
+        .about(option::date_order);
   }
   units.frame_rate = options.frame_rate;
   if (counts_frames(units.notation) && !options.frame_rate) throw times_without_rate(columns.time);
@@ -104,7 +121,11 @@ Schema with_unit(Schema schema, const UnitOptions& options) {
   TimeSchema& time = schema.time;
   if (!time.is_given) {
     if (!options.frame_rate && !options.time) return schema;
-    throw times_without_column().about(options.frame_rate ? option::input_fps : option::time_unit);
+    throw data_error(
+        "there is no time column, but the option needs one; name the column with {} "
+        "time=NAME, or remove the option",
+        option::columns)
+        .about(options.frame_rate ? option::input_fps : option::time_unit);
   }
   if (!time.unit) time.unit = options.time ? options.time : unit_of_time(time.name);
   if (time.notation != TimeNotation::seconds) {
@@ -116,6 +137,13 @@ Schema with_unit(Schema schema, const UnitOptions& options) {
     if (unit_of_time(time.name) == TimeUnit::frames && !options.are_optional) time.name = "time";
   }
   return schema;
+}
+
+Error times_without_rate(std::string_view column) {
+  return data_error(
+      "the times in column {} are frames or timecode, but no frame rate is given; expected "
+      "one; give it with {}, as in {} 24 or {} 30000/1001",
+      in_quotes(column), option::input_fps, option::input_fps, option::input_fps);
 }
 
 }  // namespace tcb

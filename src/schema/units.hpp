@@ -38,6 +38,9 @@ struct KeyUnits {
   std::vector<Rational> factors = {};             ///< of the numbers of a key, in the order of NumberOfKey; none: all 1
 };
 
+/// The times in a column are frames or timecode.
+Error times_without_rate(std::string_view column);
+
 /// The units of keys, whose notation of times is that of the first of them. Throws: Error (data) for timecode without a
 /// rate, dates without their order, units of time that contradict each other, and a channel that no column is.
 KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::string_view first_time);

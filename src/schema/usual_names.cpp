@@ -13,17 +13,105 @@ namespace {
 /// Other usual names of times, in lower case without blanks, "_", "-" and ".".
 /// A unit may follow.
 constexpr std::array time_names{
-    "t",          "time",        "times",          "timestamp",      "timestamps",    "stamp",        "stamps",
-    "ts",         "tstamp",      "timecode",       "timeofday",      "clock",         "clocktime",    "date",
-    "datetime",   "datestamp",   "elapsed",        "elapsedtime",    "timeelapsed",   "frame",        "frames",
-    "frameno",    "framenr",     "framenum",       "framenumber",    "frameid",       "frameidx",     "frameindex",
-    "framecount", "keyframe",    "keyframes",      "keytime",        "keytimes",      "keyframetime", "tick",
-    "ticks",      "tickcount",   "unix",           "unixtime",       "unixtimestamp", "posixtime",    "epoch",
-    "epochtime",  "utc",         "utctime",        "gpstime",        "gmt",           "localtime",    "systime",
-    "systemtime", "rostime",     "simtime",        "simulationtime", "walltime",      "walltimes",    "sampletime",
-    "eventtime",  "capturetime", "recordtime",     "relativetime",   "reltime",       "absolutetime", "abstime",
-    "tc",         "smpte",       "smptetimecode",  "timevalue",      "timepoint",     "timesec",      "timeindex",
-    "framestamp", "frametime",   "frametimestamp",
+    "t",
+    "time",
+    "times",
+    "timestamp",
+    "timestamps",
+    "stamp",
+    "stamps",
+    "ts",
+    "tstamp",
+    "timecode",
+    "timeofday",
+    "clock",
+    "clocktime",
+    "date",
+    "datetime",
+    "datestamp",
+    "elapsed",
+    "elapsedtime",
+    "timeelapsed",
+    "frame",
+    "frames",
+    "frameno",
+    "framenr",
+    "framenum",
+    "framenumber",
+    "frameid",
+    "frameidx",
+    "frameindex",
+    "framecount",
+    "keyframe",
+    "keyframes",
+    "keytime",
+    "keytimes",
+    "keyframetime",
+    "tick",
+    "ticks",
+    "tickcount",
+    "unix",
+    "unixtime",
+    "unixtimestamp",
+    "posixtime",
+    "epoch",
+    "epochtime",
+    "utc",
+    "utctime",
+    "gpstime",
+    "gmt",
+    "localtime",
+    "systime",
+    "systemtime",
+    "rostime",
+    "simtime",
+    "simulationtime",
+    "walltime",
+    "walltimes",
+    "sampletime",
+    "eventtime",
+    "capturetime",
+    "recordtime",
+    "relativetime",
+    "reltime",
+    "absolutetime",
+    "abstime",
+    "tc",
+    "smpte",
+    "smptetimecode",
+    "timevalue",
+    "timepoint",
+    "timesec",
+    "timeindex",
+    "framestamp",
+    "frametime",
+    "frametimestamp",
+    "jdtdb",
+    "jdutc",
+    "juliandate",
+    "mjd",
+    // German, French, Spanish, Italian and Portuguese:
+    "zeit",
+    "uhrzeit",
+    "datum",
+    "zeitstempel",
+    "zeitpunkt",
+    "bild",
+    "bildnummer",
+    "temps",
+    "heure",
+    "horodatage",
+    "tiempo",
+    "hora",
+    "fecha",
+    "fotograma",
+    "tempo",
+    "ora",
+    "fotogramma",
+    "datahora",
+    "dataora",
+    "fechahora",
+    "dateheure",
 };
 
 /// Names of units of time, which may be a name by themselves if they are two letters or more.
@@ -74,8 +162,9 @@ constexpr std::array short_unit_names{UnitName{"m", {}},    UnitName{"min", minu
                                       UnitName{"h", hours}, UnitName{"hr", hours},    UnitName{"d", days}};
 
 /// Names of times that count frames, in the same form as the names of times.
-constexpr std::array frame_names{"frame",   "frames",   "frameno",    "framenr",    "framenum", "framenumber",
-                                 "frameid", "frameidx", "frameindex", "framecount", "keyframe", "keyframes"};
+constexpr std::array frame_names{"frame",   "frames",     "frameno",    "framenr",    "framenum", "framenumber",
+                                 "frameid", "frameidx",   "frameindex", "framecount", "keyframe", "keyframes",
+                                 "bild",    "bildnummer", "fotograma",  "fotogramma"};
 
 /// Names of arrays and objects that hold names_of_positions, in the same form.
 constexpr std::array names_of_positions{"position", "positions", "pos",    "translation", "translate",  "location",
@@ -210,7 +299,9 @@ bool is_usual_position(std::string_view name) { return has(names_of_positions, c
 
 bool is_usual_label(std::string_view name) {
   const std::string text = compact(name);
-  return has(label_names, text) || text.ends_with("id");
+  const std::size_t separator = name.find_last_of("_-./ ");  // as in array_index
+  const std::string last = separator == std::string_view::npos ? text : compact(name.substr(separator + 1));
+  return has(label_names, text) || has(label_names, last) || text.ends_with("id");
 }
 
 bool tells_curves_apart(std::string_view name) {
@@ -219,12 +310,55 @@ bool tells_curves_apart(std::string_view name) {
   return has(names, compact(name));
 }
 
-bool is_usual_angle(std::string_view name) {
-  constexpr std::array names{"yaw", "heading", "bearing", "azimuth", "roll", "pitch"};
+namespace {
+
+/// Whether a name, or its last word, is one of these.
+template <std::size_t size>
+bool ends_with_one(const std::array<const char*, size>& names, std::string_view name) {
   const std::string_view alone = without_unit(name);
   const std::size_t separator = alone.find_last_of("_-./ ");
   return has(names, compact(alone)) ||
          (separator != std::string_view::npos && has(names, compact(alone.substr(separator + 1))));
+}
+
+}  // namespace
+
+bool is_usual_angle(std::string_view name) {
+  constexpr std::array names{"yaw", "heading", "bearing", "azimuth", "roll", "pitch"};
+  return ends_with_one(names, name);
+}
+
+std::string_view without_brackets(std::string_view text) {
+  const bool has_brackets =
+      text.size() >= 2 && ((text.front() == '[' && text.back() == ']') || (text.front() == '(' && text.back() == ')'));
+  return has_brackets ? text.substr(1, text.size() - 2) : text;
+}
+
+bool is_unit(std::string_view text) {
+  constexpr std::array units{
+      "s",       "sec",       "seconds",  "ms",     "us",     "\u00B5s", "\u03BCs", "ns",     "min",     "h",
+      "hr",      "d",         "m",        "meter",  "meters", "mm",      "cm",      "km",     "um",      "\u00B5m",
+      "\u03BCm", "in",        "ft",       "mi",     "deg",    "degree",  "degrees", "\u00B0", "rad",     "%",
+      "km/h",    "kmh",       "kph",      "mph",    "kn",     "knots",   "m/s",     "mm/s",   "ft/s",    "m/s2",
+      "m/s^2",   "m/s\u00B2", "g",        "kg",     "n",      "nm",      "kn",      "v",      "mv",      "a",
+      "ma",      "w",         "kw",       "hz",     "khz",    "rpm",     "1/min",   "c",      "\u00B0c", "degc",
+      "k",       "f",         "\u00B0f",  "pa",     "kpa",    "hpa",     "bar",     "mbar",   "psi",     "j",
+      "deg/s",   "rad/s",     "\u00B0/s", "rad/s2", "px",     "pixel",   "pixels",  "ut",     "\u00B5t", "lx",
+      "lux",     "db",        "l",        "l/min",  "ml",     "frames",  "utc",     "usd"};
+  return has(units, in_lower_case(without_brackets(text)));
+}
+
+bool may_be_angle(std::string_view name) {
+  constexpr std::array names{"lon",   "lng",     "longitude", "cog",     "course",    "track",     "pan",
+                             "theta", "hue",     "rx",        "ry",      "rz",        "rotx",      "roty",
+                             "rotz",  "rotatex", "rotatey",   "rotatez", "rotationx", "rotationy", "rotationz",
+                             "angle", "phi",     "direction", "headyaw", "winddir",   "tilt",      "steering"};
+  constexpr std::array spaces{"rotation", "rotate", "rot", "euler", "angle", "orientation"};
+  if (is_usual_angle(name) || ends_with_one(names, name)) return true;
+  const std::string_view alone = without_unit(name);
+  const std::string whole = compact(alone);  // as in rotation_z
+  return whole.size() > 1 && std::string_view("xyz").find(whole.back()) != std::string_view::npos &&
+         has(spaces, std::string_view(whole).substr(0, whole.size() - 1));
 }
 
 bool is_usual_channel(std::string_view name) {

@@ -47,6 +47,15 @@ bool tells_curves_apart(std::string_view name);
 /// Whether a name is that of an angle of a heading or an attitude, such as "yaw" or "imu.heading".
 bool is_usual_angle(std::string_view name);
 
+/// A text without the brackets around it.
+std::string_view without_brackets(std::string_view text);
+
+/// Whether a text is a unit of a quantity, such as "km/h" or "[deg]".
+bool is_unit(std::string_view text);
+
+/// Whether a name may be that of an angle, such as "lon", "course" or "rotation_z".
+bool may_be_angle(std::string_view name);
+
 /// Whether a name is a usual one of a number over time, such as "x", "fov" or "temperature".
 bool is_usual_channel(std::string_view name);
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "cli/command_line.hpp"
-#include "cli/errors.hpp"
+#include "cli/values.hpp"
 
 namespace tcb {
 namespace {

@@ -2,45 +2,48 @@
 #include "cli/values.hpp"
 
 #include "cli/command_line.hpp"
-#include "cli/errors.hpp"
 #include "formats/formats.hpp"
 
 namespace tcb {
 namespace {
 
+using spline::RotationForm;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
-/// The message of a fault of the value of an option.
-std::string message(const std::string& option, const Error& fault) { return fault.about(option).message(); }
+/// Matches the message about a value of an option that is followed by these words.
+auto about(const std::string& option, const std::string& value, const std::string& words) {
+  return testing::StartsWith(option + ": \"" + value + "\" " + words);
+}
 
 TEST(Values, steps_and_rates_are_above_0) {
   for (const std::string value : {"0", "-1", "x", "1/0", "0/5", "1e", "inf", "1/24x"}) {
     for (const std::string option : {"--step", "--rate", "--arc-step"}) {
-      EXPECT_EQ(refusal({option, value}), message(option, not_a_positive_ratio(value)));
+      EXPECT_THAT(refusal({option, value}), about(option, value, "is not a number above 0"));
     }
   }
-  EXPECT_EQ(refusal({"--rate", "1e-309"}), message("--rate", step_of_rate_beyond_doubles("1e-309")));
-  EXPECT_EQ(refusal({"--step", "1e309"}), message("--step", number_beyond_doubles("1e309")));
+  EXPECT_THAT(refusal({"--rate", "1e-309"}), about("--rate", "1e-309", "is too small a rate"));
+  EXPECT_THAT(refusal({"--step", "1e309"}), about("--step", "1e309", "is too large"));
 }
 
 TEST(Values, counts_are_in_digits_from_1_up) {
   EXPECT_EQ(positive_count("9223372036854775807"), 9223372036854775807U);
   for (const std::string value : {"0", "-1", "+1", "1.5", "1e3", " 1", "9223372036854775808", "99999999999999999999"}) {
     for (const std::string option : {"--count", "--segments", "--per-segment", "--arc-count"}) {
-      EXPECT_EQ(refusal({option, value}), message(option, not_a_count(value)));
+      EXPECT_THAT(refusal({option, value}), about(option, value, "is not a count"));
     }
   }
 }
 
 TEST(Values, a_range_is_of_decimals_or_ratios) {
-  EXPECT_EQ(time_value(not_a_ratio, "-7/24").value, Rational(-7, 24));
+  EXPECT_EQ(time_value(expects_ratio, "-7/24").value, Rational(-7, 24));
   for (const std::string option : {"--from", "--to"}) {
-    EXPECT_EQ(stepped_refusal({option, "now"}), message(option, not_a_ratio("now")));
+    EXPECT_THAT(stepped_refusal({option, "now"}), about(option, "now", "is not a number"));
   }
 }
 
 TEST(Values, times_may_have_a_unit) {
-  const auto value = [](std::string_view text) { return time_value(not_a_ratio, text); };
+  const auto value = [](std::string_view text) { return time_value(expects_ratio, text); };
   EXPECT_EQ(value("1/24").value, Rational(1, 24));
   EXPECT_FALSE(value("1e3").in_seconds);
   EXPECT_EQ(value("20ms").value, Rational(1, 50));
@@ -58,16 +61,19 @@ TEST(Values, frame_rates_of_video_have_usual_decimals) {
 }
 
 TEST(Values, lists_are_separated_by_commas) {
-  EXPECT_EQ(refusal({"--at", "1,,2"}), message("--at", not_a_list_of_numbers("")));
+  EXPECT_THAT(refusal({"--at", "1,,2"}), about("--at", "", "is not a number"));
 }
 
 TEST(Values, whole_numbers_of_options_are_within_their_range) {
   EXPECT_EQ(count_between("1e9", 1, INT64_MAX), 1'000'000'000U);
-  EXPECT_EQ(stepped_refusal({"--max-rows", "1.5"}),
-            message("--max-rows", not_a_whole_number("1.5", 1, 9223372036854775807)));
-  EXPECT_EQ(stepped_refusal({"--jobs", "1025"}), message("--jobs", not_a_whole_number("1025", 1, 1024)));
-  EXPECT_EQ(stepped_refusal({"--digits", "0"}), message("--digits", not_a_whole_number("0", 1, 100)));
-  EXPECT_EQ(stepped_refusal({"--fixed", "101"}), message("--fixed", not_a_whole_number("101", 0, 100)));
+  EXPECT_THAT(stepped_refusal({"--max-rows", "1.5"}),
+              about("--max-rows", "1.5", "is not valid; expected a whole number from 1 to 9223372036854775807"));
+  EXPECT_THAT(stepped_refusal({"--jobs", "1025"}),
+              about("--jobs", "1025", "is not valid; expected a whole number from 1 to 1024"));
+  EXPECT_THAT(stepped_refusal({"--digits", "0"}),
+              about("--digits", "0", "is not valid; expected a whole number from 1 to 100"));
+  EXPECT_THAT(stepped_refusal({"--fixed", "101"}),
+              about("--fixed", "101", "is not valid; expected a whole number from 0 to 100"));
 }
 
 TEST(Values, a_tolerance_of_samples_is_above_0) {
@@ -77,7 +83,7 @@ TEST(Values, a_tolerance_of_samples_is_above_0) {
   EXPECT_DOUBLE_EQ(curve_tolerance("2,180deg").angle, 3.141592653589793);
   EXPECT_EQ(curve_tolerance("0.25rad,2").angle, 0.25);
   for (const std::string value : {"0", "-1", "x", "inf", "1,2", "1,2deg,3deg", "deg", "1,", "0deg"}) {
-    EXPECT_EQ(refusal({"--tolerance", value}), message("--tolerance", not_a_curve_tolerance(value)));
+    EXPECT_THAT(refusal({"--tolerance", value}), about("--tolerance", value, "is not a tolerance"));
   }
 }
 
@@ -99,23 +105,22 @@ TEST(Values, delimiters_are_names_or_characters_that_no_number_has) {
                                                 {"pipe", '|'}, {":", ':'},     {"\t", '\t'},       {"x", 'x'}};
   for (const auto& [text, character] : known) EXPECT_EQ(delimiter(text), character) << text;
   for (const char* text : {"1", "e", "E", ".", "-", "+", "\"", "\n", "\r", "tabs", ",,", "é"}) {
-    EXPECT_EQ(stepped_refusal({"--delimiter", text}), message("--delimiter", not_a_delimiter(text)));
+    EXPECT_THAT(stepped_refusal({"--delimiter", text}), about("--delimiter", text, "is not a delimiter"));
   }
 }
 
 TEST(Values, tension_continuity_and_bias_are_three_numbers) {
   EXPECT_EQ(tcb_values("0,0.5,-0.25"), (spline::Tcb<double>{0, 0.5, -0.25}));
   for (const char* text : {"0", "0,0", "0,0,0,0", "0,,0", "0,0,x", "0,0,1e999", "0;0;0"}) {
-    EXPECT_EQ(stepped_refusal({"--tcb", text}), message("--tcb", not_three_parameters(text)));
+    EXPECT_THAT(stepped_refusal({"--tcb", text}), about("--tcb", text, "is not a tension"));
   }
 }
 
 TEST(Values, columns_marks_and_parts_of_names) {
   EXPECT_THAT(column_list("id,take"), ElementsAre("id", "take"));
-  EXPECT_EQ(stepped_refusal({"--group", "id,"}), message("--group", not_a_list_of_columns("id,")));
-  EXPECT_EQ(stepped_refusal({"--decimal", ";"}), message("--decimal", not_a_decimal_mark(";")));
-  EXPECT_EQ(stepped_refusal({"--output-dir", "a", "--suffix", "a/b"}),
-            message("--suffix", not_a_part_of_a_name("a/b")));
+  EXPECT_THAT(stepped_refusal({"--group", "id,"}), about("--group", "id,", "has an empty item"));
+  EXPECT_THAT(stepped_refusal({"--decimal", ";"}), about("--decimal", ";", "is not a decimal mark"));
+  EXPECT_THAT(stepped_refusal({"--output-dir", "a", "--suffix", "a/b"}), about("--suffix", "a/b", "contains /"));
 }
 
 TEST(Values, fields_are_chosen_in_order_each_once) {
@@ -163,11 +168,46 @@ TEST(Values, names_come_from_the_tables) {
 TEST(Values, pictures) {
   EXPECT_EQ(axis_names("x:3"), (std::vector<std::string>{"x", "3"}));
   EXPECT_EQ(picture_size("800x600").height, 600);
-  EXPECT_EQ(stepped_refusal({"-f", "svg", "--axes", "x"}), message("--axes", not_two_axes("x")));
+  EXPECT_THAT(stepped_refusal({"-f", "svg", "--axes", "x"}), about("--axes", "x", "is not a pair of axes"));
   for (const char* size : {"800", "800x", "99x600", "800x10001", "-800x600", "800x600x2"}) {
     EXPECT_THAT(stepped_refusal({"--plot", std::string("--size=") + size}),
                 testing::HasSubstr("expected width and height"))
         << size;
+  }
+}
+
+TEST(RotationValues, several_rotations_of_different_forms) {
+  bool none = false;
+  const auto all = rotations("quaternion=a:b:c:d,axis-angle=e:f:g:h,relative,euler=i:j:k,order=ZYX", none);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_FALSE(none);
+  EXPECT_EQ(all[0].notation.form, RotationForm::quaternion);
+  EXPECT_THAT(all[0].columns, ElementsAre("a", "b", "c", "d"));
+  EXPECT_FALSE(all[0].relative);
+  EXPECT_EQ(all[1].notation.form, RotationForm::axis_angle);
+  EXPECT_TRUE(all[1].relative);
+  EXPECT_THAT(all[2].columns, ElementsAre("i", "j", "k"));
+  EXPECT_THAT(all[2].notation.axes, ElementsAre(2, 1, 0));
+  const auto matrix = rotations("matrix=1:2:3:5:6:7:9:10:11", none);
+  EXPECT_EQ(matrix.at(0).notation.form, RotationForm::matrix);
+  EXPECT_THAT(matrix[0].columns, ElementsAre("1", "2", "3", "5", "6", "7", "9", "10", "11"));
+}
+
+TEST(RotationValues, small_letters_are_axes_at_rest) {
+  EXPECT_TRUE(rotation_form("euler=XYZ").intrinsic);
+  EXPECT_FALSE(rotation_form("euler=zxz").intrinsic);
+  EXPECT_THAT(rotation_form("euler=zxz").axes, ElementsAre(2, 0, 2));
+  EXPECT_EQ(rotation_form("matrix").form, RotationForm::matrix);
+}
+
+TEST(RotationValues, others_are_refused) {
+  for (const std::string value :
+       {"quaternion", "quaternion=a:b:c", "quaternion=a:b:c:", "euler=a:b:c", "order=XYZ",
+        "quaternion=a:b:c:d,relative", "none,quaternion=a:b:c:d", "matrix=a:b", "euler=a:b:c,order=XYZ,order=XYZ"}) {
+    EXPECT_THAT(refusal({"--rotation", value}), HasSubstr("--rotation: \"" + value + "\" ")) << value;
+  }
+  for (const std::string value : {"euler", "euler=XXY", "euler=XyZ", "euler=XY", "euler=ABC", "axis"}) {
+    EXPECT_THAT(refusal({"--rotation-output", value}), HasSubstr("\"" + value + "\"")) << value;
   }
 }
 

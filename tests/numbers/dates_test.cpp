@@ -1,7 +1,12 @@
 // Dates: their forms, dates that do not exist, and back again.
 #include "numbers/dates.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+#include <string>
 
 namespace tcb {
 namespace {
@@ -55,6 +60,31 @@ TEST(Dates, have_other_forms_in_no_text) {
                            "2024-02-29 12:00:00+1", "2024-02-29  12:00:00", "1.2.24", "2024-02-29 12:00:00Zx"}) {
     EXPECT_FALSE(find_date_format(text)) << text;
   }
+}
+
+TEST(Dates, of_the_usual_form_have_the_same_seconds) {
+  std::mt19937 random(20241126);
+  const auto number = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
+  int read = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const DateOrder order = std::array{DateOrder::ymd, DateOrder::dmy, DateOrder::mdy}[static_cast<std::size_t>(i % 3)];
+    const std::string day = order == DateOrder::ymd
+                                ? fmt::format("{:04}-{:02}-{:02}", number(9999), number(13), number(32))
+                                : fmt::format("{:02}.{:02}.{:04}", number(32), number(13), number(9999));
+    const std::string fraction = i % 4 == 0 ? fmt::format(".{}", number(999)) : i % 4 == 1 ? "." : "";
+    const bool has_zone = i % 2 == 0;
+    const std::string text = fmt::format("{}{}{:02}:{:02}:{:02}{}{}", day, i % 5 == 0 ? 'T' : ' ', number(24),
+                                         number(60), number(60), fraction, has_zone ? "Z" : "");
+    const auto usual = read_usual_date(text, order, has_zone);
+    if (!usual) continue;
+    ++read;
+    const auto part = usual->fraction.empty() ? Rational(0) : *parse_rational("0." + std::string(usual->fraction));
+    EXPECT_EQ(read_date(text, order), Rational(usual->seconds) + part) << text;
+    EXPECT_EQ(find_date_format(text)->zone.empty(), !has_zone) << text;
+  }
+  EXPECT_GT(read, 5'000);
+  EXPECT_FALSE(read_usual_date("2024-02-29 12:00:00+01:00", DateOrder::ymd, true));
+  EXPECT_FALSE(read_usual_date("2024-02-30 12:00:00", DateOrder::ymd, false));
 }
 
 TEST(Dates, that_do_not_exist_have_no_seconds) {

@@ -23,7 +23,11 @@ TEST(TimeNotation, is_found_by_the_form) {
   EXPECT_EQ(find_notation("2024-02-29T12:00:00Z"), zoned_date);
   EXPECT_EQ(find_notation("2024-02-29T12:00:00.5-07:30"), zoned_date);
   EXPECT_EQ(find_notation("2024-02-29 12:00:00"), date);
-  for (const char* text : {"", "12", "1:2:3", "01:02", "01:02:03.", "2024-02-29T", "a", "01:02:03:4", "-01:02:03"}) {
+  EXPECT_EQ(find_notation("90:05.5"), clock);
+  EXPECT_EQ(find_notation("0 days 00:00:01.5"), clock);
+  EXPECT_EQ(find_notation("1 day, 0:00:01"), clock);
+  EXPECT_EQ(find_notation("01:02:03:04.541"), smpte);
+  for (const char* text : {"", "12", "1:2:3", "01:2", "01:02:03.", "2024-02-29T", "a", "01:02:03:4", "-01:02:03"}) {
     EXPECT_FALSE(find_notation(text)) << text;
   }
 }
@@ -31,6 +35,11 @@ TEST(TimeNotation, is_found_by_the_form) {
 TEST(TimeNotation, has_exact_seconds) {
   EXPECT_EQ(read("01:02:03.25"), Rational(14893, 4));
   EXPECT_EQ(read("00:00:01:12"), Rational(3, 2));
+  EXPECT_EQ(read("00:00:01:12.6"), Rational(3, 2) + Rational(1, 40));
+  EXPECT_EQ(read("1:02"), Rational(62));
+  EXPECT_EQ(read("90:05.5"), Rational(10811, 2));
+  EXPECT_EQ(read("2 days 00:00:01.5"), Rational(345603, 2));
+  EXPECT_EQ(read("1 day, 0:00:01"), Rational(86401));
   EXPECT_EQ(read("00:01:00;02", ntsc), Rational(1800) / ntsc);
   EXPECT_EQ(read("00:10:00;00", ntsc), Rational(17982) / ntsc);
   EXPECT_EQ(read("1970-01-01T00:00:00Z"), Rational(0));

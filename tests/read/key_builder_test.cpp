@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "read/csv/errors.hpp"
-
 namespace tcb {
 namespace {
 
@@ -23,7 +21,7 @@ void add(KeyBuilder& keys, double time, bool has_x = true) {
   keys.set_time(Time(time));
   if (has_x) keys.number(columns.cells[2]) = 10 * time;
   if (!has_x && !keys.miss(columns.cells[2])) {
-    keys.add_fault(number_is_missing("x", "").at({"", 1, 1}));
+    keys.add_fault(data_error("x: found an empty cell").at({"", 1, 1}));
   }
   keys.number(columns.cells[3]) = 20 * time;
   if (keys.end_key()) keys.set_position(static_cast<std::uint64_t>(time), 1);

@@ -1,5 +1,5 @@
 // Sample columns: the time, the groups, and every other column of numbers.
-#include "schema/sample_columns.hpp"
+#include "schema/columns.hpp"
 
 #include <gmock/gmock.h>
 

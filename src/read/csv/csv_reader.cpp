@@ -8,8 +8,8 @@
 
 #include "io/encoding.hpp"
 #include "numbers/parse_number.hpp"
+#include "option_names.hpp"
 #include "read/csv/delimiter.hpp"
-#include "read/csv/errors.hpp"
 #include "read/csv/invalid_number.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/csv/tokenizer.hpp"
@@ -18,10 +18,21 @@
 #include "read/key_builder.hpp"
 #include "schema/usual_names.hpp"
 #include "stream/ordered_map.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+/// A cell without a number, as the beginning of a sentence shows it.
+std::string missing_cell(std::string_view cell) { return cell.empty() ? "an empty cell" : in_quotes(cell); }
+
+Error wrong_number_of_cells(std::size_t cells, std::size_t expected) {
+  return data_error(
+      "the number of cells in the row is {}, but {} in the rows above; expected the same "
+      "number; complete or correct the row, or give the delimiter with {}",
+      cells, expected, option::delimiter);
+}
 
 /// A cell as a text of a key: a whole number as a number, everything else as a string.
 std::string text_of(std::string_view cell) {
@@ -46,6 +57,8 @@ class RecordReader {
         keys_(head.columns, head.rules, head.units) {
     const auto time = std::ranges::find(head.columns.cells, Role::time, &Columns::Column::role);
     time_cell_ = static_cast<std::size_t>(time - head.columns.cells.begin());
+    const auto clock = std::ranges::find(head.columns.cells, Role::clock, &Columns::Column::role);
+    clock_cell_ = static_cast<std::size_t>(clock - head.columns.cells.begin());
   }
 
   KeyBlock read() {
@@ -66,6 +79,11 @@ class RecordReader {
     if (tokenizer_.broken()) keys_.break_curve();
     if (more && well_formed) add_key();
     return more;
+  }
+
+  /// The characters of a number, without quotes, and without its unit where these are removed.
+  std::string_view number_text(std::string_view cell) const {
+    return head_.strips_units ? without_unit_of_number(bare(cell)) : bare(cell);
   }
 
   void add_key() {
@@ -91,20 +109,24 @@ class RecordReader {
         break;
       case Role::group:
       case Role::carry: read_text(cell, column); break;
+      case Role::clock: break;  // read with the date
       case Role::time:
-        if (const auto time = decimals_.time(bare(cell));
-            time && !is_given_sign(cell) && keys_.has_times_as_numbers()) {
+        if (clock_cell_ < cells_.size()) {
+          read_date_and_clock(cell, column);
+        } else if (!keys_.has_times_as_numbers()) {
+          if (!keys_.set_time_in_words(column, bare(cell))) read_no_number(cell, column);
+        } else if (const auto time = decimals_.time(number_text(cell)); time && !is_given_sign(cell)) {
           keys_.set_time(*time);
-          if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(bare(cell)));
+          if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(number_text(cell)));
           if (keys_.scales()) scale(cell, column);
-        } else if (!keys_.set_time_in_words(column, unquoted(cell))) {
+        } else {
           read_no_number(cell, column);
         }
         break;
       default:
-        if (const auto number = decimals_.number(bare(cell)); number && !is_given_sign(cell)) {
+        if (const auto number = decimals_.number(number_text(cell)); number && !is_given_sign(cell)) {
           keys_.number(column) = *number;
-          if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(bare(cell)));
+          if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(number_text(cell)));
           if (keys_.scales()) scale(cell, column);
         } else {
           read_no_number(cell, column);
@@ -112,38 +134,68 @@ class RecordReader {
     }
   }
 
+  /// The time whose date is in this cell, and whose time of day is in another.
+  void read_date_and_clock(std::string_view cell, const Columns::Column& column) {
+    const std::string_view clock = cells_[clock_cell_];
+    if (is_missing_sign(number_text(clock), head_.rules.signs)) return read_no_number(clock, column);
+    const std::string text = unquoted(cell) + " " + unquoted(clock);
+    if (keys_.set_time_in_words(column, text)) return;
+    if (is_missing_sign(number_text(cell), head_.rules.signs)) return read_no_number(cell, column);
+    const std::string name = head_.columns.time;
+    add_fault(cell, find_notation(text) == head_.units.notation ? no_such_time(name, text)
+                                                                : time_in_other_notation(name, text));
+  }
+
   void scale(std::string_view cell, const Columns::Column& column) {
-    if (keys_.scale(column, decimals_.text(bare(cell)))) return;
+    if (keys_.scale(column, decimals_.text(number_text(cell)))) return;
     add_fault(cell, number_beyond_doubles(head_.columns.name_of(column), unquoted(cell)));
   }
 
   /// A number such as -999 may be a sign of a missing one.
   bool is_given_sign(std::string_view cell) const {
     const auto& signs = head_.rules.signs;
-    return !signs.empty() && std::ranges::count(signs, bare(cell)) > 0;
+    return !signs.empty() && std::ranges::count(signs, number_text(cell)) > 0;
   }
 
   /// A number in a column of text is a fault: that is a column of numbers with other texts in it.
   void require_text(std::string_view cell) {
-    if (!decimals_.number(bare(cell))) return;
-    add_fault(cell, number_in_text_column(fmt::format("column {}", index_of(cell) + 1), unquoted(cell)));
+    if (!decimals_.number(number_text(cell))) return;
+    add_fault(cell, data_error("{}: {} is a number in a column of text; expected only numbers or only text; give the "
+                               "text that stands for missing numbers to {}, or leave the column out with {} "
+                               "position=NAME:NAME",
+                               fmt::format("column {}", index_of(cell) + 1), in_quotes(unquoted(cell)), option::na,
+                               option::columns));
   }
 
   void read_no_number(std::string_view cell, const Columns::Column& column) {
-    if (is_missing_sign(bare(cell), head_.rules.signs) && keys_.miss(column)) return;
+    if (is_missing_sign(number_text(cell), head_.rules.signs) && keys_.miss(column)) return;
     const std::string text = unquoted(cell);
     const std::string name = head_.columns.name_of(column);
     const bool is_time = column.role == Role::time;
     if (is_missing_sign(text, head_.rules.signs)) {
       const bool is_of_time = is_time || column.role == Role::nanoseconds;
-      add_fault(cell, head_.columns.are_segments ? number_of_segment_is_missing(name, text)
-                      : is_of_time               ? time_is_missing(name, text)
-                                                 : number_is_missing(name, text));
+      add_fault(
+          cell,
+          head_.columns.are_segments
+              ? data_error("{}: found {}; expected a number, as each row is a whole segment; fill it in, or remove "
+                           "the row",
+                           name, missing_cell(text))
+          : is_of_time ? data_error("{}: found {}; expected a time; fill it in, or give {} skip-row or break", name,
+                                    missing_cell(text), option::missing)
+                       : data_error("{}: found {}; expected a number; fill it in, or give {} skip-row, skip-cell or "
+                                    "break",
+                                    name, missing_cell(text), option::missing));
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
       const bool has_notation = head_.units.notation == find_notation(text);
       add_fault(cell, has_notation ? no_such_time(name, text) : time_in_other_notation(name, text));
     } else if (is_word(text, column)) {
-      add_fault(cell, word_in_column_of_numbers(name, text));
+      add_fault(
+          cell,
+          data_error(
+              "{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or give {} {} to "
+              "leave the column out, {} {} to keep it in the rows, or {} {} if it tells curves apart",
+              name, in_quotes(text), option::columns, in_shell(fmt::format("ignore={}", name)), option::columns,
+              in_shell(fmt::format("carry={}", name)), option::group, in_shell(name)));
     } else {
       add_fault(cell, why_not_number(name, text, head_.marks));
     }
@@ -164,8 +216,14 @@ class RecordReader {
     std::string text = text_of(cell);
     if (!head_.encoding.empty()) text = in_utf8(text, Encoding::windows_1252).value_or(text);
     const std::size_t invalid = find_invalid_utf8(text);
-    if (invalid != std::string::npos) add_fault(cell, cell_not_utf8(unquoted(cell), text[invalid]));
-    if (content(text).empty() && !keys_.miss(column)) add_fault(cell, group_is_empty(head_.columns.name_of(column)));
+    if (invalid != std::string::npos)
+      add_fault(cell, data_error("{} has the byte {:02X}, which is not UTF-8; expected UTF-8; convert the text, for "
+                                 "example with iconv -f WINDOWS-1252 -t UTF-8",
+                                 in_quotes(unquoted(cell)), static_cast<unsigned char>(text[invalid])));
+    if (content(text).empty() && !keys_.miss(column))
+      add_fault(cell, data_error("{}: found an empty cell; expected the name of a curve; fill it in, or give {} "
+                                 "skip-row",
+                                 head_.columns.name_of(column), option::missing));
     keys_.set_text(column, std::move(text));
   }
 
@@ -178,14 +236,83 @@ class RecordReader {
   Decimals decimals_;
   KeyBuilder keys_;
   std::vector<std::string_view> cells_;
-  std::size_t time_cell_ = 0;
+  std::size_t time_cell_ = 0, clock_cell_ = 0;
 };
+
+/// Drops lines at the beginning. Throws: Error (data) where there are fewer.
+Source<std::string> without_lines(Source<std::string> bytes, std::uint64_t lines) {
+  return [bytes = std::move(bytes), lines]() mutable -> std::optional<std::string> {
+    std::optional<std::string> text = bytes();
+    while (lines > 0) {
+      if (!text) {
+        throw data_error("the input ends within the lines that {} skips; expected more lines; give a smaller number",
+                         option::skip_lines);
+      }
+      std::size_t at = 0;
+      while (lines > 0 && (at = text->find('\n')) != std::string::npos) {
+        text->erase(0, at + 1);
+        --lines;
+      }
+      if (lines > 0 || text->empty()) text = bytes();
+      if (!text && lines == 0) return std::nullopt;
+    }
+    return text;
+  };
+}
+
+/// The line at which a table seems to begin below other lines, and its delimiter: two lines at least of the same number
+/// of cells that are mostly numbers, and the line of names directly above them. Nothing where that is the first line.
+struct LaterTable {
+  std::uint64_t line;  ///< from 1
+  char delimiter;
+};
+std::optional<LaterTable> find_later_table(std::string_view text, const Dialect& dialect) {
+  const std::vector<std::string_view> lines = split(text, '\n');
+  for (const char delimiter : std::string_view("\t;, ")) {
+    const auto cells_in = [&](std::string_view line) {
+      std::vector<std::string_view> cells;
+      for (std::string_view cell : split(line, delimiter)) {
+        while (!cell.empty() && (cell.back() == '\r' || Dialect::is_blank(cell.back()))) cell.remove_suffix(1);
+        while (!cell.empty() && Dialect::is_blank(cell.front())) cell.remove_prefix(1);
+        if (delimiter != ' ' || !cell.empty()) cells.push_back(cell);
+      }
+      return cells;
+    };
+    const auto is_of_numbers = [](const std::vector<std::string_view>& cells) {
+      const auto numbers = std::ranges::count_if(cells, [](auto cell) { return parse_number(bare(cell)).has_value(); });
+      return cells.size() > 1 && 2 * static_cast<std::size_t>(numbers) > cells.size();
+    };
+    for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
+      const auto one = cells_in(lines[i]), two = cells_in(lines[i + 1]);
+      if (!is_of_numbers(one) || !is_of_numbers(two) || one.size() != two.size()) continue;
+      std::size_t head = i;  // the last line above that is not blank, if it names the columns
+      while (head > 0 && cells_in(lines[head - 1]).size() <= 1) --head;
+      auto names = head > 0 ? cells_in(lines[head - 1]) : std::vector<std::string_view>{};
+      if (head > 1 && names.size() == one.size() && std::ranges::all_of(names, is_unit)) {
+        names = cells_in(lines[--head - 1]);
+      }
+      const bool are_names = names.size() == one.size() && !is_of_numbers(names);
+      const std::size_t line = are_names ? head : i + 1;
+      if (!are_names && line == 2) return std::nullopt;  // the first line may be a header with a fault
+      const auto is_text = [&](std::string_view above) {
+        return above.find_first_not_of(" \t\r") != std::string_view::npos && !dialect.is_comment(above);
+      };
+      const bool has_preamble =
+          std::any_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(line - 1), is_text);
+      return has_preamble ? std::optional(LaterTable{line, delimiter}) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
 
 /// Whether the first line ends with CR and LF.
 bool has_crlf(std::string_view text) {
   const std::size_t end = text.find('\n');
   return end != std::string_view::npos && text.substr(0, end).ends_with('\r');
 }
+
+/// The most text in which a table is looked for below other lines.
+constexpr std::size_t most_of_preamble = 1UL << 16;
 
 /// Whether a quoted number with a decimal comma occurs, so that a comma outside quotes is the delimiter.
 bool has_quoted_decimal(std::string_view text) {
@@ -203,29 +330,56 @@ bool has_quoted_decimal(std::string_view text) {
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
 
 Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
+  if (options.delimited.skipped_lines > 0) bytes = without_lines(std::move(bytes), options.delimited.skipped_lines);
   const std::optional<char> named = take_named_delimiter(bytes);
   const std::optional<char> delimiter = options.delimited.delimiter ? options.delimited.delimiter : named;
   Beginning beginning;
   if (delimiter) beginning.delimiter = *delimiter;
   if (!delimiter) beginning = find_delimiter(bytes, options.delimited);
   if (named) ++beginning.line;
+  beginning.line += options.delimited.skipped_lines;
   if (!options.delimited.head.empty()) {
     bytes = preceded_by(options.delimited.head + "\n", std::move(bytes));
     --beginning.line;
   }
   const Dialect dialect{beginning.delimiter, options.delimited.comment, options.columns.samples.has_value()};
   const bool is_decimal = dialect.delimiter == options.delimited.marks.decimal;
-  if (is_decimal && !has_quoted_decimal(beginning.text)) throw decimal_comma_is_delimiter();
+  if (is_decimal && !has_quoted_decimal(beginning.text))
+    throw data_error(
+        "the comma is both the decimal mark and the delimiter; expected different characters; "
+        "give another delimiter with {}, or remove {}",
+        option::delimiter, option::decimal);
+  const std::string first = beginning.text.substr(0, most_of_preamble);
+  const std::uint64_t first_line = beginning.line;
   Source<Chunk> chunks =
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
   std::vector<Chunk> rest;
-  const auto head = std::make_shared<const DelimitedHead>(read_head(chunks, dialect, options, rest));
+  const auto head = std::make_shared<const DelimitedHead>([&] {
+    try {
+      return read_head(chunks, dialect, options, rest);
+    } catch (const Error& error) {
+      const auto table =
+          options.delimited.head.empty() && !options.columns.samples ? find_later_table(first, dialect) : std::nullopt;
+      if (!table || error.exit() != Exit::data) throw;
+      const std::uint64_t line = first_line + table->line - 1;
+      const std::string also =
+          delimiter ? "" : fmt::format(" ({})", error.message().substr(0, error.message().find(';')));
+      throw data_error(
+          "the lines above line {} are no part of the table that seems to begin there{}; expected a table from "
+          "the first line on; give {} {}",
+          line, also, option::skip_lines, line - 1)
+          .at({"", first_line, 0});
+    }
+  }());
   const bool crlf = has_crlf(rest.front().text);
   for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
   const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
   Records records{head->columns, head->units.notation, head->units.dates, head->units.epoch_unit};
   records.marks = {dialect.delimiter, options.delimited.marks.decimal, crlf};
   records.facts.encoding = head->encoding;
+  records.facts.doubts = head->columns.doubts;
+  records.facts.time_gap = head->time_gap;
+  records.time_unit = head->time_unit;
   records.facts.names_quaternion = head->names_quaternion;
   records.facts.comment = dialect.comment;
   records.keys.blocks = ordered_map(std::move(chunks), parse, options.threads);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "read/csv/dialect.hpp"
 #include "read/csv/splitter.hpp"
+#include "read/csv/tokenizer.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {

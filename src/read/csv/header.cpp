@@ -5,22 +5,60 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "io/encoding.hpp"
 #include "numbers/parse_number.hpp"
-#include "read/csv/errors.hpp"
+#include "option_names.hpp"
 #include "read/csv/invalid_number.hpp"
 #include "read/csv/tokenizer.hpp"
-#include "schema/near_misses.hpp"
-#include "schema/rotation_columns.hpp"
+#include "schema/doubts.hpp"
+#include "schema/usual_names.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+Error in_possible_text_column(const Error& error) {
+  return {error.exit(),
+          fmt::format("{}; or name the columns to take with {} position=NAME:NAME", error.message(), option::columns)};
+}
+
+Error row_unlike_header(std::size_t cells, std::size_t names) {
+  return data_error(
+      "the number of cells in the first row is {}, but {} in the header; expected the same "
+      "number; correct one of them, or give the delimiter with {}",
+      cells, names, option::delimiter);
+}
+
+Error header_unclear(std::string_view text_cell, std::string_view number_cell) {
+  return data_error(
+      "the first record has both text, {}, and a number, {}; expected only names or only "
+      "numbers; give {} if they are names, {} if they are not",
+      in_quotes(text_cell), in_quotes(number_cell), option::header, option::no_header);
+}
+
+Error samples_header_unclear(std::string_view text_cell, std::string_view number_cell) {
+  return data_error(
+      "the first record has both text, {}, and a number, {}; expected only names or only "
+      "numbers; add a line of names above it, or remove the text",
+      in_quotes(text_cell), in_quotes(number_cell));
+}
+
+Error other_delimiter_likely(char delimiter, char likely_delimiter) {
+  const bool is_control = likely_delimiter < ' ';
+  const std::string argument = likely_delimiter == '|' ? "pipe"
+                               : is_control ? fmt::format("$'\\x{:02X}'", static_cast<unsigned>(likely_delimiter))
+                                            : fmt::format("'{}'", likely_delimiter);
+  return {Exit::data,
+          fmt::format("the rows have no delimiter {}, but each has {}; expected cells between delimiters; "
+                      "give {} {}",
+                      in_quotes({&delimiter, 1}), in_quotes({&likely_delimiter, 1}), option::delimiter, argument)};
+}
 
 using HeadCells = std::vector<std::string_view>;
 
@@ -86,6 +124,7 @@ class HeadRecords {
 /// Whether the cell looks like a number. One with the other decimal mark, or with
 /// separators of thousands, does too, and is an error later.
 bool may_be_number(std::string_view cell, const DelimitedHead& head) {
+  if (head.strips_units) cell = without_unit_of_number(cell);
   return is_missing_sign(cell, head.rules.signs) || Decimals({}).looks_numeric(cell) ||
          Decimals(head.marks).looks_numeric(cell) || has_thousands_separators(cell) ||
          (head.dialect.delimiter != ',' && Decimals({','}).looks_numeric(cell));
@@ -104,6 +143,21 @@ bool is_header(const HeadRecords::Record& record, const DelimitedHead& head,
     cells = cells.first(cells.size() - samples->labels.size()).subspan(samples->groups.size());
   }
   return !std::ranges::all_of(cells, [&](const auto& cell) { return may_be_value(cell, head); });
+}
+
+/// The columns in which the first two records have the same word, so that the first record is no header; empty where it
+/// has no number either.
+std::vector<std::size_t> repeated_words(const HeadRecords& first, const DelimitedHead& head) {
+  if (first.records.size() < 2) return {};
+  const auto &one = first.records[0].cells, &two = first.records[1].cells;
+  if (one.size() != two.size()) return {};
+  const auto is_number = [&](const std::string& cell) { return !cell.empty() && may_be_value(cell, head); };
+  if (std::ranges::none_of(one, is_number)) return {};
+  std::vector<std::size_t> words;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    if (!may_be_value(one[i], head) && one[i] == two[i]) words.push_back(i);
+  }
+  return words;
 }
 
 /// A column holds numbers unless both of the first two data records have text in it, or it has neither cells nor a
@@ -130,7 +184,12 @@ std::string convert_names(std::vector<std::string>& names, const TextPosition& p
     const std::size_t invalid = find_invalid_utf8(name);
     if (invalid == std::string::npos) continue;
     const auto converted = in_utf8(name, Encoding::windows_1252);
-    if (!converted) throw column_name_not_utf8(name, name[invalid]).at(position);
+    if (!converted)
+      throw data_error(
+          "the column name {} has the byte {:02X}, which is not UTF-8; expected UTF-8; convert "
+          "the text, for example with iconv -f WINDOWS-1252 -t UTF-8",
+          in_quotes(name), static_cast<unsigned char>(name[invalid]))
+          .at(position);
     name = *converted;
     are_converted = true;
   }
@@ -178,8 +237,7 @@ void require_names_for_cells(const std::vector<std::string>& names, const HeadRe
 }
 
 /// Throws: Error (data) if a column of text begins like a number in its first record.
-void require_text(const Chunk& data, const DelimitedHead& head, const std::vector<bool>& numeric,
-                  const std::vector<std::string>& names) {
+void require_text(const Chunk& data, const DelimitedHead& head, const std::vector<bool>& numeric) {
   Tokenizer tokenizer(data, head.dialect);
   HeadCells cells;
   tokenizer.next(cells);
@@ -189,10 +247,7 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
     constexpr std::string_view minus = "\xE2\x88\x92";  // U+2212
     const std::size_t digit = cell.starts_with(minus) ? minus.size() : cell.find_first_not_of("+-.,");
     if (digit >= cell.size() || cell[digit] < '0' || cell[digit] > '9') continue;
-    if (find_notation(cell) && !head.columns.has(Role::time)) {
-      const auto name = i < names.size() ? names[i] : fmt::format("{}", i + 1);
-      throw times_in_text_column(name, cell).at(tokenizer.position(cells[i]));
-    }
+    if (find_notation(cell)) continue;
     throw in_possible_text_column(why_not_number(fmt::format("column {}", i + 1), cell, head.marks))
         .at(tokenizer.position(cells[i]));
   }
@@ -211,6 +266,23 @@ void require_numbers(const HeadRecords::Record& record, const std::vector<std::s
     const std::string name = i < names.size() ? names[i] : fmt::format("column {}", i + 1);
     throw why_not_number(name, cell, head.marks).at({"", record.line, 0});
   }
+}
+
+/// Whether a record below the names has their units: some, and nothing else.
+bool are_units(const std::vector<std::string>& cells) {
+  const auto is_empty = [](const std::string& cell) { return cell.empty() || cell == "-" || cell == "none"; };
+  return !std::ranges::all_of(cells, is_empty) &&
+         std::ranges::all_of(cells, [&](const std::string& cell) { return is_empty(cell) || is_unit(cell); });
+}
+
+/// Notes that there is a row of units, and takes that of the times.
+void take_units(DelimitedHead& head, const std::vector<std::string>& units, const UnitOptions& options) {
+  head.columns.doubts.push_back(fmt::format("the line below the names is taken as units: {}", listed(units)));
+  const auto time = std::ranges::find(head.columns.cells, Role::time, &Columns::Column::role);
+  const auto cell = static_cast<std::size_t>(time - head.columns.cells.begin());
+  if (cell >= units.size() || options.time || unit_of_time(head.columns.time)) return;
+  const std::string_view unit = without_brackets(units[cell]);
+  head.time_unit = unit_of_time(fmt::format("t [{}]", unit));
 }
 
 /// Throws: Error (data) if the first record may be a header, or a key with a misspelt number: one of its cells is
@@ -244,28 +316,212 @@ void require_delimiter(const HeadRecords& first, const Dialect& dialect) {
 [[noreturn]] void refuse_header_alone(const HeadRecords::Record& record) {
   const bool carriage_returns =
       std::ranges::any_of(record.cells, [](const auto& cell) { return cell.find('\r') != std::string::npos; });
-  throw(carriage_returns ? lines_end_in_carriage_returns() : header_without_rows()).at({"", record.line, 1});
+  throw(carriage_returns
+            ? data_error("the input is a single line that contains carriage returns; expected a line for each key; "
+                         "change them to line feeds, as in tr '\\r' '\\n'")
+            : data_error("no row follows the header; expected a row for each key; see {}", option::help))
+      .at({"", record.line, 1});
 }
 
-/// The rotation that both of the first two records may have.
-std::optional<spline::RotationForm> likely_rotation_of(const HeadRecords& first, const NumberMarks& marks) {
-  if (first.records.size() < 2) return std::nullopt;
-  std::array<std::optional<spline::RotationForm>, 2> found;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    std::vector<double> numbers;
-    for (const std::string& cell : first.records[i].cells) {
-      numbers.push_back(Decimals(marks).number(cell).value_or(std::numeric_limits<double>::quiet_NaN()));
-    }
-    found[i] = likely_rotation(numbers);
-  }
-  return found[0] == found[1] ? found[0] : std::nullopt;
-}
-
-/// The cell of the time, without quotes; empty where there is none.
+/// The text of the time, without quotes: a date with its time of day where these are two cells; empty where there is
+/// none.
 std::string first_time(const std::vector<std::string>& cells, const Columns& columns) {
+  const auto text_of = [&](Role role) -> std::string {
+    const auto found = std::ranges::find(columns.cells, role, &Columns::Column::role);
+    const auto index = static_cast<std::size_t>(found - columns.cells.begin());
+    return index < cells.size() ? cells[index] : "";
+  };
+  const std::string time = text_of(Role::time);
+  return columns.has(Role::clock) ? time + " " + text_of(Role::clock) : time;
+}
+
+/// The cells of the first records, without reading further.
+std::vector<std::vector<std::string>> cells_of(const Chunk& data, const Dialect& dialect) {
+  constexpr std::size_t most = 200;
+  std::vector<std::vector<std::string>> rows;
+  Tokenizer tokenizer(data, dialect);
+  try {
+    for (HeadCells cells; rows.size() < most && tokenizer.next(cells);) rows.push_back(texts(cells));
+  } catch (const Error&) {
+    return rows;  // the record is refused when it is read as a key
+  }
+  return rows;
+}
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// The mean gap between the times of the first records; nothing unless they are whole numbers that increase.
+std::optional<double> time_gap_of(const Rows& rows, const Columns& columns, const NumberMarks& marks) {
   const auto time = std::ranges::find(columns.cells, Role::time, &Columns::Column::role);
-  const auto index = static_cast<std::size_t>(time - columns.cells.begin());
-  return index < cells.size() ? cells[index] : "";
+  const auto cell = static_cast<std::size_t>(time - columns.cells.begin());
+  std::vector<double> times;
+  for (const auto& row : rows) {
+    const auto number = cell < row.size() ? Decimals(marks).number(row[cell]) : std::nullopt;
+    if (!number || *number != std::floor(*number) || (!times.empty() && *number <= times.back())) return std::nullopt;
+    times.push_back(*number);
+  }
+  if (times.size() < 2 || columns.has(Role::nanoseconds)) return std::nullopt;
+  return (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+}
+
+/// What columns mean by rules that look at their cells, as requests, with notes.
+class RolesByCells {
+ public:
+  RolesByCells(std::vector<std::string>& names, const std::vector<bool>& numeric, const Rows& rows,
+               const ColumnOptions& requested)
+      : names_(names), numeric_(numeric), rows_(rows), requested_(requested) {}
+
+  /// The request, with the roles that follow from cells. Throws: Error (data) where an index may be the time.
+  ColumnOptions complete() {
+    const bool is_given = has(Role::time) || requested_.timeless;
+    if (!is_given) take_date_and_clock();
+    if (!names_.empty()) take_index();
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (names_[i].empty()) names_[i] = fmt::format("column {}", i + 1);
+    }
+    return requested_;
+  }
+  std::vector<std::string> notes() { return std::move(notes_); }
+
+ private:
+  bool has(Role role) const { return std::ranges::count(requested_.roles, role, &RoleRequest::role) > 0; }
+
+  bool is_requested(std::size_t cell) const {
+    return std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
+      return std::ranges::count(role.columns, fmt::format("{}", cell + 1)) > 0 ||
+             (cell < names_.size() && std::ranges::count(role.columns, names_[cell]) > 0);
+    });
+  }
+
+  void request(Role role, std::size_t cell) {
+    const bool is_unique =
+        cell < names_.size() && !names_[cell].empty() && std::ranges::count(names_, names_[cell]) == 1;
+    requested_.roles.push_back({role, {is_unique ? names_[cell] : fmt::format("{}", cell + 1)}});
+  }
+
+  std::optional<TimeNotation> notation(std::size_t cell) const {
+    return cell < rows_[0].size() ? find_notation(rows_[0][cell]) : std::nullopt;
+  }
+  /// Whether the cells of a column are dates without a time of day.
+  bool has_days(std::size_t cell) const {
+    if (cell >= rows_[0].size()) return false;
+    const auto format = find_date_format(rows_[0][cell]);
+    return format && format->before_clock == 0;
+  }
+
+  /// Dates in one column and times of day in another are one time.
+  void take_date_and_clock() {
+    std::optional<std::size_t> day, clock;
+    for (std::size_t cell = 0; cell < numeric_.size(); ++cell) {
+      if (is_requested(cell)) continue;
+      const bool is_day = has_days(cell), is_clock = notation(cell) == TimeNotation::clock;
+      if ((is_day && day) || (is_clock && clock)) return;
+      if (is_day) day = cell;
+      if (is_clock) clock = cell;
+    }
+    if (!day || !clock) return;
+    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
+      if (cell != *day && cell != *clock && is_time(cell)) return;
+    }
+    request(Role::time, *day);
+    request(Role::clock, *clock);
+    notes_.push_back(fmt::format("the dates in column {} and the times of day in column {} are taken as one time",
+                                 shown(*day), shown(*clock)));
+  }
+
+  /// Whether another column than the index is the time by its name or a request.
+  bool is_time(std::size_t cell) const {
+    const bool is_of_role = role_of_name(names_[cell]) == Role::time;
+    return is_of_role || (is_usual_time(names_[cell]) && !is_usual_counter(names_[cell]));
+  }
+
+  /// A first column that counts rows is their index, and so is one without a name that repeats dates.
+  void take_index() {
+    if (is_requested(0) || rows_[0].empty() || !is_index_name(names_[0])) return;
+    const bool has_dates = notation(0) && is_date(*notation(0));
+    if (!has_dates && !counts()) return;
+    bool has_time = has(Role::time);
+    for (std::size_t cell = 1; cell < names_.size(); ++cell) has_time = has_time || is_time(cell);
+    const bool is_nameless = names_[0].empty();
+    if (!has_time && !requested_.timeless) {
+      if (!has_dates) {
+        throw data_error(
+            "{} counts the rows, and no other column is the time; expected a column of times; give {} time=1 if it is "
+            "the time, or {} uniform if the keys have no times",
+            is_nameless ? "column 1 has no name and" : fmt::format("column {}", in_quotes(names_[0])), option::columns,
+            option::parameter);
+      }
+      if (is_nameless) names_[0] = "time";
+      request(Role::time, 0);
+      notes_.push_back(fmt::format("the dates in {} are taken as the times",
+                                   is_nameless ? "the first column, which has no name," : "column " + shown(0)));
+      return;
+    }
+    if (has_dates && !is_nameless) return;
+    request(Role::unused, 0);
+    notes_.push_back(fmt::format("column {} is taken as the index of the rows, and is no position", shown(0)));
+  }
+
+  static bool is_index_name(std::string_view name) {
+    constexpr std::array names{"", "index", "unnamed: 0", "row", "#", "rownames", "row_names"};
+    return std::ranges::any_of(names, [&](std::string_view known) { return same_in_any_case(known, name); });
+  }
+
+  /// Whether the first cells of records are 0, 1, 2, ... or 1, 2, 3, ...
+  bool counts() const {
+    constexpr std::size_t enough = 3;
+    for (std::size_t i = 0; i < rows_.size() && i < enough; ++i) {
+      if (rows_[i].empty() || (rows_[i][0] != fmt::format("{}", i) && rows_[i][0] != fmt::format("{}", i + 1))) {
+        return false;
+      }
+      if (i > 0 && (rows_[0][0] == "0") != (rows_[i][0] == fmt::format("{}", i))) return false;
+    }
+    return rows_.size() > 1;
+  }
+
+  std::string shown(std::size_t cell) const {
+    return cell < names_.size() && !names_[cell].empty() ? in_quotes(names_[cell]) : fmt::format("{}", cell + 1);
+  }
+
+  std::vector<std::string>& names_;
+  const std::vector<bool>& numeric_;
+  const Rows& rows_;
+  ColumnOptions requested_;
+  std::vector<std::string> notes_;
+};
+
+/// Sets the columns of keys, with the doubts about them.
+void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, const std::vector<bool>& numeric,
+                      const Rows& rows, const InputOptions& options, const std::vector<std::size_t>& words) {
+  ColumnOptions requested = options.columns;
+  for (const std::size_t cell : words) {
+    const std::string column = fmt::format("{}", cell + 1);
+    const bool is_requested = std::ranges::any_of(
+        requested.roles, [&](const RoleRequest& role) { return std::ranges::count(role.columns, column) > 0; });
+    if (!is_requested) requested.roles.push_back({Role::unused, {column}});
+  }
+  std::vector<std::string> notes;
+  if (!rows.empty() && !head.is_of_format) {
+    RolesByCells by_cells(names, numeric, rows, requested);
+    requested = by_cells.complete();
+    notes = by_cells.notes();
+  }
+  head.columns = find_columns(names, numeric, requested.roles, requested.timeless);
+  if (!head.is_of_format) {
+    const FoundColumns found{
+        .names = names,
+        .rows = rows,
+        .numeric = numeric,
+        .columns = head.columns,
+        .requested = options.columns,
+        .marks = head.marks,
+        .has_rotations = options.rotation.none || !options.rotation.requests.empty(),
+        .has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown || options.has_shown_tcb_scale,
+        .has_header = options.delimited.header.has_value()};
+    std::ranges::copy(doubts_of_columns(found), std::back_inserter(notes));
+  }
+  head.columns.doubts = std::move(notes);
+  head.time_gap = time_gap_of(rows, head.columns, head.marks);
 }
 
 }  // namespace
@@ -276,13 +532,23 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   HeadRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.marks};
   head.is_of_format = !options.delimited.head.empty();
-  if (first.records.size() == (head.is_of_format ? 1U : 0U)) throw columns.samples ? empty_samples() : empty_input();
+  head.strips_units = options.delimited.strips_units;
+  if (first.records.size() == (head.is_of_format ? 1U : 0U))
+    throw columns.samples ? data_error("the file is empty; expected samples; give the file that has them")
+                          : data_error("the input is empty; expected a row for each key; see {}", option::help);
   if (!options.delimited.delimiter) require_delimiter(first, dialect);
-  const bool header = options.delimited.header.value_or(is_header(first.records[0], head, columns.samples));
+  const std::vector<std::size_t> words =
+      options.delimited.header || columns.samples ? std::vector<std::size_t>{} : repeated_words(first, head);
+  const bool is_named = words.empty() && is_header(first.records[0], head, columns.samples);
+  const bool header = options.delimited.header.value_or(is_named);
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
   TextPosition position{"", first.records[0].line, 0};  // of the names
   if (header && !options.delimited.header) require_clear_header(first.records[0], head, columns);
+  std::vector<std::string> units;
+  if (header && !columns.samples && data < first.records.size() && are_units(first.records[data].cells)) {
+    units = first.records[data++].cells;
+  }
   if (data == first.records.size()) refuse_header_alone(first.records[0]);
   if (!header && !options.delimited.header && !first.records[0].comment.empty()) {
     auto above = comment_names(first.records[0].comment, dialect);
@@ -301,15 +567,24 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   const auto numeric = numeric_columns(first, data, names, head);
   require_numbers(row, names, numeric, head);
   at_position(position, [&] {
-    head.columns = columns.samples ? find_sample_columns(names, numeric, *columns.samples, columns.timeless)
-                                   : find_columns(names, numeric, columns.roles, columns.timeless);
-    if (!columns.samples) require_no_near_miss(names, head.columns, columns.roles, columns.timeless);
+    if (columns.samples) {
+      head.columns = find_sample_columns(names, numeric, *columns.samples, columns.timeless);
+    } else {
+      find_key_columns(head, names, numeric, cells_of(rest[0], dialect), options, words);
+    }
+    if (!units.empty()) take_units(head, units, options.units);
     head.units = units_of_keys(options.units, head.columns, first_time(row.cells, head.columns));
   });
-  if (names.empty() && columns.roles.empty()) head.columns.likely_rotation = likely_rotation_of(first, head.marks);
   const bool chosen = std::ranges::any_of(columns.roles, [](const auto& role) { return role.role == Role::position; });
-  if (!chosen && !columns.samples) require_text(rest[0], head, numeric, names);
+  if (!chosen && !columns.samples) require_text(rest[0], head, numeric);
   return head;
+}
+
+Error line_unlike_format(std::size_t cells, std::size_t expected) {
+  return data_error(
+      "the line has {} numbers; expected {}, as the format has; complete the line, or give "
+      "another format to {}",
+      cells, expected, option::input_format);
 }
 
 }  // namespace tcb

@@ -1,10 +1,11 @@
 // Header of delimited text: names and roles of the columns, from the first three records.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "read/chunk.hpp"
-#include "read/csv/dialect.hpp"
+#include "read/csv/tokenizer.hpp"
 #include "read/input_options.hpp"
 #include "schema/columns.hpp"
 #include "schema/key_rules.hpp"
@@ -20,10 +21,16 @@ struct DelimitedHead {
   KeyRules rules;
   KeyUnits units;
   NumberMarks marks = {};
-  bool names_quaternion = false;  ///< x, y, z and w after x, y and z are named as a quaternion
-  std::string encoding = {};      ///< of names and texts, where it is not UTF-8
-  bool is_of_format = false;      ///< the format has the columns, not the text
+  bool names_quaternion = false;           ///< x, y, z and w after x, y and z are named as a quaternion
+  std::string encoding = {};               ///< of names and texts, where it is not UTF-8
+  std::optional<double> time_gap = {};     ///< as in InputFacts
+  bool strips_units = false;               ///< units after numbers are removed
+  std::optional<TimeUnit> time_unit = {};  ///< from a row of units
+  bool is_of_format = false;               ///< the format has the columns, not the text
 };
+
+/// A line of a format with fixed columns has another number of cells.
+Error line_unlike_format(std::size_t cells, std::size_t expected);
 
 /// Dialect and columns, from the header if there is one and the first two records after it; `rest` gets the text that
 /// was read, from the first record of numbers on. Throws: Error (data).

@@ -7,10 +7,24 @@
 #include <string>
 
 #include "numbers/parse_number.hpp"
-#include "read/csv/errors.hpp"
+#include "option_names.hpp"
+#include "schema/usual_names.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+Error number_with_marks(std::string_view column, std::string_view cell, char decimal, char thousands) {
+  const bool has_comma = decimal == ',' && cell.find(',') != std::string_view::npos;
+  const std::string also = has_comma ? fmt::format("{} , ", option::decimal) : "";
+  return {Exit::data,
+          fmt::format("{}: {} is not a number; expected one without thousands separators; remove them, or give {}{} {}",
+                      column, in_quotes(cell), also, option::thousands,
+                      thousands == ' '    ? "space"
+                      : thousands == '\'' ? "apostrophe"
+                      : thousands == '_'  ? "underscore"
+                                          : std::string(1, thousands))};
+}
 
 /// The text with a point where it has a comma.
 std::string with_point(std::string_view text) {
@@ -20,9 +34,9 @@ std::string with_point(std::string_view text) {
 }
 
 /// Marks of numbers in spreadsheets and in texts for people, besides a decimal point alone.
-constexpr std::array other_marks{NumberMarks{'.', ','}, NumberMarks{',', 0},    NumberMarks{',', '.'},
-                                 NumberMarks{',', ' '}, NumberMarks{'.', '\''}, NumberMarks{'.', ' '},
-                                 NumberMarks{',', '\''}};
+constexpr std::array other_marks{NumberMarks{'.', ','},  NumberMarks{',', 0},    NumberMarks{',', '.'},
+                                 NumberMarks{',', ' '},  NumberMarks{'.', '\''}, NumberMarks{'.', ' '},
+                                 NumberMarks{',', '\''}, NumberMarks{'.', '_'},  NumberMarks{',', '_'}};
 
 /// The marks with which the text is a number.
 std::optional<NumberMarks> marks_of(std::string_view text) {
@@ -38,22 +52,63 @@ bool has_thousands_separators(std::string_view text) {
   return marks && marks->thousands != 0 && !parse_number(text);
 }
 
+std::string_view without_unit_of_number(std::string_view cell) {
+  const std::size_t last = cell.find_last_of("0123456789.");
+  // The digit of a unit such as m/s2 is no part of the number.
+  const std::size_t end = cell.find_first_not_of("0123456789.,+-eE'_ ");
+  if (last == std::string_view::npos || end == std::string_view::npos || end == 0) return cell;
+  std::size_t size = end;
+  while (size > 0 && (cell[size - 1] == ' ' || cell[size - 1] == '\t')) --size;
+  return size > 0 && is_unit(cell.substr(end)) ? cell.substr(0, size) : cell;
+}
+
 Error why_not_number(std::string_view column, std::string_view cell, const NumberMarks& marks) {
   if (looks_numeric(cell) || (marks.decimal != '.' && looks_numeric(with_point(cell)))) {
     const bool has_point = marks.decimal != '.' && cell.find('.') != std::string_view::npos;
-    return has_point ? number_with_decimal_point(column, cell) : number_beyond_doubles(column, cell);
+    if (has_point && Decimals({',', '.'}).number(cell)) {
+      return data_error(
+          "{}: {} has a decimal point; expected a decimal comma; correct the cell, give {} . if the point divides "
+          "thousands, or remove {}",
+          column, in_quotes(cell), option::thousands, option::decimal);
+    }
+    return has_point
+               ? data_error("{}: {} has a decimal point; expected a decimal comma; correct the cell, or remove {}",
+                            column, in_quotes(cell), option::decimal)
+               : number_beyond_doubles(column, cell);
   }
   if (const std::optional<NumberMarks> other = marks_of(cell); other && *other != marks) {
     const bool is_fraction = Decimals({','}).number(cell).has_value();
-    if (other->thousands == 0) return number_with_decimal_comma(column, cell);
+    if (other->thousands == 0)
+      return data_error(
+          "{}: {} is not a number; expected a decimal point; give {} , if this is a decimal "
+          "comma",
+          column, in_quotes(cell), option::decimal);
     return is_fraction && marks.decimal == '.'
-               ? number_with_thousands(column, cell)
+               ? data_error(
+                     "{}: {} is not a number; expected one without thousands separators; remove them, or "
+                     "give {} , if the comma divides thousands, or {} , if it is a decimal comma",
+                     column, in_quotes(cell), option::thousands, option::decimal)
                : number_with_marks(column, cell, other->decimal == marks.decimal ? '\0' : other->decimal,
                                    other->thousands);
   }
+  const std::string_view number = without_unit_of_number(cell);
+  if (number.size() < cell.size() && (Decimals(marks).number(number) || marks_of(number))) {
+    return data_error("{}: {} is a number with a unit; expected a number alone; remove the unit, or give {} strip",
+                      column, in_quotes(cell), option::units);
+  }
   const std::size_t blank = cell.find_first_of(" \t");
   const bool several = blank != std::string_view::npos && parse_number(with_point(cell.substr(0, blank)));
-  return several ? several_numbers_in_cell(column, cell) : cell_is_not_a_number(column, cell);
+  return several ? data_error("{}: {} is not a number; expected one number in each cell; give the delimiter with {}",
+                              column, in_quotes(cell), option::delimiter)
+                 : data_error("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell",
+                              column, in_quotes(cell));
+}
+
+Error number_beyond_doubles(std::string_view column, std::string_view cell) {
+  return data_error(
+      "{}: {} is not a finite double; expected less than 1.8e308 in size; correct "
+      "the cell",
+      column, in_quotes(cell));
 }
 
 }  // namespace tcb

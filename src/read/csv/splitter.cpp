@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "read/csv/errors.hpp"
 #include "read/text_bytes.hpp"
 #include "text/utf8.hpp"
 
@@ -136,7 +135,12 @@ class RecordSplitter {
 
 }  // namespace
 
-void refuse_long_record(std::uint64_t line) { throw record_too_long().at({"", line, 1}); }
+void refuse_long_record(std::uint64_t line) {
+  throw data_error(
+      "a record has more than 64 MiB; expected a line for each key; break the lines, or close a quote that was "
+      "left open")
+      .at({"", line, 1});
+}
 
 Source<Chunk> split_delimited(Source<std::string> bytes, const Dialect& dialect, std::uint64_t line) {
   const auto splitter = std::make_shared<RecordSplitter>(std::move(bytes), dialect, line);

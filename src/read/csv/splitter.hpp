@@ -6,7 +6,7 @@
 #include <string>
 
 #include "read/chunk.hpp"
-#include "read/csv/dialect.hpp"
+#include "read/csv/tokenizer.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {

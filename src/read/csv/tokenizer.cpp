@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "read/csv/errors.hpp"
+#include "option_names.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -100,7 +100,11 @@ bool Tokenizer::next(std::vector<std::string_view>& cells) {
 void Tokenizer::refuse_cells() {
   const TextPosition where = position({record_, 1});
   skip_line();
-  throw too_many_cells(most_cells).at(where);
+  throw data_error(
+      "the record has more than {} cells; expected at most {}; correct the row, or give the "
+      "delimiter with {}",
+      most_cells, most_cells, option::delimiter)
+      .at(where);
 }
 
 std::string_view Tokenizer::take_cell() {
@@ -123,14 +127,17 @@ std::string_view Tokenizer::take_quoted() {
     if (at_ + 1 == end_ || at_[1] != '"') break;
     ++at_;
   }
-  if (at_ == end_) throw quote_not_closed().at(position({start, 1}));
+  if (at_ == end_)
+    throw data_error("a quoted cell is not closed; expected \" at its end; add it").at(position({start, 1}));
   const std::string_view cell(start, static_cast<std::size_t>(++at_ - start));
   const bool blanks = dialect_.delimiter == ' ';  // blanks and tabs delimit
   while (!blanks && !at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;
   if (!at_line_end() && *at_ != dialect_.delimiter && !is_blank(*at_)) {
     const TextPosition where = position({at_, 1});
     skip_line();
-    throw text_after_quotes().at(where);
+    throw data_error(
+        "text follows a quoted cell; expected the delimiter or the end of the line; double the quotes inside a cell")
+        .at(where);
   }
   return cell;
 }

@@ -11,7 +11,7 @@
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
 #include "option_names.hpp"
-#include "schema/missing.hpp"
+#include "schema/key_rules.hpp"
 #include "schema/near_misses.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"

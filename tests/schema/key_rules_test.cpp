@@ -1,5 +1,5 @@
 // Missing cells: common signs of them, and signs that are given.
-#include "schema/missing.hpp"
+#include "schema/key_rules.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,56 @@
+// Doubts: what an input may mean besides what was found in it, as one list.
+//
+// Columns are found by fixed rules. Then each row of the list looks at what was found. A doubt is an error where its
+// readings give different numbers and the request names neither; otherwise it is a note, once for a file. Each names
+// the option to copy.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "numbers/parse_number.hpp"
+#include "schema/columns.hpp"
+#include "schema/schema.hpp"
+
+namespace tcb {
+
+/// What was found at the beginning of a table.
+struct FoundColumns {
+  std::span<const std::string> names;              ///< of the columns; empty: they have none
+  std::span<const std::vector<std::string>> rows;  ///< the cells of the first records
+  const std::vector<bool>& numeric;                ///< for each column, whether it holds numbers
+  const Columns& columns;
+  const ColumnOptions& requested;
+  NumberMarks marks = {};
+  bool has_rotations = false;  ///< rotations are requested, or none
+  bool has_tcb_scale = false;  ///< the scale of tension, continuity and bias is requested
+  bool has_header = false;     ///< it is requested whether there is a header
+};
+
+/// The note about channels that are called T, C or B, which are parameters only together; nothing where there are none.
+std::optional<std::string> note_of_letters(const std::vector<std::string>& channels);
+
+/// The notes of the doubts about columns. Throws: Error (data) for a doubt that the request has to decide.
+std::vector<std::string> doubts_of_columns(const FoundColumns& found);
+
+/// What a request needs of a curve.
+struct RequestNeeds {
+  bool lengths = false;                 ///< arc lengths, speeds or curvatures are measured
+  bool by_length = false;               ///< samples are placed by arc length
+  bool chooses_metric = false;          ///< over channels that are named
+  bool chooses_columns = false;         ///< roles of columns are requested
+  std::optional<double> step = {};      ///< between rows, where it is in seconds
+  std::optional<double> time_gap = {};  ///< the mean of the first gaps between times, if these are whole numbers
+};
+
+/// The notes of the doubts about a request. Throws: Error (data) for a doubt that the request has to decide.
+std::vector<std::string> doubts_of_request(const Schema& schema, const RequestNeeds& needs);
+
+/// The channels called x, y and z, or px, pos_y, position.z and so on, where these are coordinates of one space, so
+/// that lengths measure them; empty where there are no such or no others.
+std::vector<std::size_t> spatial_channels(const std::vector<std::string>& channels);
+
+}  // namespace tcb

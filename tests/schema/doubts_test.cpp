@@ -1,0 +1,102 @@
+// Doubts: small inputs, and the note or the error that each of them causes.
+#include "schema/doubts.hpp"
+
+#include <gmock/gmock.h>
+
+#include "read/reading.hpp"
+
+namespace tcb {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The notes of an input, a line each, or its error.
+std::string doubts_of(const std::string& text, const InputOptions& options = {}) {
+  std::string notes;
+  const std::string error = error_of([&] {
+    for (const std::string& note : open_input("f", pieces(text), options).facts.doubts) notes += note + "\n";
+  });
+  return error == "no error" ? notes : error;
+}
+
+struct Row {
+  std::string text, words;
+};
+
+TEST(Doubts, are_notes_where_one_reading_is_plain) {
+  for (const Row& row : std::initializer_list<Row>{
+           {"time,T,RH\n0,21.5,40\n1,21.9,41\n", "positions by a single letter: T;"},
+           {"time,R,G,B\n0,255,0,0\n1,0,255,0\n", "--columns bias=B gives the role"},
+           {",time,x\n0,0,5\n1,1,6\n", "column 1 is taken as the index of the rows"},
+           {"index,t,x\n1,0,5\n2,1,6\n", "column \"index\" is taken as the index of the rows"},
+           {",x\n2024-03-01,5\n2024-03-02,6\n", "the first column, which has no name, are taken as the times"},
+           {"DATE,TIME,x\n2024-03-01,08:00:00,5\n2024-03-01,09:00:00,6\n", "are taken as one time"},
+           {"0,1,2\n0,0.5,3\n1,0.7,4\n", "the first line counts the columns; --header"},
+           {"t,x\ns,mm\n0,5\n1,6\n", "the line below the names is taken as units: s, mm"},
+           {"0,9,1,0,0,0\n1,8,0,1,0,0\n", "columns 3 to 6 may be a quaternion; --rotation quaternion=3:4:5:6"},
+           {"t,x\n1:30,5\n2:00,6\n", "times such as \"1:30\" are taken as minutes and seconds"},
+       }) {
+    EXPECT_THAT(doubts_of(row.text), HasSubstr(row.words)) << row.text;
+    EXPECT_EQ(doubts_of(row.text).find("error:"), std::string::npos) << row.text;
+  }
+}
+
+TEST(Doubts, are_errors_where_readings_give_different_numbers) {
+  for (const Row& row : std::initializer_list<Row>{
+           {"t,x,tensoin_x\n0,1,2\n1,2,3\n", "its name is close to the role tension_x"},
+           {"t,x,T,C,B\n0,1,20,30,40\n1,2,21,31,41\n", "--columns position=x:T:C:B for channels, --tcb-scale none"},
+           {"t,x,tension\n0,1,120\n1,2,125\n", "--columns position=x:tension for channels"},
+           {"t,x,tension,continuity,bias\n0,1,25,50,25\n1,2,30,25,0\n", "--tcb-scale 3dsmax"},
+           {",x,y\n0,1,2\n1,2,3\n", "give --columns time=1 if it is the time"},
+           {"BaseDateTime,LAT,LON\n2024-03-01T00:00:00,5,6\n2024-03-01T00:01:00,6,7\n", "--columns time=BaseDateTime"},
+           {"1700000000,100000000,1\n1700000000,200000000,2\n", "--columns time=1,nanoseconds=2 if they are"},
+           {"t,w,x,y,z\n0,1,0,0,0\n1,0,1,0,0\n", "--rotation quaternion=x:y:z:w for a rotation"},
+           {"t,q[0],q[1],q[2],q[3]\n0,1,0,0,0\n1,0,1,0,0\n", "'quaternion=q[1]:q[2]:q[3]:q[0]'"},
+           {"Title\nof two words\nt,x\n0,1\n1,2\n", "give --skip-lines 2"},
+       }) {
+    EXPECT_THAT(doubts_of(row.text), HasSubstr(row.words)) << row.text;
+    EXPECT_NE(doubts_of(row.text).find("error:"), std::string::npos) << row.text;
+  }
+}
+
+TEST(Doubts, are_none_where_the_request_or_the_input_decides) {
+  EXPECT_EQ(doubts_of("t,x,T,C,B\n0,1,0.5,0,0\n1,2,0,0,-1\n"), "");
+  EXPECT_EQ(doubts_of("t,x,tension,bias\n0,1,20,-30\n1,2,12,9\n"), "") << "as keys of fits have them";
+  EXPECT_EQ(doubts_of("0,1,2\n1,2,3\n2,3,4\n"), "") << "numbers in steps of one";
+  EXPECT_EQ(doubts_of("t,x,tension\n0,1,120\n1,2,125\n", with_columns("position=x:tension")), "");
+  EXPECT_EQ(doubts_of("1700000000,100000000,1\n1700000001,200000000,2\n", with_columns("time=1")), "");
+  InputOptions options;
+  options.keys.tcb_scale = TcbScale::max3ds;
+  EXPECT_EQ(doubts_of("t,x,tension,continuity,bias\n0,1,25,50,25\n1,2,30,25,0\n", options), "");
+  options = {};
+  options.rotation.none = true;
+  EXPECT_EQ(doubts_of("t,w,x,y,z\n0,1,0,0,0\n1,0,1,0,0\n", options), "");
+}
+
+TEST(Doubts, lengths_measure_space_where_channels_name_it) {
+  EXPECT_THAT(spatial_channels({"x", "y", "z", "fov"}), ElementsAre(0, 1, 2));
+  EXPECT_THAT(spatial_channels({"v", "pos_x", "pos_y"}), ElementsAre(1, 2));
+  EXPECT_THAT(spatial_channels({"X [m]", "Y [m]", "w"}), ElementsAre(0, 1));
+  EXPECT_THAT(spatial_channels({"x", "y"}), ElementsAre()) << "there are no others";
+  EXPECT_THAT(spatial_channels({"vx", "vy", "fov"}), ElementsAre());
+}
+
+TEST(Doubts, about_requests) {
+  Schema schema;
+  schema.named = true;
+  schema.time = {.is_given = true};
+  schema.channels = {"x", "y", "fov"};
+  EXPECT_THAT(doubts_of_request(schema, {.lengths = true}), ElementsAre(HasSubstr("measure x, y, without fov")));
+  EXPECT_THAT(doubts_of_request(schema, {.lengths = true, .chooses_metric = true}), ElementsAre());
+  EXPECT_THAT(doubts_of_request(schema, {}), ElementsAre());
+  schema.channels = {"speed", "weight"};
+  EXPECT_THAT(doubts_of_request(schema, {.lengths = true}), ElementsAre(HasSubstr("all channels together")));
+  schema.channels = {"lat", "lon"};
+  EXPECT_THAT(error_of([&] { (void)doubts_of_request(schema, {.lengths = true}); }), HasSubstr("--metric lat,lon"));
+  EXPECT_THAT(error_of([&] { (void)doubts_of_request(schema, {.step = 1.0 / 60, .time_gap = 33}); }),
+              HasSubstr("--time-unit ms"));
+}
+
+}  // namespace
+}  // namespace tcb
