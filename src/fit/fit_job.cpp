@@ -228,9 +228,9 @@ Exit draw_fit(const FitJob& job) {
   DifferencePicture picture(job.picture);
   const FitReport report = in_file(shown_name(path), [&] { return add_fits(picture, job); });
   Output output(outputs.file);
-  output.write(picture.svg(
-      "keys", shown_name(path),
-      fmt::format("{} samples · {} keys · at least {} are needed", report.samples, report.keys, report.least_keys)));
+  output.write(picture.svg("keys", shown_name(path),
+                           fmt::format("{} samples · {} keys · at least {} are needed", with_thousands(report.samples),
+                                       with_thousands(report.keys), with_thousands(report.least_keys))));
   output.commit();
   notes.note(path, note_of(report, job.options));
   return Exit::done;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -33,10 +34,17 @@ int exponent_above(double size) {
   return exponent;
 }
 
-/// A whole multiple of a power of ten in the exponent notation, as in 2.5e9.
-std::string exponent_text(std::int64_t multiple, int exponent) {
+/// A whole multiple of a power of ten: with k, M or G for thousands, millions or billions, or in the exponent notation,
+/// as in 2.5e12.
+std::string short_text(std::int64_t multiple, int exponent) {
   if (multiple == 0) return "0";
   std::string digits = std::to_string(std::abs(multiple));
+  constexpr std::array<std::pair<int, char>, 3> suffixes{{{9, 'G'}, {6, 'M'}, {3, 'k'}}};
+  const int power = exponent + static_cast<int>(digits.size()) - 1;
+  for (const auto& [thousands, suffix] : suffixes) {
+    if (power >= thousands && power < 12)
+      return decimal_text(std::to_string(multiple), exponent - thousands, true) + suffix;
+  }
   exponent += static_cast<int>(digits.size()) - 1;
   digits.resize(digits.find_last_not_of('0') + 1);
   if (digits.size() > 1) digits.insert(1, ".");
@@ -45,16 +53,48 @@ std::string exponent_text(std::int64_t multiple, int exponent) {
 
 }  // namespace
 
-std::string decimal_text(const std::string& whole, int exponent) {
+std::string decimal_text(const std::string& whole, int exponent, bool is_short) {
   const bool negative = whole.front() == '-';
   std::string digits = negative ? whole.substr(1) : whole;
   if (digits == "0") return digits;
-  if (exponent >= 0) return whole + std::string(static_cast<std::size_t>(exponent), '0');
+  while (is_short && digits.back() == '0') {
+    digits.pop_back();
+    ++exponent;
+  }
+  if (exponent >= 0) return (negative ? "-" : "") + digits + std::string(static_cast<std::size_t>(exponent), '0');
   const auto decimals = static_cast<std::size_t>(-exponent);
   if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
   digits.insert(digits.size() - decimals, ".");
   return (negative ? "-" : "") + digits;
 }
+
+namespace {
+
+/// Seconds since an epoch as a decimal.
+std::string seconds_text(const Rational& seconds) {
+  constexpr int decimals = 9;
+  return decimal_text(whole_text(floor(seconds * *parse_rational("1e9"))), -decimals, true);
+}
+
+/// Of the multiples first to last of a step, every how many have a tick: those that are multiples of this number too.
+/// At most `most` are, and at least two, if that is possible with one grid; otherwise the first and the last one.
+std::int64_t stride_of(std::int64_t first, std::int64_t last, double most) {
+  if (static_cast<double>(last - first) < most) return 1;
+  for (std::int64_t stride = 2; stride < last - first; ++stride) {
+    const auto begin = static_cast<std::int64_t>(std::ceil(static_cast<double>(first) / static_cast<double>(stride)));
+    const auto end = static_cast<std::int64_t>(std::floor(static_cast<double>(last) / static_cast<double>(stride)));
+    if (end > begin && static_cast<double>(end - begin + 1) <= most) return stride;
+  }
+  return last - first;
+}
+
+/// The first multiple with a tick.
+std::int64_t first_multiple(std::int64_t first, std::int64_t last, std::int64_t stride) {
+  if (stride == 1 || stride == last - first) return first;
+  return static_cast<std::int64_t>(std::ceil(static_cast<double>(first) / static_cast<double>(stride))) * stride;
+}
+
+}  // namespace
 
 Axis::Axis(const Interval& interval, double margin) {
   const double size = interval.length();
@@ -80,10 +120,12 @@ Axis::Axis(const Interval& times, TimeScale scale) : Axis(times, 0) {
   if (is_in_words) {
     base_ = Time(std::floor(times.low.hi));
     base_text_.clear();
-  } else if (scale.units_per_second && !base_text_.empty()) {
-    base_ = times.low;
-    base_text_ = time_text(base_);
+  } else if (scale.units_per_second) {
     units_ = nearest_double(*scale.units_per_second);
+    if (!base_text_.empty()) {
+      base_ = times.low;
+      base_text_ = seconds_text(exact_time(base_) / *scale.units_per_second);
+    }
   } else {
     return;
   }
@@ -107,7 +149,10 @@ void Axis::set_length(double length) {
 
 std::string Axis::title(std::string_view name) const {
   if (!day_.empty()) return fmt::format("{}, {}", name, day_);
-  if (scale_ && scale_->units_per_second) return fmt::format("{}, seconds after {}", name, base_text_);
+  if (scale_ && scale_->units_per_second) {
+    return base_text_.empty() ? fmt::format("{}, seconds", name)
+                              : fmt::format("{}, seconds after {}", name, base_text_);
+  }
   if (base_text_.empty() || base_text_ == "0") return std::string(name);
   const bool negative = base_text_.front() == '-';
   return fmt::format("{} {} {}", name, negative ? "+" : "−", base_text_.substr(negative ? 1 : 0));
@@ -154,6 +199,35 @@ std::string Axis::words(const Rational& time, const Rational& step) const {
   return day_.empty() ? text.substr(0, date) + " " + clock : clock;
 }
 
+/// Ticks at the firsts of months between two times of the zone.
+std::vector<Tick> Axis::ticks_at_months(const Rational& low, const Rational& high, double most) const {
+  using std::chrono::days, std::chrono::months, std::chrono::sys_days, std::chrono::year_month_day;
+  const auto day_of = [](const Rational& time) {
+    const Rational day = floor(time / seconds_of_day);
+    const auto count = static_cast<int>(whole_number(abs(day)));
+    return year_month_day(sys_days(days(day < Rational(0) ? -count : count)));
+  };
+  const auto month_of = [](const year_month_day& day) {
+    return static_cast<int>(day.year()) * 12 + static_cast<int>(static_cast<unsigned>(day.month())) - 1;
+  };
+  const auto start_of = [](int month) {
+    const std::chrono::year_month first = std::chrono::year(0) / std::chrono::January + months(month);
+    return Rational(static_cast<std::int64_t>(sys_days(first / 1).time_since_epoch().count())) * seconds_of_day;
+  };
+  const Rational offset = zone_offset(scale_->dates), base = exact_time(base_) + offset;
+  for (const int step : {1, 2, 3, 6, 12, 24, 60, 120, 240, 600, 1200}) {
+    std::vector<Tick> ticks;
+    for (int month = month_of(day_of(low)) / step * step; start_of(month) <= high; month += step) {
+      const Rational time = start_of(month);
+      if (time >= low) ticks.push_back({nearest_double(time - base), words(time - offset, seconds_of_day)});
+    }
+    if (static_cast<double>(ticks.size()) <= most && ticks.size() >= 2) return ticks;
+    if (ticks.size() < 2) break;
+  }
+  return {{low_, words(exact_time(base_) + Rational(low_), seconds_of_day)},
+          {high_, words(exact_time(base_) + Rational(high_), seconds_of_day)}};
+}
+
 std::vector<Tick> Axis::ticks_in_words(double most) const {
   const Rational offset = zone_offset(scale_->dates),
                  base = exact_time(base_) + (is_date(scale_->notation) ? offset : 0);
@@ -169,6 +243,7 @@ std::vector<Tick> Axis::ticks_in_words(double most) const {
   auto step = std::ranges::find_if(steps, fits);
   if (step == steps.end()) --step;
   while (step != steps.begin() && (multiples(*step).second - multiples(*step).first) * *step < (high - low) / 2) --step;
+  if (is_date(scale_->notation) && *step >= Rational(20 * seconds_of_day)) return ticks_at_months(low, high, most);
   const auto [first, last] = multiples(*step);
   const Rational count = last - first, stride = count < Rational(most) ? Rational(1) : count;
   std::vector<Tick> ticks;
@@ -200,16 +275,15 @@ std::vector<Tick> Axis::ticks(double most) const {
     factor = factor == 5 ? 2 : factor == 2 ? 1 : 5;
     if (factor == 5) --exponent;
   }
-  const std::int64_t stride = static_cast<double>(last() - first()) < most ? 1 : last() - first();
+  const std::int64_t stride = stride_of(first(), last(), most);
   const double largest = static_cast<double>(std::max(std::abs(first()), std::abs(last()))) * step();
   const bool plain = largest < 1e6 && largest > 1e-4 && exponent >= -8;
   std::vector<Tick> ticks;
-  for (std::int64_t i = first(); i <= last(); i += stride) {
+  for (std::int64_t i = first_multiple(first(), last(), stride); i <= last(); i += stride) {
     const std::int64_t multiple = i * factor;
     const double value = exponent < 0 ? static_cast<double>(multiple) / ten_to_the(-exponent)
                                       : static_cast<double>(multiple) * ten_to_the(exponent);
-    ticks.push_back(
-        {value, plain ? decimal_text(std::to_string(multiple), exponent) : exponent_text(multiple, exponent)});
+    ticks.push_back({value, plain ? decimal_text(std::to_string(multiple), exponent) : short_text(multiple, exponent)});
   }
   return ticks;
 }

@@ -28,7 +28,7 @@ struct TimeScale {
   TimeNotation notation = TimeNotation::seconds;
   Rational frames_per_second = 1;                 ///< of timecode
   DateFormat dates = {};                          ///< of dates
-  std::optional<Rational> units_per_second = {};  ///< of times that are shown in seconds after the first one
+  std::optional<Rational> units_per_second = {};  ///< of times that are shown in seconds
 };
 
 /// A number on an axis with its text.
@@ -60,6 +60,7 @@ class Axis {
 
  private:
   std::vector<Tick> ticks_in_words(double most) const;
+  std::vector<Tick> ticks_at_months(const Rational& low, const Rational& high, double most) const;
   std::string words(const Rational& time, const Rational& step) const;
 
   Time base_{0.0};
@@ -70,7 +71,8 @@ class Axis {
   double low_ = 0, high_ = 1;
 };
 
-/// whole · 10^exponent in decimal digits, with as many decimals as the exponent requires.
-std::string decimal_text(const std::string& whole, int exponent);
+/// whole · 10^exponent in decimal digits, with as many decimals as the exponent requires, or if it is short, without
+/// zeros at its end.
+std::string decimal_text(const std::string& whole, int exponent, bool is_short = false);
 
 }  // namespace tcb

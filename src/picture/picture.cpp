@@ -210,7 +210,8 @@ std::string colour_of(std::size_t name) {
 }
 
 double Legend::height() const {
-  return entries({true, true, true, true, scene_.worst.has_value()}, {false, true}).back().at.y + line_height + 8;
+  return entries({true, true, true, true, scene_.worst.has_value(), true, true}, {false, true}).back().at.y +
+         line_height + 8;
 }
 
 std::vector<Legend::Entry> Legend::entries(const Marks& marks, const HiddenMarks& hidden) const {
@@ -218,13 +219,16 @@ std::vector<Legend::Entry> Legend::entries(const Marks& marks, const HiddenMarks
   if (scene_.names.size() > 1) {
     add_names(all);
   } else {
-    all.push_back({Symbol::curve, "curve", colour_of(0)});
+    if (marks.curve) all.push_back({Symbol::curve, "curve", colour_of(0)});
   }
   const std::string css = scene_.names.size() > 1 ? "c5" : "c0";
   if (marks.keys) all.push_back({Symbol::key, "key", css});
   if (marks.corners) all.push_back({Symbol::corner, "key at a corner", css});
   if (marks.handles) all.push_back({Symbol::tangent, "tangents", css});
-  if (marks.samples) all.push_back({Symbol::sample, "sample", css});
+  if (marks.samples) {
+    const std::size_t stride = marks.sample_stride;
+    all.push_back({Symbol::sample, stride == 1 ? "sample" : fmt::format("one of {} samples", stride), css});
+  }
   if (scene_.frame) {
     all.push_back({Symbol::axis_x, "x axis", css});
     all.push_back({Symbol::axis_y, "y axis", css});
@@ -290,7 +294,7 @@ constexpr std::size_t most_bytes = 290000;
 constexpr std::size_t bytes_of_segment = 42, bytes_of_dot = 48, bytes_of_tick = 26, bytes_of_path = 40;
 
 /// More dots or ticks would be too close together in a view, or too many bytes.
-constexpr double between_keys = 4, between_samples = 3;
+constexpr double between_keys = 4, between_samples = 7;
 constexpr std::uint64_t most_dots = 1200;
 
 class Composer {
@@ -301,6 +305,8 @@ class Composer {
         legend_(scene, picture_width(scene, size) - 2 * picture_margin),
         arrangement_(arranged(scene, extent_, size, legend_.height())) {
     for (const View& view : arrangement_.views) marks_.push_back(marks_of(view));
+    for (const Marks& marks : marks_) shown_.sample_stride = std::max(shown_.sample_stride, marks.sample_stride);
+    for (Marks& marks : marks_) marks.sample_stride = shown_.sample_stride;
   }
 
   std::string compose() {
@@ -312,10 +318,9 @@ class Composer {
     bytes_for_outlines_ = bytes_for_outlines();
     for (const SceneCurve& curve : scene_.curves) draw_curve(curve);
     if (scene_.worst) draw_worst(*scene_.worst);
-    const Marks shown{any(&Marks::keys), any(&Marks::corners), any(&Marks::handles), any(&Marks::samples),
-                      scene_.worst.has_value()};
-    legend_.draw(svg_, {picture_margin, arrangement_.height - legend_.height()}, shown,
-                 {scene_.keys() > 0 && !shown.keys, scene_.rows() > 0 && !shown.samples});
+    shown_.worst = scene_.worst.has_value();
+    legend_.draw(svg_, {picture_margin, arrangement_.height - legend_.height()}, shown_,
+                 {scene_.keys() > 0 && !any(&Marks::keys), scene_.rows() > 0 && !any(&Marks::samples)});
     svg_.end();
     return svg_.text();
   }
@@ -332,8 +337,21 @@ class Composer {
     marks.keys = fits(scene_.keys(), between_keys);
     marks.dots = marks.keys && fits(scene_.keys() + scene_.dots(), between_keys);
     marks.handles = marks.keys && (!view.is_graph() || !scene_.path);
-    marks.samples = rows > 0 && scene_.has_samples() && fits(rows, between_samples);
+    marks.samples = rows > 0 && scene_.has_samples();
+    marks.sample_stride = sample_stride_of(view);
     return marks;
+  }
+
+  /// One of so many samples is drawn, so that their ticks do not hide the curve.
+  std::size_t sample_stride_of(const View& view) const {
+    const double room = (view.is_graph() ? 1 : 3) * view.box.width;
+    std::uint64_t most = 0;
+    for (const SceneCurve& curve : scene_.curves) most = std::max(most, curve.rows);
+    const auto views = static_cast<double>(arrangement_.views.size());
+    const double ticks =
+        std::min(room / between_samples * static_cast<double>(scene_.rows()) / static_cast<double>(most),
+                 static_cast<double>(most_dots) / views);
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(static_cast<double>(scene_.rows()) / ticks)));
   }
 
   bool any(bool Marks::*mark) const {
@@ -396,7 +414,10 @@ class Composer {
     svg_.begin_group(colour_of(curve.name));
     for (std::size_t i = 0; i < views.size(); ++i) {
       drawings[i].draw(svg_, curve, keys);
-      marks_[i].corners = marks_[i].corners || drawings[i].has_corner();
+      const Marks& drawn = drawings[i].drawn();
+      for (bool Marks::*mark : {&Marks::keys, &Marks::corners, &Marks::handles, &Marks::samples, &Marks::curve}) {
+        shown_.*mark = shown_.*mark || drawn.*mark;
+      }
     }
     svg_.end_group();
   }
@@ -413,11 +434,18 @@ class Composer {
   const Legend legend_;
   const Arrangement arrangement_;
   std::vector<Marks> marks_;  ///< one a view
+  Marks shown_;               ///< in any view
   std::size_t bytes_for_outlines_ = 0;
   Svg svg_;
 };
 
 }  // namespace
+
+std::string with_thousands(std::uint64_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
+  return text;
+}
 
 std::string picture(Scene scene, const PictureSize& size) {
   const SceneExtent extent = extent_of(scene);

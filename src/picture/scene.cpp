@@ -138,6 +138,17 @@ void include_sample(SceneExtent& extent, const SceneSample& sample) {
   for (std::size_t i = 0; i < sample.position.size(); ++i) extent.channels[i].include(Time(sample.position[i]));
 }
 
+/// Whether channels are numbered, as the joints j1 and j2 of a robot are, which are no two axes of space; x1 and x2, or
+/// p1 and p2 as channels without names are called, may be.
+bool are_joints(std::string_view one, std::string_view other) {
+  const auto stem_of = [](std::string_view name) {
+    while (!name.empty() && name.back() >= '0' && name.back() <= '9') name.remove_suffix(1);
+    return name;
+  };
+  const std::string_view stem = stem_of(one);
+  return stem.size() < one.size() && stem == stem_of(other) && stem != "p" && stem != "x" && stem != "pos";
+}
+
 void require_finite(const Interval& interval) {
   if (std::isfinite(interval.length())) return;
   throw data_error(
@@ -182,7 +193,10 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
   std::vector<std::size_t> axes = spline::is_turn(metric) ? std::vector<std::size_t>{} : metric;
   const bool is_chosen = !requested.empty() || axes.size() > 1;
   for (std::size_t i = 0; axes.size() == i && i < channels.size(); ++i) axes.push_back(i);
-  if (!is_chosen && axes.size() > 1 && !are_of_one_kind(channels[axes[0]], channels[axes[1]])) return std::nullopt;
+  if (!is_chosen && axes.size() > 1) {
+    const std::string &first = channels[axes[0]], &second = channels[axes[1]];
+    if (!are_of_one_kind(first, second) || are_joints(first, second)) return std::nullopt;
+  }
   if (!requested.empty()) axes.clear();
   for (const std::string& name : requested) {
     const auto channel = find_channel(name, channels);

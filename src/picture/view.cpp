@@ -123,7 +123,11 @@ void draw_frame(Svg& svg, const View& view, const ViewFrame& frame) {
     append_pixel(grid, {at, box.top});
     grid += 'v';
     append_pixels(grid, box.height);
-    if (!frame.name.empty()) svg.add_text({at, box.bottom() + below}, tick.text, "v", "middle");
+    if (frame.name.empty()) continue;
+    const double half = text_width(tick.text, small_size) / 2;
+    const bool before = at - half<box.left, after = at + half> box.right();
+    const double place = before ? box.left : after ? box.right() : at;
+    svg.add_text({place, box.bottom() + below}, tick.text, "v", before ? "start" : after ? "end" : "middle");
   }
   svg.add_path(grid, "g");
   svg.add_box(box, "f");
@@ -190,21 +194,27 @@ void CurveDrawing::add_handles(const PixelSegment& segment, const Pixel& out, co
 
 void CurveDrawing::draw(Svg& svg, const SceneCurve& curve, const Keys& keys) {
   if (!handles_.empty()) svg.add_path(handles_, "h");
+  drawn_.handles = !handles_.empty();
   const bool is_dotted = marks_.keys && view_.up < curve.dotted;
-  if (const OutlinePath path = outline_->path(); !path.data.empty() && !is_dotted) svg.add_path(path.data, path.css);
+  if (const OutlinePath path = outline_->path(); !path.data.empty() && !is_dotted) {
+    svg.add_path(path.data, path.css);
+    drawn_.curve = true;
+  }
   std::string ticks;
-  for (std::size_t i = 0; marks_.samples && i < curve.samples.size(); ++i) {
+  for (std::size_t i = 0; marks_.samples && i < curve.samples.size(); i += marks_.sample_stride) {
     const SceneSample& sample = curve.samples[i];
     append_tick(ticks, view_.at(sample.t, sample.position), view_.direction(sample.velocity));
   }
   if (!ticks.empty()) svg.add_path(ticks, "s");
+  drawn_.samples = !ticks.empty();
   if (!marks_.keys) return;
   if (curve.closed && first_ && incoming_ && !corners_.empty()) corners_[0] = is_corner(*incoming_, *first_);
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const Pixel at = view_.at(keys.times[i], keys.position(i));
     if (!is_finite(at)) continue;  // the channel has no position here
     const bool corner = !curve.is_polyline && i < corners_.size() && corners_[i];
-    has_corner_ = has_corner_ || corner;
+    drawn_.keys = drawn_.keys || !curve.is_polyline;
+    drawn_.corners = drawn_.corners || corner;
     svg.add_circle(at, curve.is_polyline ? sample_radius : key_radius, corner ? "q" : "k");
   }
 }

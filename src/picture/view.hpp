@@ -52,8 +52,9 @@ void draw_frame(Svg& svg, const View& view, const ViewFrame& frame);
 
 /// Which marks a picture has.
 struct Marks {
-  bool keys = false, corners = false, handles = false, samples = false, worst = false;
-  bool dots = false;  ///< of the samples of polylines
+  bool keys = false, corners = false, handles = false, samples = false, worst = false, curve = false;
+  bool dots = false;              ///< of the samples of polylines
+  std::size_t sample_stride = 1;  ///< one of so many samples
 };
 
 inline constexpr double key_radius = 3.2, sample_radius = 2.2, half_tick = 4, worst_radius = 7;
@@ -67,8 +68,8 @@ class CurveDrawing {
   void add(const spline::Segments<double>& segments, std::size_t i);
   /// `keys`: all keys of the curve, or none.
   void draw(Svg& svg, const SceneCurve& curve, const Keys& keys);
-  /// Whether a key that was drawn is at a corner.
-  bool has_corner() const { return has_corner_; }
+  /// The marks that were drawn.
+  const Marks& drawn() const { return drawn_; }
 
  private:
   void add_handles(const PixelSegment& segment, const Pixel& out, const Pixel& in);
@@ -77,7 +78,7 @@ class CurveDrawing {
   Marks marks_;
   std::unique_ptr<Outline> outline_;
   std::string handles_;
-  bool has_corner_ = false;
+  Marks drawn_;
   std::vector<bool> corners_;      ///< of the keys so far
   std::optional<Pixel> incoming_;  ///< the direction at the end of the previous segment
   std::optional<Pixel> first_;     ///< the direction at the start of the first segment

@@ -72,7 +72,7 @@ class Drawing {
 };
 
 std::string counted(std::uint64_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  return fmt::format("{} {}{}", with_thousands(count), what, count == 1 ? "" : "s");
 }
 
 /// A sample from its time, its position, and the velocities and angular velocities there, one after another.
