@@ -52,7 +52,7 @@ TEST(View, frames_have_numbers_and_names) {
   Svg svg;
   draw_frame(svg, graph(), {"height [m]", "time"});
   EXPECT_THAT(svg.text(), HasSubstr(">height [m]<"));
-  EXPECT_THAT(svg.text(), HasSubstr("text-anchor=\"middle\" class=\"v\">4.0<"));
+  EXPECT_THAT(svg.text(), HasSubstr("text-anchor=\"middle\" class=\"v\">2.0<"));
 }
 
 TEST(View, a_key_without_a_position_has_no_dot) {
@@ -82,7 +82,7 @@ TEST(View, a_turn_after_a_hold_is_a_corner) {
   }
   Svg svg;
   drawing.draw(svg, scene.curves[0], keys);
-  EXPECT_TRUE(drawing.has_corner());
+  EXPECT_TRUE(drawing.drawn().corners);
 }
 
 }  // namespace
