@@ -315,7 +315,8 @@ void GltfScene::add_time(double time) {
   if (times.empty()) {
     first_time_ = time;
   } else if (!(rounded > times.back())) {
-    const bool is_step = are_pieces_ && time == last_time_;
+    // The pieces of a step end and begin at the same time, or at neighbouring doubles.
+    const bool is_step = are_pieces_ && time <= std::nextafter(last_time_, std::numeric_limits<double>::infinity());
     if (!is_step) {
       throw data_error(
           "the keyframe at {} seconds has the time of the one before it in single precision; expected times that "

@@ -60,7 +60,7 @@ class Error(ValueError):
         super().__init__(f"{place}: {message}" if place else message)
         self.message, self.exit_code, self.file, self.line, self.column, self.row = (
             message, exit_code, file, line, column, row)  # fmt: skip
-        self.remedy = message.rpartition("; ")[2]
+        self.remedy = re.sub(r" \((at least )?\d+ errors of this kind.*\)$", "", message.rpartition("; ")[2])
         self.others: list[Error] = []
 
 
