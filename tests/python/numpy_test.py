@@ -330,7 +330,7 @@ class Errors(unittest.TestCase):
     def test_places_in_text(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "a: b.csv")
-            pathlib.Path(path).write_text("t,x\n0,1\n1,o.5\n2,y\n")
+            pathlib.Path(path).write_text("t,x\n0,1\n1,o.5\nz,2\n")
             error = self.error(path, count=3)
             self.assertEqual((error.file, error.line, error.column, error.row, error.exit_code), (path, 3, 3, None, 1))
             self.assertEqual(error.remedy, "correct the cell")
