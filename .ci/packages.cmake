@@ -10,7 +10,7 @@ if(NOT DEFINED ENV{SOURCE_DATE_EPOCH})
 endif()
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 
-set(contact "tcbsample maintainers <${TCBSAMPLE_CONTACT}>")
+set(contact "tcbsample maintainers <maintainers@tcbsample.example>") # Debian wants an address
 
 # Debian's documents of a package: manual and changes compressed, without times, and the licence as "copyright".
 set(documents ${PROJECT_BINARY_DIR}/documents)

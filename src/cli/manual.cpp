@@ -89,9 +89,7 @@ std::string page(std::string_view text, std::initializer_list<std::pair<std::str
 }  // namespace
 
 std::string manual_page() {
-  return page(
-      manual_template,
-      {{"@VERSION@", TCBSAMPLE_VERSION}, {"@OPTIONS@\n", manual_options()}, {"@CONTACT@", escaped(TCBSAMPLE_CONTACT)}});
+  return page(manual_template, {{"@VERSION@", TCBSAMPLE_VERSION}, {"@OPTIONS@\n", manual_options()}});
 }
 
 std::string curves_page() {
