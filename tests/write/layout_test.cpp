@@ -21,15 +21,15 @@ namespace {
 
 TEST(OutputFormat, each_layout_writes_what_its_format_reads) {
   const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"the x", CellKind::real}};
-  for (const Format& format : formats) {
+  for (const Format& format : formats()) {
     const bool has_names = format.has_marks || format.is_json;
-    if (!format.can_read || !format.can_write || !has_names) continue;
+    if (!format.can_read() || !format.can_write() || !has_names) continue;
     const Layout layout = format.output->layout(columns, {format.delimiter}, true);
     std::string text = layout.head;
     append_rows(text, layout, columns, {Cell(0), Cell(0.1), Cell(1), Cell(-2)}, true);
     text += layout.tail + layout.end;
     InputOptions options;
-    options.format = format.id;
+    options.format = &format;
     const std::string keys = read(text, options);
     EXPECT_TRUE(keys.starts_with("t the x\n")) << keys;
     EXPECT_NE(keys.find(": 0 0.1\n"), std::string::npos) << keys;
