@@ -335,9 +335,9 @@ double BallArc<M>::rough_place(const Panel& panel, double fraction) const {
   };
   const auto sum = [&](double z) {
     const auto& rule = spline::gauss_rule<double, 16>();
-    double sum = 0;
-    for (std::size_t i = 0; i < rule.node.size(); ++i) sum += rule.weight[i] * speed((z + 1) * rule.node[i] - 1);
-    return sum * (z + 1);
+    double total = 0;
+    for (std::size_t i = 0; i < rule.node.size(); ++i) total += rule.weight[i] * speed((z + 1) * rule.node[i] - 1);
+    return total * (z + 1);
   };
   const double length = fraction * sum(1);
   double low = -1, high = 1, z = std::clamp(2 * fraction - 1, -1.0, 1.0);

@@ -85,9 +85,9 @@ std::optional<Rational> read_days_and_clock(std::string_view text) {
     if (days < 0 || days > most_days) return std::nullopt;
     text = clock;
   }
-  const auto parts = [](std::string_view clock) {  // mm:ss, of any number of minutes
-    const std::int64_t minutes = take_number(clock);
-    return fmt::format("{}:{:02}:{}", minutes / 60, minutes % 60, clock);
+  const auto parts = [](std::string_view left) {  // mm:ss, of any number of minutes
+    const std::int64_t minutes = take_number(left);
+    return fmt::format("{}:{:02}:{}", minutes / 60, minutes % 60, left);
   };
   const std::optional<Rational> seconds =
       std::ranges::count(text, ':') == 2 ? read_clock(text) : read_clock(parts(text));
