@@ -17,7 +17,7 @@
 #include <type_traits>
 
 #include "exact/real.hpp"
-#include "tcb/spline/detail/dual.hpp"
+#include "tcb/spline/dual.hpp"
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/rotation_notation.hpp"

@@ -53,7 +53,7 @@ inline constexpr std::array broadcast_rates{BroadcastRate{"23.976", 24}, Broadca
 enum class TimeNotation {
   seconds,     ///< a number
   frames,      ///< a number of frames
-  clock,       ///< hh:mm:ss.fff
+  clock,       ///< hh:mm:ss.fff, or mm:ss.fff
   smpte,       ///< hh:mm:ss:ff
   drop_frame,  ///< hh:mm:ss;ff, without the first frame numbers of most minutes
   date,        ///< YYYY-MM-DD hh:mm:ss.fff, and the other formats of dates.hpp, without a zone: in UTC

@@ -104,9 +104,11 @@ TEST(Values, delimiters_are_names_or_characters_that_no_number_has) {
   const std::pair<const char*, char> known[] = {{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"space", ' '},
                                                 {"pipe", '|'}, {":", ':'},     {"\t", '\t'},       {"x", 'x'}};
   for (const auto& [text, character] : known) EXPECT_EQ(delimiter(text), character) << text;
-  for (const char* text : {"1", "e", "E", ".", "-", "+", "\"", "\n", "\r", "tabs", ",,", "é"}) {
+  for (const char* text : {"1", "e", "E", ".", "-", "+", "\"", "tabs", ",,", "é"}) {
     EXPECT_THAT(stepped_refusal({"--delimiter", text}), about("--delimiter", text, "is not a delimiter"));
   }
+  EXPECT_THAT(stepped_refusal({"--delimiter", "\n"}), about("--delimiter", "\\x0A", "is not a delimiter"));
+  EXPECT_THAT(stepped_refusal({"--delimiter", "\r"}), about("--delimiter", "\\x0D", "is not a delimiter"));
 }
 
 TEST(Values, tension_continuity_and_bias_are_three_numbers) {
@@ -160,9 +162,9 @@ TEST(Values, formats_are_those_that_can_be_read_or_written) {
 TEST(Values, names_come_from_the_tables) {
   EXPECT_EQ(stepped_refusal({"--missing", "skip"}),
             "--missing: \"skip\" is not a known name; expected one of error, skip-row, skip-cell, break");
-  EXPECT_EQ(
-      stepped_refusal({"--duplicates", "fist"}),
-      "--duplicates: \"fist\" is not a known name; expected one of error, first, last, break; did you mean first?");
+  EXPECT_EQ(stepped_refusal({"--duplicates", "fist"}),
+            "--duplicates: \"fist\" is not a known name; expected one of error, first, last, break, spread; did you "
+            "mean first?");
 }
 
 TEST(Values, pictures) {

@@ -115,7 +115,7 @@ for number in range(curves):
     equal = not given and rng.random() < 0.2
     names = ["x", "y"][:channels]
     velocities = [[repr(round(rng.uniform(-9, 9), 2) * size) for _ in names] for _ in range(count)]
-    header = ["t", *names] + ([] if given else ["T", "C", "B"]) + ([n + "_v" for n in names] if given else []) + (["ease_in", "ease_out"] if ease else [])
+    header = ["t", *names] + ([] if given else ["tension", "continuity", "bias"]) + ([n + "_v" for n in names] if given else []) + (["ease_in", "ease_out"] if ease else [])
     lines = [",".join(header)]
     for i in range(count):
         lines.append(",".join([repr(times[i]), *positions[i]] + ([] if given else tcbs[i]) + (velocities[i] if given else []) +

@@ -61,8 +61,9 @@ TEST(Angles, rows_show_negative_ones_where_a_key_does) {
 }
 
 /// The likely angles among keys of one channel, as for --angle.
-std::string likely(const std::string& name, const std::vector<double>& values) {
+std::string likely(const std::string& name, const std::vector<double>& values, bool named = true) {
   Schema schema;
+  schema.named = named;
   schema.channels = {name};
   LikelyAngles angles(schema);
   const Source<KeyBlock> blocks = angles.observe(keys_with_angles(values));
@@ -81,6 +82,18 @@ TEST(LikelyAngles, jump_by_more_than_half_a_turn) {
   EXPECT_EQ(likely("yaw", {0, 180, 0}), "");
   EXPECT_EQ(likely("yaw", {0, 3, 0}), "");
   EXPECT_EQ(likely("x", {350, 10}), "");
+}
+
+TEST(LikelyAngles, may_have_names_of_other_numbers_or_none_where_they_are_within_one_turn) {
+  for (const char* name : {"lon", "longitude", "COG", "course", "track", "rx", "ry", "rz", "rotateX", "rotation_z",
+                           "pan", "theta", "hue"}) {
+    EXPECT_EQ(likely(name, {350, 10}), std::string(name) + "=degrees");
+    EXPECT_EQ(likely(name, {361, 10}), "") << name;
+    EXPECT_EQ(likely(name, {-190, 10}), "") << name;
+  }
+  EXPECT_EQ(likely("x", {350, 10}, false), "x=degrees") << "the name is of a column without one";
+  EXPECT_EQ(likely("x", {361, 10}, false), "");
+  EXPECT_EQ(likely("x", {6, 0}, false), "") << "radians are like other small numbers";
 }
 
 }  // namespace

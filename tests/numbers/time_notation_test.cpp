@@ -113,7 +113,8 @@ TEST(TimeNotation, a_time_that_was_rounded_once_is_at_its_frame) {
 TEST(TimeNotation, a_fraction_may_follow_a_comma) {
   EXPECT_EQ(read_time("00:00:01,25", TimeNotation::clock, 1), Rational(5, 4));
   EXPECT_EQ(read_time("1970-01-01 00:00:01,5", TimeNotation::date, 1), Rational(3, 2));
-  EXPECT_FALSE(find_notation("00:00,5"));
+  EXPECT_EQ(read_time("00:01,5", TimeNotation::clock, 1), Rational(3, 2));
+  EXPECT_FALSE(find_notation("00,5")) << "a number";
 }
 
 TEST(TimeNotation, a_day_of_timecode_has_the_frames_that_are_not_dropped) {

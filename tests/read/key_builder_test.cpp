@@ -10,9 +10,9 @@ namespace {
 
 using testing::ElementsAre;
 
-const Columns columns =
-    find_columns(std::vector<std::string>{"id", "t", "x", "y", "T", "label"}, {false, true, true, true, true, false},
-                 std::vector<RoleRequest>{{Role::group, {"id"}}, {Role::carry, {"label"}}});
+const Columns columns = find_columns(std::vector<std::string>{"id", "t", "x", "y", "tension", "label"},
+                                     {false, true, true, true, true, false},
+                                     std::vector<RoleRequest>{{Role::group, {"id"}}, {Role::carry, {"label"}}});
 
 /// Adds a key with this time; its x is missing where `has_x` is false.
 void add(KeyBuilder& keys, double time, bool has_x = true) {
@@ -46,6 +46,7 @@ TEST(KeyBuilder, cells_become_numbers_and_texts_by_their_roles) {
   add(keys, 2);
   const KeyBlock block = keys.finish();
   ASSERT_EQ(block.size(), 2U);
+  ASSERT_EQ(block.keys.tcbs.size(), 2U);
   EXPECT_EQ(block.keys.tcbs[0].tension, -1);
   EXPECT_EQ(block.keys.tcbs[1].tension, 0.5) << "the common one";
   EXPECT_TRUE(block.keys.eases.empty());
@@ -57,8 +58,8 @@ TEST(KeyBuilder, cells_become_numbers_and_texts_by_their_roles) {
 }
 
 TEST(KeyBuilder, channels_without_tension_of_their_own_have_the_common_one) {
-  const Columns with_own =
-      find_columns(std::vector<std::string>{"t", "x", "tension_y", "y", "T", "bias_x"}, std::vector<bool>(6, true), {});
+  const Columns with_own = find_columns(std::vector<std::string>{"t", "x", "tension_y", "y", "tension", "bias_x"},
+                                        std::vector<bool>(6, true), {});
   KeyRules rules{.tcb = spline::Tcb<double>{0.5, 0.25, 0.125}};
   rules.keeps_decimals = true;
   KeyBuilder keys(with_own, rules);

@@ -23,7 +23,7 @@ std::string error_in(const Names& header, std::string_view asked = "") {
 }
 
 TEST(ChannelColumns, columns_are_for_their_channel_in_any_order_and_case) {
-  const Columns columns = find({"tension_y", "t", "x", "BIAS_X", "Y", "continuity_x", "T"});
+  const Columns columns = find({"tension_y", "t", "x", "BIAS_X", "Y", "continuity_x", "tension"});
   EXPECT_THAT(columns.channels, ElementsAre("x", "Y"));
   EXPECT_EQ(columns.cells[0].role, Role::channel_tension);
   EXPECT_EQ(columns.cells[0].channel, 1U);
@@ -40,7 +40,7 @@ TEST(ChannelColumns, an_exact_name_has_priority_over_one_in_another_case) {
 }
 
 TEST(ChannelColumns, velocities_are_for_one_side_or_both) {
-  const Columns columns = find({"t", "x_v", "x", "y", "Y_vout", "y_VIN", "z", "T"});
+  const Columns columns = find({"t", "x_v", "x", "y", "Y_vout", "y_VIN", "z", "tension"});
   EXPECT_THAT(columns.channels, ElementsAre("x", "y", "z"));
   EXPECT_EQ(columns.cells[1].role, Role::velocity);
   EXPECT_EQ(columns.cells[4].role, Role::velocity_out);
@@ -63,12 +63,12 @@ TEST(ChannelColumns, velocities_are_whole_and_without_tension) {
   EXPECT_THAT(error_in({"t", "x", "x_v", "x_vin"}), HasSubstr("\"x_v\" and \"x_vin\" both give the velocity"));
   EXPECT_THAT(error_in({"t", "x", "y", "x_v", "bias_x"}),
               HasSubstr("\"x_v\" gives velocities, so \"bias_x\" has no effect"));
-  EXPECT_THAT(error_in({"t", "x", "x_v", "C"}), HasSubstr("the column of continuity has no effect"));
-  EXPECT_THAT(find({"t", "x", "y", "x_v", "C", "bias_y"}).channels, ElementsAre("x", "y"));
+  EXPECT_THAT(error_in({"t", "x", "x_v", "continuity"}), HasSubstr("the column of continuity has no effect"));
+  EXPECT_THAT(find({"t", "x", "y", "x_v", "continuity", "bias_y"}).channels, ElementsAre("x", "y"));
 }
 
 TEST(ChannelColumns, columns_can_be_ignored) {
-  const Columns columns = find({"t", "x", "x_v", "x_vin", "T", "y"}, "ignore=x_v:x_vin,ignore=T");
+  const Columns columns = find({"t", "x", "x_v", "x_vin", "tension", "y"}, "ignore=x_v:x_vin,ignore=tension");
   EXPECT_THAT(columns.channels, ElementsAre("x", "y"));
   EXPECT_TRUE(columns.ignored.empty()) << "the request is known";
   EXPECT_THAT(columns.cells[2].role, Role::ignored);

@@ -63,12 +63,12 @@ TEST(RoleRequests, without_a_role_or_columns_are_errors) {
   EXPECT_EQ(error_of([] { parse_roles("bias=b,time="); }),
             "usage: f: error: \"time=\" has no column; expected its name or number; give it, as in time=NAME");
   for (const std::string part : {"time", "=x", "place=x", ""}) {
-    EXPECT_EQ(
-        error_of([&] { parse_roles("bias=b," + part); }),
-        "usage: f: error: \"" + part +
-            "\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, "
-            "bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, ease_in=, "
-            "ease_out=, group=, carry=, ignore= or nanoseconds=; for example --columns time=frame,position=px:py");
+    EXPECT_EQ(error_of([&] { parse_roles("bias=b," + part); }),
+              "usage: f: error: \"" + part +
+                  "\" is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, "
+                  "bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, ease_in=, "
+                  "ease_out=, group=, carry=, ignore=, nanoseconds= or clock=; for example --columns "
+                  "time=frame,position=px:py");
   }
 }
 

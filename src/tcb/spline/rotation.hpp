@@ -24,7 +24,7 @@
 #include <type_traits>
 
 #include "tcb/spline/angle.hpp"
-#include "tcb/spline/detail/dual.hpp"
+#include "tcb/spline/dual.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rules.hpp"
 #include "tcb/spline/segment.hpp"

@@ -91,6 +91,7 @@
 #include "tcb/spline/curve_stream.hpp"
 #include "tcb/spline/derivatives.hpp"
 #include "tcb/spline/double_pair.hpp"
+#include "tcb/spline/dual.hpp"
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rotation.hpp"

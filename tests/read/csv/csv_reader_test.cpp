@@ -24,7 +24,7 @@ TEST(Csv, keys_without_tcb_have_the_given_one) {
   InputOptions options;
   options.keys.tcb = {1, 2, 3};
   EXPECT_EQ(read("t,x\n0,1\n", options), "t x\n2: 0 1 [1 2 3]\n");
-  EXPECT_EQ(read("t,x,C\n0,1,0\n", options), "t x\n2: 0 1 [1 0 3]\n");
+  EXPECT_EQ(read("t,x,continuity\n0,1,0\n", options), "t x\n2: 0 1 [1 0 3]\n");
 }
 
 TEST(Csv, whole_times_beyond_2_to_53_are_exact) {
@@ -44,12 +44,12 @@ TEST(Csv, a_cell_that_is_not_a_number_is_an_error_at_its_character) {
             "f:3:5: error: x: \"o.5\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell");
   EXPECT_EQ(read("name,t,x\na,0,1\n\"é\nü\",1,0x1\n"),
             "f:4:6: error: x: \"0x1\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell");
-  EXPECT_EQ(read("t,x,T\n0,1,0\n1,1,+\n"),
+  EXPECT_EQ(read("t,x,tension\n0,1,0\n1,1,+\n"),
             "f:3:5: error: tension: \"+\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell");
   EXPECT_EQ(
-      read("t,x,C,B\n0,1,0,0\n1,1,c,0\n"),
+      read("t,x,continuity,bias\n0,1,0,0\n1,1,c,0\n"),
       "f:3:5: error: continuity: \"c\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell");
-  EXPECT_EQ(read("t,x,C,B\n0,1,0,0\n1,1,0,1e999\n"),
+  EXPECT_EQ(read("t,x,continuity,bias\n0,1,0,0\n1,1,0,1e999\n"),
             "f:3:7: error: bias: \"1e999\" is not a finite double; expected less than 1.8e308 in size; correct "
             "the cell");
   EXPECT_EQ(read("frame,x\n0,1\nNaN,1\n"),
@@ -98,7 +98,7 @@ void expect_same_in_pieces(const std::string& text) {
 
 TEST(Csv, missing_numbers_are_treated_as_requested) {
   InputOptions options;
-  const std::string text = "t,x,y,T\n0,1,2,0.5\n1,,NA,\n2,3,null,1\n";
+  const std::string text = "t,x,y,tension\n0,1,2,0.5\n1,,NA,\n2,3,null,1\n";
   options.keys.missing = Missing::skip_row;
   EXPECT_EQ(read(text, options), "t x y\n2: 0 1 2 [0.5 0 0]\n");
   options.keys.missing = Missing::skip_cell;

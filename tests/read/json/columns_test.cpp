@@ -48,7 +48,7 @@ TEST(JsonMembers, channels_may_have_tension_of_their_own) {
   EXPECT_EQ(channel_tcbs(R"([{"t":0,"position":[1,2],"tcb":{"x":[0.5,0.25,1],"y":[0.5,0,1]}},)"
                          R"({"t":1,"position":[3,4]},{"t":2,"position":[3,4],"tcb":{"x":[-1,0,0]}}])"),
             expected);
-  EXPECT_EQ(channel_tcbs(R"([{"t":0,"x":1,"y":2,"T":0.5,"continuity_x":0.25,"bias":1,"tension_x":0.5},)"
+  EXPECT_EQ(channel_tcbs(R"([{"t":0,"x":1,"y":2,"tension":0.5,"continuity_x":0.25,"bias":1,"tension_x":0.5},)"
                          R"({"t":1,"x":3,"y":4},{"t":2,"x":3,"y":4,"tension_x":-1}])"),
             expected);
   EXPECT_EQ(channel_tcbs(R"([{"t":0,"position":[1,2],"tension_y":1},{"t":1,"position":[1,2],"tcb":[0,0.5,0]}])"),
@@ -81,8 +81,8 @@ TEST(JsonMembers, keys_may_have_velocities) {
   EXPECT_THAT(
       velocities(R"([{"t":0,"position":[1,2],"velocity":[3]}])"),
       HasSubstr("f:1:26: error: keys[0].velocity: the array has 1 number; expected 2, as in the array of positions"));
-  EXPECT_THAT(velocities(R"([{"t":0,"x":1,"x_v":1},{"t":1,"x":1,"x_v":1,"T":0}])"),
-              HasSubstr("keys[1].T: the first key has no such number"));
+  EXPECT_THAT(velocities(R"([{"t":0,"x":1,"x_v":1},{"t":1,"x":1,"x_v":1,"tension":0}])"),
+              HasSubstr("keys[1].tension: the first key has no such number"));
 }
 
 TEST(JsonMembers, tension_of_channels_has_errors_of_its_own) {

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 std::string second(const std::string& first, const std::string& key) { return read("[" + first + ",\n" + key + "]"); }
 
 TEST(JsonKeys, tension_continuity_and_bias_are_members_or_one_array) {
-  EXPECT_EQ(read(R"([{"t":0,"x":1,"tension":1,"Continuity":2,"B":3}])"), "t x\n1: 0 1 [1 2 3]\n");
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tension":1,"Continuity":2,"BIAS":3}])"), "t x\n1: 0 1 [1 2 3]\n");
   EXPECT_EQ(read(R"([{"t":0,"x":1,"tcb":[1,2,3]}])"), "t x\n1: 0 1 [1 2 3]\n");
 }
 
@@ -97,10 +97,10 @@ TEST(JsonKeys, an_array_of_another_length_and_a_value_of_another_shape_are_error
 }
 
 TEST(JsonKeys, an_element_too_many_is_one_error_whatever_it_is) {
-  const std::string first = R"({"t":0,"position":[1,2],"T":0})";
+  const std::string first = R"({"t":0,"position":[1,2],"tension":0})";
   for (const char* element : {"3", "null", R"("a")", "[3]"}) {
     EXPECT_THAT(
-        second(first, R"({"t":1,"position":[1,2,)" + std::string(element) + R"(],"T":0})"),
+        second(first, R"({"t":1,"position":[1,2,)" + std::string(element) + R"(],"tension":0})"),
         testing::MatchesRegex("f:2:19: error: keys.1..position: the array has 3 elements; expected 2, as in the first "
                               "key; correct it"))
         << element;

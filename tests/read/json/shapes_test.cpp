@@ -19,7 +19,7 @@ TEST(Json, a_key_has_an_array_of_positions_or_is_flat) {
 }
 
 TEST(Json, an_array_an_object_with_keys_and_json_lines_give_the_same_keys) {
-  const std::string one = R"({"t":0,"x":1,"T":0.5})", two = R"({"t":1,"x":2,"T":0})";
+  const std::string one = R"({"t":0,"x":1,"tension":0.5})", two = R"({"t":1,"x":2,"tension":0})";
   const std::string keys = "t x\n1: 0 1 [0.5 0 0]\n2: 1 2\n";
   for (const std::string& text : {"[" + one + ",\n" + two + "]", "{\"keys\":[" + one + ",\n" + two + "]}",
                                   one + "\n" + two, one + "\r\n" + two + "\r\n"}) {

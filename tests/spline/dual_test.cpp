@@ -1,5 +1,5 @@
 // Dual numbers: derivatives of products, quotients, roots and angles.
-#include "tcb/spline/detail/dual.hpp"
+#include "tcb/spline/dual.hpp"
 
 #include <gtest/gtest.h>
 
