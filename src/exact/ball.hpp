@@ -52,12 +52,12 @@ struct Middle<spline::DoubleDouble> {
   static double power_of_two(int exponent) { return std::ldexp(1.0, exponent); }
   static double difference(double a, double b) { return a - b; }
 
-  static M sum(const M& a, const M& b, double& error) {
+  [[gnu::flatten]] static M sum(const M& a, const M& b, double& error) {
     const bool is_exact = a.lo == 0 && b.lo == 0;  // by Knuth's sum
     if (!is_exact) error += 0x1p-101 * (std::abs(a.hi) + std::abs(b.hi)) + underflow;
     return a + b;
   }
-  static M product(const M& a, const M& b, double& error) {
+  [[gnu::flatten]] static M product(const M& a, const M& b, double& error) {
     const M product = a * b;
     error += 0x1p-100 * std::abs(product.hi) + underflow;
     return product;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,9 +18,9 @@
 
 namespace tcb {
 
-/// What the cells of a row have in common.
+/// The cells of a field in a row, and what decides them.
 struct BallCells {
-  std::vector<std::optional<Printed>>& cells;
+  std::span<std::optional<Printed>> cells;  ///< from the next one that its writer adds
   const Notation& notation;
   const RowsOfCurve& curve;
   const FastRow& row;
@@ -138,18 +139,18 @@ double printed_length<RealBall>(const RealBall& length) {
   return low == high ? low : nearest_double(middle);
 }
 
-/// Collects the cells of a point in balls; nothing for one that its ball does not decide.
+/// Sets those cells of a point in balls that are not set yet, and that their balls decide.
 template <class M>
 class CellWriter<BallOf<M>> {
  public:
   CellWriter(BallCells& row, CellKind kind) : row_(row), kind_(kind) {}
 
   void add(const BallOf<M>& value) {
-    row_.cells.push_back(number_cell(value, row_.notation, kind_, row_.row.segment.decimals));
+    if (auto& cell = next(); !cell) cell = number_cell(value, row_.notation, kind_, row_.row.segment.decimals);
   }
   void add(const Quantity<BallOf<M>>& value) {
     if (value.defined) return add(value.value);
-    row_.cells.push_back(Printed{empty_cell});
+    if (auto& cell = next(); !cell) cell = Printed{empty_cell};
   }
   void add_of_channel(const BallOf<M>& value, std::size_t channel, bool moves) {
     const ChannelFacts& facts = row_.curve.facts;
@@ -158,6 +159,12 @@ class CellWriter<BallOf<M>> {
   }
 
  private:
+  std::optional<Printed>& next() {
+    std::optional<Printed>& cell = row_.cells.front();
+    row_.cells = row_.cells.subspan(1);
+    return cell;
+  }
+
   BallCells& row_;
   const CellKind kind_;
 };
@@ -208,19 +215,14 @@ class Rows final : public BallRows {
   /// Sets the cells of a field that are not set yet.
   void set(std::span<std::optional<Printed>> cells, const FieldCells& field, Point<B>& point, const FastRow& row,
            const Notation& notation) {
-    computed_.clear();
-    BallCells of{computed_, notation, rows_, row};
+    BallCells of{cells, notation, rows_, row};
     try {
       if (field.write == nullptr && !rows_.arc) {
-        computed_.emplace_back(time_cell(of));
+        cells.front() = time_cell(of);
       } else {
         (field.write == nullptr ? write_sample_time<B> : field.write)(point, CellWriter<B>(of, field.kind));
       }
-    } catch (const Undecided&) {
-      return;
-    }
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (!cells[i]) cells[i] = std::move(computed_[i]);
+    } catch (const Undecided&) {  // the cells from here on stay as they are
     }
   }
 
@@ -229,7 +231,6 @@ class Rows final : public BallRows {
   std::vector<FieldCells> fields_;
   RowPoint<B> point_;
   std::optional<bool> at_end_;
-  std::vector<std::optional<Printed>> computed_;
 };
 
 }  // namespace

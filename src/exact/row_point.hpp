@@ -227,25 +227,26 @@ class RowPoint {
   /// The sample at a time on the current segment.
   SampleOf<S> sample_at(const CurveSegment& fast, const Time& shown) const {
     if (shown == fast.start || shown == fast.end) return sample_at_key(segment_, shown != fast.start);
-    return sample_inside(time(shown), exact_shown(shown));
+    return sample_inside(time(shown), [&] { return exact_shown(shown); });
   }
 
   SampleOf<S> sample_at(const Rational& exact) const {
     if (const auto end = key_at(exact)) return sample_at_key(segment_, *end);
-    return sample_inside(scalar_of<S>(exact), exact);
+    return sample_inside(scalar_of<S>(exact), [&] { return exact; });
   }
 
-  /// The sample at a time on the current segment, as it is at this scalar and as a rational.
-  SampleOf<S> sample_inside(const S& t, const Rational& exact) const {
-    const auto part = ease_part(exact);
+  /// The sample at a time on the current segment, as it is at this scalar, and as a rational by a function.
+  SampleOf<S> sample_inside(const S& t, const auto& exact) const {
+    const auto part = needs_ease_part() ? std::optional(ease_part(exact())) : std::nullopt;
     return {t, segment_.time_map()(t, part), std::nullopt, part};
   }
 
-  /// The part of the ease at a time on the current segment; nothing where there is none, or where distances make the
-  /// times of the keys.
-  std::optional<spline::EasePart> ease_part(const Rational& t) const {
+  /// Whether the current segment has an ease, between keys whose times no distance makes.
+  bool needs_ease_part() const { return segment_.warp.has_ease() && !rows_.exact.exponent; }
+
+  /// The part of the ease at a time on the current segment.
+  spline::EasePart ease_part(const Rational& t) const {
     const ExactCurve& curve = rows_.exact;
-    if (!segment_.warp.has_ease() || curve.exponent) return std::nullopt;
     const std::size_t number = segment_.number, next = number + 1 < curve.keys.size() ? number + 1 : 0;
     const Rational &start = curve.keys.times[number], end = next > 0 ? curve.keys.times[next] : *curve.end;
     const spline::Warp<Rational> warp(curve.keys.eases[number].out, curve.keys.eases[next].in);
@@ -275,13 +276,13 @@ class RowPoint {
       const std::vector<S>& times = curve_->times();
       outside_ = map_to_curve<S>(rows_.exact.extrapolations, times.front(), times.back(), t);
       segment_ = segment(spline::segment_at_time<S>(times, outside_->t, rows_.side));
-      const auto& keys = rows_.exact.keys.times;
-      const Rational exact = row.time ? *row.time : exact_shown(shown);
-      const auto part = segment_.warp.has_ease() && !rows_.exact.exponent
-                            ? ease_part(map_to_curve<Rational>(rows_.exact.extrapolations, keys.front(),
-                                                               rows_.exact.end.value_or(keys.back()), exact)
-                                            .t)
-                            : std::nullopt;
+      std::optional<spline::EasePart> part;
+      if (needs_ease_part()) {
+        const auto& keys = rows_.exact.keys.times;
+        const Rational exact = row.time ? *row.time : exact_shown(shown);
+        const Rational end = rows_.exact.end.value_or(keys.back());
+        part = ease_part(map_to_curve<Rational>(rows_.exact.extrapolations, keys.front(), end, exact).t);
+      }
       sample_ = {t, segment_.time_map()(outside_->t, part), std::nullopt, part};
     }
     sample_.t = t;
