@@ -310,7 +310,7 @@ template <class M>
 typename BallArc<M>::B BallArc<M>::to(const spline::LocalParameter<B>& place) const {
   if (place.u.is_zero() || panels_.empty()) return {};
   if (place.w.is_zero()) return total_;
-  const std::size_t half = place.near_start() ? 0 : 1;
+  const std::size_t half = M(0.5) < place.u.middle() ? 1 : 0;  // either will do in the middle
   const B& at = half == 0 ? place.u : place.w;
   const auto ends_before = [&](const Panel& panel) {
     return panel.half < half || (panel.half == half && panel.middle + panel.width < at.middle());
