@@ -61,7 +61,7 @@ TEST(Header, a_header_may_be_forced_or_denied) {
 
 TEST(Header, a_comment_above_the_first_row_with_a_name_for_each_cell_is_the_header) {
   EXPECT_EQ(read("# ground truth\n# timestamp tx ty tz\n0 1 2 3\n"), "timestamp tx ty tz\n3: 0 1 2 3\n");
-  EXPECT_EQ(read("#timestamp,\"p x\",T\r\n0,1,.5\r\n"), "timestamp p x\n2: 0 1 [0.5 0 0]\n");
+  EXPECT_EQ(read("#timestamp,\"p x\",tension\r\n0,1,.5\r\n"), "timestamp p x\n2: 0 1 [0.5 0 0]\n");
   EXPECT_EQ(read("# made by hand\n0,1\n"), "(t x)\n2: 0 1\n") << "one name for two cells is a remark";
   EXPECT_EQ(read("# a,b\nt,x\n0,1\n"), "t x\n3: 0 1\n") << "a header that is none of comments comes first";
 }
