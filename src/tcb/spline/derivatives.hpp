@@ -69,8 +69,8 @@ S derivative_of_cubic_term(std::size_t order, const LocalDerivatives<S>& x, cons
 }
 
 /// The derivative of one channel by time, of any order from 1, at the place reached after the fraction u of the
-/// duration h, in a part of the ease; where none is given, at a place between two parts in the later one. It is 0 beyond
-/// the ninth.
+/// duration h, in a part of the ease; where none is given, at a place between two parts in the later one. It is 0
+/// beyond the ninth.
 template <class S>
 S time_derivative(std::size_t order, const Cubic<S>& cubic, const LocalParameter<S>& at, const Warp<S>& warp,
                   const S& u, const S& h, std::optional<EasePart> given_part = {}) {
