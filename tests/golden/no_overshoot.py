@@ -107,6 +107,7 @@ for number in range(curves):
     for i in range(1, count):
         if rng.random() < 0.2:
             positions[i] = positions[i - 1]
+    closed = closed and positions[-1] != positions[0]  # such a key would be the first one
     span = rng.choice([0.5, 1, 8])
     tcbs = [[repr(round(rng.uniform(-span, span), 2)) if rng.random() < 0.7 else "0" for _ in range(3)]
             for _ in range(count)]
