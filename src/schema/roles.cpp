@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "error.hpp"
 #include "option_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"

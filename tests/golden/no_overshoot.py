@@ -125,7 +125,7 @@ for number in range(curves):
     rule, ends = rng.choice(rules), [rng.choice(end_rules), rng.choice(end_rules)]
     velocity = [repr(round(rng.uniform(-9, 9), 2) * size) for _ in names]
     spelled = [e + ("=" + ":".join(velocity) if e == "velocity" else "") for e in ends]
-    options = ["--tangents", rule] + (["--period", repr(times[-1])] if closed else ["--ends", ",".join(spelled)])
+    options = ["--tangents", rule] + ([] if given else ["--tcb-scale", "none"]) + (["--period", repr(times[-1])] if closed else ["--ends", ",".join(spelled)])
     options += ["--equal-speed"] if equal else []
     options += ["--no-overshoot"]
     what = f"seed {seed} curve {number}: {' '.join(options)}\n{text}"
