@@ -49,7 +49,7 @@ struct PositionCell {
 /// The cells of a position in order.
 std::vector<PositionCell> position_cells(std::size_t channels, std::span<const RotationColumns> rotations);
 
-/// Receives the numbers of a point, one cell after another. For exact scalars see exact/precision_levels.
+/// Receives the numbers of a point, one cell after another. For exact scalars see exact/exact_rows.hpp.
 template <class S>
 class CellWriter;
 
