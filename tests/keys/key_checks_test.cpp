@@ -21,7 +21,11 @@ void drain(const Source<KeyBlock>& source) {
 }
 
 TEST(Checked, requires_as_many_keys_as_the_request_needs) {
-  const KeyBlock one{{1, {0.0}, {1}}, {{1}}};
+  KeyBlock one;
+  one.keys.channels = 1;
+  one.keys.times = {0.0};
+  one.keys.positions = {1};
+  one.text_positions = {{1}};
   EXPECT_EQ(refusal_of([&] { drain(checked(once(one), 2)); }),
             "f:1: error: there is only one key; a curve needs at least two; add keys");
   EXPECT_EQ(refusal_of([&] { drain(checked(once(one), 1)); }), "nothing");

@@ -15,7 +15,10 @@ namespace {
 Source<KeyBlock> blocks_at(const std::vector<double>& positions) {
   return [positions, next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
     if (next >= positions.size()) return std::nullopt;
-    KeyBlock block{{1, {}, {positions[next]}}, {{next + 1}}};
+    KeyBlock block;
+    block.keys.channels = 1;
+    block.keys.positions = {positions[next]};
+    block.text_positions = {{next + 1}};
     ++next;
     return block;
   };

@@ -78,7 +78,7 @@ TEST(Grid, search_agrees_with_counting_row_by_row) {
 TEST(Grid, search_agrees_for_times_next_to_rows) {
   std::mt19937_64 random(14);
   const auto power_of_ten = [&](int most) {
-    return rational(pow(Integer(10), static_cast<unsigned>(random() % most)));
+    return rational(pow(Integer(10), static_cast<unsigned>(random() % static_cast<unsigned>(most))));
   };
   for (int i = 0; i < 2000; ++i) {
     const auto number = [&] { return Rational(Rational(random()) + 1, Rational(random()) + 1); };

@@ -216,7 +216,8 @@ TEST(LeastRows, are_never_more_than_the_rows_that_are_enough) {
   std::mt19937_64 random(51);
   for (int round = 0; round < 200; ++round) {
     const double size = std::pow(10, (round % 5 - 2) * 150), tolerance = size * std::pow(10, -round % 5);
-    const auto rows = rows_within_tolerance(curve_of_size(random, 1 + round % 4, size), {tolerance}, 1'000'000);
+    const auto rows = rows_within_tolerance(curve_of_size(random, 1 + static_cast<std::size_t>(round) % 4, size),
+                                            {tolerance}, 1'000'000);
     EXPECT_LE(rows.least, rows.times.size()) << round;
   }
 }
@@ -224,7 +225,8 @@ TEST(LeastRows, are_never_more_than_the_rows_that_are_enough) {
 TEST(LeastRows, are_two_thirds_of_the_rows_of_a_small_tolerance) {
   std::mt19937_64 random(52);
   for (int round = 0; round < 20; ++round) {
-    const auto rows = rows_within_tolerance(curve_of_size(random, 1 + round % 4, 1), {1e-5}, 1'000'000);
+    const auto rows =
+        rows_within_tolerance(curve_of_size(random, 1 + static_cast<std::size_t>(round) % 4, 1), {1e-5}, 1'000'000);
     EXPECT_LT(static_cast<double>(rows.least), 0.75 * static_cast<double>(rows.times.size())) << round;
     EXPECT_GT(static_cast<double>(rows.least), 0.6 * static_cast<double>(rows.times.size())) << round;
   }

@@ -50,7 +50,7 @@ CurveRules<S> rules_with(TangentRule tangents, RotationCurve curve, EndRule ends
   CurveRules<S> rules;
   rules.tangents = tangents;
   rules.start.rule = rules.end.rule = ends;
-  rules.rotations = {{0, 1, 2, 3}};
+  rules.rotations = {{{0, 1, 2, 3}}};
   rules.rotation_rules.curve = curve;
   return rules;
 }
@@ -176,7 +176,7 @@ TEST(Rotation, turns_around_one_axis_are_the_curve_of_the_angle) {
 
 TEST(Rotation, the_rules_of_a_preset_for_rotations_replace_those_of_positions) {
   CurveRules<double> nel = rules_of<double>(Preset::nel);
-  nel.rotations = {{0, 1, 2, 3}};
+  nel.rotations = {{{0, 1, 2, 3}}};
   const auto curve = segments(example_keys<double>(), nel);
   const auto mirrored = segments(example_keys<double>(),
                                  rules_with<double>(TangentRule::interval_c, RotationCurve::squad, EndRule::mirror));
