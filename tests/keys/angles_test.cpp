@@ -28,7 +28,7 @@ Source<KeyBlock> keys_with_angles(const std::vector<double>& angles) {
 /// The message of the error of keys with these angles; "": they are taken.
 std::string refusal(const std::vector<double>& angles, bool degrees) {
   try {
-    (void)with_clear_angles(keys_with_angles(angles), {{{0}, degrees}}, {"heading"})();
+    (void)with_clear_angles(keys_with_angles(angles), {{{0, degrees}}}, {"heading"})();
   } catch (const Error& error) {
     return error.message();
   }
@@ -52,7 +52,7 @@ TEST(Angles, beyond_what_the_unit_allows_are_refused) {
 
 TEST(Angles, rows_show_negative_ones_where_a_key_does) {
   for (const double last : {30.0, -30.0}) {
-    std::vector<AngleColumn> angles{{{0}, true}};
+    std::vector<AngleColumn> angles{{{0, true}}};
     const auto again = with_signs(keys_with_angles({10, 20, last}), angles);
     EXPECT_EQ(angles[0].is_signed, last < 0);
     EXPECT_EQ(again()->keys.positions, (std::vector<double>{10, 20, last}));
