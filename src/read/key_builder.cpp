@@ -9,6 +9,7 @@
 
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
+#include "option_names.hpp"
 
 namespace tcb {
 namespace {
@@ -72,6 +73,13 @@ std::vector<std::size_t> channels_with(const Columns& columns, Role role) {
 std::size_t kinds(const Columns& columns) { return has_channel_roles(columns) ? std::size_t{NumberOfKey::kinds} : 1; }
 
 }  // namespace
+
+Error time_parts_not_whole(std::string_view time) {
+  return data_error(
+      "{}: the two columns of the time are not whole seconds and nanoseconds; expected whole numbers, of nanoseconds "
+      "from 0 to 999999999; correct the cells, or give {} time=NAME",
+      time, option::columns);
+}
 
 KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyUnits& units)
     : rules_(rules),

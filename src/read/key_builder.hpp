@@ -18,6 +18,9 @@
 
 namespace tcb {
 
+/// The two parts of a time are not whole seconds and nanoseconds. `time`: the name of the column of seconds.
+Error time_parts_not_whole(std::string_view time);
+
 /// Builds a block of keys. A record is begin_key(), its cells in any order, and end_key(). Without its cell, a key has
 /// no position, the common tension, no ease, no text.
 class KeyBuilder {

@@ -13,7 +13,6 @@
 #include "read/csv/invalid_number.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/csv/tokenizer.hpp"
-#include "read/errors.hpp"
 #include "read/input_format.hpp"
 #include "read/key_builder.hpp"
 #include "schema/usual_names.hpp"
@@ -141,9 +140,19 @@ class RecordReader {
     const std::string text = unquoted(cell) + " " + unquoted(clock);
     if (keys_.set_time_in_words(column, text)) return;
     if (is_missing_sign(number_text(cell), head_.rules.signs)) return read_no_number(cell, column);
-    const std::string name = head_.columns.time;
-    add_fault(cell, find_notation(text) == head_.units.notation ? no_such_time(name, text)
-                                                                : time_in_other_notation(name, text));
+    add_fault(cell, no_time(head_.columns.time, text));
+  }
+
+  /// Why a text is not the time of a key.
+  Error no_time(std::string_view column, std::string_view text) const {
+    if (find_notation(text) == head_.units.notation) {
+      return data_error(
+          "{}: the time {} does not exist; expected a date of the calendar, a time of day without leap seconds, and a "
+          "frame number that is below the frame rate and is not dropped; correct it",
+          column, in_quotes(text));
+    }
+    return data_error("{}: {} is not in the notation of the first time; expected all times in one notation; convert it",
+                      column, in_quotes(text));
   }
 
   void scale(std::string_view cell, const Columns::Column& column) {
@@ -186,8 +195,7 @@ class RecordReader {
                                     "break",
                                     name, missing_cell(text), option::missing));
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
-      const bool has_notation = head_.units.notation == find_notation(text);
-      add_fault(cell, has_notation ? no_such_time(name, text) : time_in_other_notation(name, text));
+      add_fault(cell, no_time(name, text));
     } else if (is_word(text, column)) {
       add_fault(
           cell,

@@ -10,7 +10,6 @@
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
 #include "option_names.hpp"
-#include "read/errors.hpp"
 #include "read/key_builder.hpp"
 
 namespace tcb {
