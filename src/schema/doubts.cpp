@@ -47,7 +47,7 @@ std::string roles_of(const FoundColumns& found, std::string_view role, const std
   return in_shell(fmt::format("{}={}", role, fmt::join(names, ":")));
 }
 
-double number_in(const FoundColumns& found, const std::vector<std::string>& row, std::size_t cell) {
+double number_in(const FoundColumns& found, const std::vector<std::string_view>& row, std::size_t cell) {
   return cell < row.size() ? Decimals(found.marks).number(row[cell]).value_or(nan) : nan;
 }
 
@@ -314,7 +314,7 @@ Found rotation_without_names(const FoundColumns& found) {
 Found minutes_and_seconds(const FoundColumns& found) {
   const std::vector<std::size_t> times = cells_with(found, Role::time);
   if (found.rows.empty() || times.empty() || times[0] >= found.rows[0].size()) return std::nullopt;
-  const std::string& time = found.rows[0][times[0]];
+  const std::string_view time = found.rows[0][times[0]];
   if (find_notation(time) != TimeNotation::clock || std::ranges::count(time, ':') != 1) return std::nullopt;
   return note("times such as {} are taken as minutes and seconds", in_quotes(time));
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "numbers/parse_number.hpp"
@@ -19,9 +20,9 @@ namespace tcb {
 
 /// What was found at the beginning of a table.
 struct FoundColumns {
-  std::span<const std::string> names;              ///< of the columns; empty: they have none
-  std::span<const std::vector<std::string>> rows;  ///< the cells of the first records
-  const std::vector<bool>& numeric;                ///< for each column, whether it holds numbers
+  std::span<const std::string> names;                   ///< of the columns; empty: they have none
+  std::span<const std::vector<std::string_view>> rows;  ///< the cells of the first records, without quotes
+  const std::vector<bool>& numeric;                     ///< for each column, whether it holds numbers
   const Columns& columns;
   const ColumnOptions& requested;
   NumberMarks marks = {};

@@ -41,11 +41,6 @@ std::string text_of(std::string_view cell) {
   return (whole ? "" : "\"") + unquoted(cell);
 }
 
-/// The characters of a number, which may be in quotes.
-std::string_view bare(std::string_view cell) {
-  return cell.size() >= 2 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
-}
-
 /// Reads the records of a chunk as keys.
 class RecordReader {
  public:
@@ -110,26 +105,31 @@ class RecordReader {
       case Role::carry: read_text(cell, column); break;
       case Role::clock: break;  // read with the date
       case Role::time:
-        if (clock_cell_ < cells_.size()) {
-          read_date_and_clock(cell, column);
-        } else if (!keys_.has_times_as_numbers()) {
+        if (clock_cell_ < cells_.size()) return read_date_and_clock(cell, column);
+        if (!keys_.has_times_as_numbers()) {
           if (!keys_.set_time_in_words(column, bare(cell))) read_no_number(cell, column);
-        } else if (const auto time = decimals_.time(number_text(cell)); time && !is_given_sign(cell)) {
-          keys_.set_time(*time);
-          if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(number_text(cell)));
-          if (keys_.scales()) scale(cell, column);
-        } else {
-          read_no_number(cell, column);
+          return;
         }
-        break;
-      default:
-        if (const auto number = decimals_.number(number_text(cell)); number && !is_given_sign(cell)) {
-          keys_.number(column) = *number;
-          if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(number_text(cell)));
-          if (keys_.scales()) scale(cell, column);
-        } else {
-          read_no_number(cell, column);
-        }
+        [[fallthrough]];
+      default: read_number(cell, column);
+    }
+  }
+
+  void read_number(std::string_view cell, const Columns::Column& column) {
+    const std::string_view text = number_text(cell);
+    if (is_given_sign(text)) return read_no_number(cell, column);
+    if (column.role == Role::time) {
+      const auto time = decimals_.time(text);
+      if (!time) return read_no_number(cell, column);
+      keys_.set_time(*time);
+    } else {
+      const auto number = decimals_.number(text);
+      if (!number) return read_no_number(cell, column);
+      keys_.number(column) = *number;
+    }
+    if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(text));
+    if (keys_.scales() && !keys_.scale(column, decimals_.text(text))) {
+      add_fault(cell, number_beyond_doubles(head_.columns.name_of(column), unquoted(cell)));
     }
   }
 
@@ -155,15 +155,10 @@ class RecordReader {
                       column, in_quotes(text));
   }
 
-  void scale(std::string_view cell, const Columns::Column& column) {
-    if (keys_.scale(column, decimals_.text(number_text(cell)))) return;
-    add_fault(cell, number_beyond_doubles(head_.columns.name_of(column), unquoted(cell)));
-  }
-
   /// A number such as -999 may be a sign of a missing one.
-  bool is_given_sign(std::string_view cell) const {
+  bool is_given_sign(std::string_view number) const {
     const auto& signs = head_.rules.signs;
-    return !signs.empty() && std::ranges::count(signs, number_text(cell)) > 0;
+    return !signs.empty() && std::ranges::count(signs, number) > 0;
   }
 
   /// A number in a column of text is a fault: that is a column of numbers with other texts in it.

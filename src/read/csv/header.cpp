@@ -335,20 +335,22 @@ std::string first_time(const std::vector<std::string>& cells, const Columns& col
   return columns.has(Role::clock) ? time + " " + text_of(Role::clock) : time;
 }
 
-/// The cells of the first records, without reading further.
-std::vector<std::vector<std::string>> cells_of(const Chunk& data, const Dialect& dialect) {
-  constexpr std::size_t most = 200;
-  std::vector<std::vector<std::string>> rows;
+/// The cells of the first records, without reading further. Requires: `data` outlives them.
+std::vector<HeadCells> cells_of(const Chunk& data, const Dialect& dialect) {
+  constexpr std::size_t most = 100;
+  std::vector<HeadCells> rows;
   Tokenizer tokenizer(data, dialect);
   try {
-    for (HeadCells cells; rows.size() < most && tokenizer.next(cells);) rows.push_back(texts(cells));
+    for (HeadCells cells; rows.size() < most && tokenizer.next(cells); rows.push_back(cells)) {
+      std::ranges::transform(cells, cells.begin(), bare);
+    }
   } catch (const Error&) {
     return rows;  // the record is refused when it is read as a key
   }
   return rows;
 }
 
-using Rows = std::vector<std::vector<std::string>>;
+using Rows = std::vector<HeadCells>;
 
 /// The mean gap between the times of the first records; nothing unless they are whole numbers that increase.
 std::optional<double> time_gap_of(const Rows& rows, const Columns& columns, const NumberMarks& marks) {

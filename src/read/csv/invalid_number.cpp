@@ -48,6 +48,7 @@ std::optional<NumberMarks> marks_of(std::string_view text) {
 }  // namespace
 
 bool has_thousands_separators(std::string_view text) {
+  if (text.find_first_of("0123456789") == std::string_view::npos) return false;
   const std::optional<NumberMarks> marks = marks_of(text);
   return marks && marks->thousands != 0 && !parse_number(text);
 }

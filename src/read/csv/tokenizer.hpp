@@ -73,6 +73,10 @@ class Tokenizer {
   bool broken_ = false, follows_blank_ = false;
 };
 
+/// What is between the quotes of a cell, or the cell: a text in which a quote may be doubled.
+inline std::string_view bare(std::string_view cell) {
+  return cell.size() >= 2 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
+}
 /// The text of a cell without its quotes.
 std::string unquoted(std::string_view cell);
 
