@@ -11,11 +11,12 @@
 
 #include "check/comparison.hpp"
 #include "check/inputs.hpp"
-#include "run/curve_pipeline.hpp"
 #include "tcb/spline/key.hpp"
-#include "write/layout.hpp"
 
 namespace tcb {
+
+class CurvePipeline;
+struct WholeCurve;
 
 /// The distance of a given number from the computed one; a missing number is NaN.
 struct Distance {

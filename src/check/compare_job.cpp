@@ -12,6 +12,7 @@
 #include "io/atomic_output.hpp"
 #include "io/input_list.hpp"
 #include "picture/differences.hpp"
+#include "run/curve_pipeline.hpp"
 #include "run/progress.hpp"
 #include "stream/ordered_map.hpp"
 

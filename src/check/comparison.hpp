@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "numbers/print_number.hpp"
-#include "read/earlier_output.hpp"
 #include "run/job.hpp"
 #include "run/sample_options.hpp"
 #include "schema/columns.hpp"
 #include "schema/curve_settings.hpp"
 
 namespace tcb {
+
+struct EarlierOutput;
 
 /// The samples that a file should have, no fewer and no more.
 struct ExpectedSamples {

@@ -17,6 +17,7 @@
 #include "keys/curves.hpp"
 #include "option_names.hpp"
 #include "stream/source.hpp"
+#include "tcb/spline/angle.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -120,7 +121,7 @@ class Matcher {
     find_places();
     Fields candidates = given_;
     if (given_.empty()) {
-      candidates.resize(sample_fields<double>.size());
+      candidates.resize(static_cast<std::size_t>(std::ranges::count(fields(), false, &Field::of_piece)));
       std::iota(candidates.begin(), candidates.end(), std::size_t{0});
     }
     for (const std::size_t field : candidates) {

@@ -16,7 +16,7 @@
 #include "keys/curves.hpp"
 #include "read/earlier_output.hpp"
 #include "run/progress.hpp"
-#include "sample/fields.hpp"
+#include "sample/table.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/schema.hpp"
 #include "stream/source.hpp"

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "run/curve_pipeline.hpp"
 #include "sample/build.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"

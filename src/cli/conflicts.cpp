@@ -8,7 +8,7 @@
 #include "error.hpp"
 #include "numbers/print_number.hpp"
 #include "sample/curve_spec.hpp"
-#include "sample/fields.hpp"
+#include "sample/table.hpp"
 #include "schema/format.hpp"
 
 namespace tcb {

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "cli/typed_options.hpp"
-#include "tcb/spline/rules.hpp"
+
+namespace tcb::spline {
+struct RotationRules;
+}
 
 namespace tcb {
 

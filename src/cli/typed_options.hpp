@@ -16,7 +16,7 @@
 #include "picture/picture.hpp"
 #include "run/job.hpp"
 #include "run/sample_options.hpp"
-#include "write/writer.hpp"
+#include "write/writer_options.hpp"
 
 namespace tcb {
 

@@ -10,7 +10,7 @@
 #include "formats/formats.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
-#include "sample/fields.hpp"
+#include "sample/table.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 

@@ -24,11 +24,13 @@
 #include "run/in_words.hpp"
 #include "run/progress.hpp"
 #include "sample/anywhere.hpp"
-#include "sample/fields.hpp"
 #include "sample/rows.hpp"
+#include "sample/table.hpp"
 #include "schema/format.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"
+#include "write/labels.hpp"
+#include "write/writer.hpp"
 
 namespace tcb {
 namespace {

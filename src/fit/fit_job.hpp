@@ -6,7 +6,7 @@
 #include "io/input_list.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
-#include "write/writer.hpp"
+#include "write/writer_options.hpp"
 
 namespace tcb {
 

@@ -18,6 +18,7 @@
 #include "error.hpp"
 #include "keys/angles.hpp"
 #include "keys/grouping.hpp"
+#include "keys/order.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "text/utf8.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "keys/order.hpp"
+#include "keys/curve_options.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/key_block.hpp"
 #include "schema/rotation_options.hpp"
@@ -21,15 +21,6 @@ namespace tcb {
 /// Passes keys on until one has a fault; then reads on to collect up to ten faults, unless the input is live, and
 /// throws an Error (data) with all of them.
 Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live);
-
-/// How the keys of an input make curves.
-struct CurveOptions {
-  Duplicates duplicates = Duplicates::error;
-  bool sort = false;
-  std::optional<Rational> max_gap = {};  ///< where keys are further apart in time, a new curve begins
-  bool is_max_gap_in_seconds = false;    ///< it is a duration, not in the unit of the times
-  bool any_order = false;                ///< keys stay in the order of the input, whatever their times
-};
 
 /// A part of a curve that gaps divide, which has a curve of its own.
 struct CurvePart {

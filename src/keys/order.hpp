@@ -1,13 +1,13 @@
 // Order: keys without gaps, whose times increase up to the next break.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "keys/curve_options.hpp"
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
@@ -25,18 +25,6 @@ struct CurveLabels {
   /// there is none. `texts`: only columns of text.
   std::string distinguishing(const KeyBlock& block, bool texts) const;
 };
-
-/// The treatment of keys with equal times.
-enum class Duplicates { error, first, last, break_curve, spread };
-
-struct DuplicatesName {
-  std::string_view name;
-  Duplicates value;
-};
-inline constexpr std::array duplicates_names{
-    DuplicatesName{"error", Duplicates::error}, DuplicatesName{"first", Duplicates::first},
-    DuplicatesName{"last", Duplicates::last}, DuplicatesName{"break", Duplicates::break_curve},
-    DuplicatesName{"spread", Duplicates::spread}};
 
 /// The keys with times of one kind. Up to the block with the first time of more than 17 digits, times are doubles or
 /// whole numbers; from there on each is its decimal.

@@ -11,6 +11,8 @@
 #include <limits>
 #include <utility>
 
+#include "sample/build.hpp"
+
 namespace tcb {
 namespace {
 

@@ -15,6 +15,7 @@
 #include "picture/scene.hpp"
 #include "picture/svg.hpp"
 #include "picture/view.hpp"
+#include "sample/build.hpp"
 
 namespace tcb {
 

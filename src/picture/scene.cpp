@@ -6,6 +6,7 @@
 
 #include "error.hpp"
 #include "option_names.hpp"
+#include "sample/build.hpp"
 #include "schema/usual_names.hpp"
 #include "tcb/spline/angle.hpp"
 #include "tcb/spline/rotation.hpp"

@@ -11,11 +11,14 @@
 
 #include "keys/key_store.hpp"
 #include "picture/axis.hpp"
-#include "sample/build.hpp"
+#include "schema/curve_channels.hpp"
 #include "schema/schema.hpp"
 #include "stream/source.hpp"
+#include "tcb/spline/rotation.hpp"
 
 namespace tcb {
+
+struct SegmentBlock;
 
 /// A sample as it is drawn.
 struct SceneSample {

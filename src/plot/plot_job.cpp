@@ -27,8 +27,8 @@
 #include "run/file_notes.hpp"
 #include "run/in_words.hpp"
 #include "run/progress.hpp"
-#include "sample/fields.hpp"
 #include "sample/request.hpp"
+#include "sample/table.hpp"
 #include "schema/schema.hpp"
 #include "text/suggest.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "sample/fields.hpp"
+#include "sample/table.hpp"
 
 namespace tcb {
 namespace {

@@ -15,7 +15,7 @@
 #include "run/curve_pipeline.hpp"
 #include "run/in_words.hpp"
 #include "run/notes.hpp"
-#include "sample/fields.hpp"
+#include "sample/table.hpp"
 #include "schema/doubts.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"

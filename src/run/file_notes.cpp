@@ -8,12 +8,17 @@
 
 #include "io/encoding.hpp"
 #include "io/input_file.hpp"
+#include "keys/curves.hpp"
 #include "numbers/decimal_time.hpp"
+#include "read/input.hpp"
 #include "read/input_format.hpp"
-#include "sample/fields.hpp"
+#include "run/curve_pipeline.hpp"
+#include "run/progress.hpp"
+#include "sample/table.hpp"
 #include "schema/doubts.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
+#include "write/provenance.hpp"
 
 namespace tcb {
 namespace {

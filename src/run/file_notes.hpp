@@ -6,16 +6,17 @@
 #include <span>
 #include <string>
 
-#include "keys/curves.hpp"
-#include "read/input.hpp"
-#include "run/curve_pipeline.hpp"
 #include "run/job.hpp"
 #include "run/notes.hpp"
 #include "run/progress.hpp"
 #include "sample/request.hpp"
-#include "write/provenance.hpp"
 
 namespace tcb {
+
+class Curves;
+struct Input;
+struct PlacedCurve;
+struct ProvenanceRequest;
 
 /// Reports facts about a file that a user may not expect.
 class FileNotes {

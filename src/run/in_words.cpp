@@ -7,6 +7,7 @@
 
 #include "numbers/decimal_time.hpp"
 #include "option_names.hpp"
+#include "run/curve_pipeline.hpp"
 
 namespace tcb {
 

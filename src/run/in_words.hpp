@@ -4,11 +4,12 @@
 #include <string>
 
 #include "numbers/rational.hpp"
-#include "run/curve_pipeline.hpp"
-#include "sample/request.hpp"
 #include "write/provenance.hpp"
 
 namespace tcb {
+
+struct RuleFacts;
+struct SamplingRequest;
 
 /// The double nearest to a number.
 std::string number_in_words(const Rational& value);

@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "keys/curves.hpp"
+#include "keys/curve_options.hpp"
 #include "numbers/print_number.hpp"
 #include "read/input_options.hpp"
-#include "schema/key_block.hpp"
+#include "schema/curve_settings.hpp"
 #include "stream/ordered_map.hpp"
 
 namespace tcb {

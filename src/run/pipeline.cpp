@@ -16,6 +16,8 @@
 #include "run/progress.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"
+#include "write/labels.hpp"
+#include "write/writer.hpp"
 
 namespace tcb {
 namespace {

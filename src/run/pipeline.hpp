@@ -7,7 +7,7 @@
 #include "io/input_list.hpp"
 #include "run/job.hpp"
 #include "run/sample_options.hpp"
-#include "write/writer.hpp"
+#include "write/writer_options.hpp"
 
 namespace tcb {
 

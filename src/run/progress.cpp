@@ -13,6 +13,7 @@
 #include "io/input_file.hpp"
 #include "io/system.hpp"
 #include "io/terminal.hpp"
+#include "sample/rows.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

@@ -17,10 +17,11 @@
 #include "error.hpp"
 #include "run/job.hpp"
 #include "run/notes.hpp"
-#include "sample/rows.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
+
+struct SampleBlock;
 
 /// Counts of the files of a batch.
 struct Summary {

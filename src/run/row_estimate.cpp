@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "numbers/decimal_time.hpp"
+#include "sample/build.hpp"
 
 namespace tcb {
 

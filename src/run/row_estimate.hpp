@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "sample/build.hpp"
 #include "sample/grid.hpp"
 #include "sample/request.hpp"
 
 namespace tcb {
+
+struct KeyBlock;
+struct SegmentBlock;
 
 class RowEstimate {
  public:

@@ -3,8 +3,10 @@
 
 #include <fmt/ranges.h>
 
+#include "keys/curves.hpp"
 #include "option_names.hpp"
 #include "schema/key_block.hpp"
+#include "schema/schema.hpp"
 
 namespace tcb {
 

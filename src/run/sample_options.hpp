@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "error.hpp"
-#include "keys/curves.hpp"
 #include "numbers/rational.hpp"
 #include "sample/request.hpp"
-#include "schema/schema.hpp"
 
 namespace tcb {
+
+struct InputCurve;
+struct Schema;
 
 /// Times or arc lengths for each group, by the contents of its texts.
 using GroupedPlaces = std::map<std::vector<std::string>, std::vector<Rational>>;

@@ -13,8 +13,11 @@
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "stream/ordered_map.hpp"
+#include "tcb/spline/build_error.hpp"
 #include "tcb/spline/closing.hpp"
+#include "tcb/spline/curve.hpp"
 #include "tcb/spline/curve_keys.hpp"
+#include "tcb/spline/curve_stream.hpp"
 
 namespace tcb {
 namespace {
@@ -196,13 +199,6 @@ Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Ti
     stream = {std::move(last_key), *end};
   }
   return streamed_segments(keys.source(), stream, rules, options);
-}
-
-spline::Curve<double> kept_curve(const Source<SegmentBlock>& segments, const Rules& rules, bool closed,
-                                 std::size_t count) {
-  spline::Curve<double> curve(rules, closed, count);
-  while (std::optional<SegmentBlock> block = segments()) curve.append(std::move(block->segments), block->lengths);
-  return curve;
 }
 
 void require_length(const DoubleDouble& length, const Time& end) {

@@ -6,13 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "error.hpp"
 #include "keys/key_store.hpp"
 #include "sample/curve_spec.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/arc_length.hpp"
-#include "tcb/spline/curve.hpp"
-#include "tcb/spline/curve_stream.hpp"
 #include "tcb/spline/segments.hpp"
+
+namespace tcb::spline {
+struct BuildError;
+}
 
 namespace tcb {
 
@@ -50,10 +53,6 @@ Source<SegmentBlock> segment_blocks(Source<Keys> keys, const Rules& rules, const
 /// channel.
 Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Time>& last, const Rules& rules,
                                     const SegmentOptions& options);
-
-/// The curve of these segments. `count`: the number of segments.
-spline::Curve<double> kept_curve(const Source<SegmentBlock>& segments, const Rules& rules, bool closed,
-                                 std::size_t count);
 
 /// Throws: Error (data) if the length of the curve up to a time is beyond the range of doubles.
 void require_length(const spline::DoubleDouble& length, const Time& end);

@@ -9,9 +9,10 @@
 #include <utility>
 
 #include "error.hpp"
+#include "keys/prepare.hpp"
 #include "numbers/parse_number.hpp"
 #include "option_names.hpp"
-#include "sample/fields.hpp"
+#include "sample/table.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"

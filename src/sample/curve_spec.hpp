@@ -5,15 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "keys/prepare.hpp"
 #include "numbers/rational.hpp"
 #include "sample/extrapolation.hpp"
 #include "sample/request.hpp"
-#include "schema/key_block.hpp"
-#include "schema/schema.hpp"
+#include "schema/curve_channels.hpp"
+#include "schema/curve_settings.hpp"
 #include "tcb/spline/curve_rules.hpp"
 
 namespace tcb {
+
+enum class ShownTcbScale;  // in keys/prepare.hpp
 
 /// Which curve the keys make.
 struct CurveSpec {

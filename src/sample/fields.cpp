@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
+
+#include "schema/schema.hpp"
 
 namespace tcb {
 namespace {
@@ -118,7 +122,24 @@ void write_positions(Cell* first, std::size_t width, const CurveSegment& segment
   }
 }
 
-std::span<const FieldOf<double>> fields() { return field_table<double>; }
+namespace {
+
+/// A member of all fields, in their order.
+template <class T>
+constexpr auto of_all_fields(T member) {
+  std::array<std::remove_cvref_t<std::invoke_result_t<T, const FieldOf<double>&>>, field_table<double>.size()> all{};
+  std::ranges::transform(field_table<double>, all.begin(), member);
+  return all;
+}
+
+}  // namespace
+
+std::span<const Field> fields() {
+  static constexpr std::array all = of_all_fields([](const Field& field) { return field; });
+  return all;
+}
+
+std::span<const Field> named_fields() { return fields().first(sample_fields<double>.size() + 1); }
 
 std::size_t field_of(std::string_view name) {
   return static_cast<std::size_t>(std::ranges::find(fields(), name, &Field::name) - fields().begin());
@@ -141,14 +162,14 @@ std::size_t cells_in_row(std::span<const std::size_t> chosen, const RowShape& sh
 void write_rows(Cell* rows, std::span<const std::size_t> chosen, const CurveSegment& segment, const Located& located,
                 Point<double>& point) {
   const std::size_t width = cells_in_row(chosen, shape_of(segment));
+  static constexpr std::array write_column = of_all_fields(&FieldOf<double>::write_column);
   std::vector<std::pair<decltype(FieldOf<double>::write), Cell*>> by_row;  // and the cell in the first row
   Cell* first = rows;
   for (const std::size_t index : chosen) {
-    const FieldOf<double>& field = fields()[index];
-    if (field.write_column != nullptr && located.outside.empty()) {
-      field.write_column(first, width, segment, located.samples);
+    if (write_column[index] != nullptr && located.outside.empty()) {
+      write_column[index](first, width, segment, located.samples);
     } else {
-      by_row.emplace_back(field.write, first);
+      by_row.emplace_back(field_writers<double>[index], first);
     }
     first += cells_in_row({&index, 1}, shape_of(segment));
   }

@@ -1,12 +1,11 @@
-// Fields: the one table of the quantities that a row can show, and its cells, for doubles and for exact scalars.
+// Fields: the one table of the quantities that a row can show, and the functions that write their cells, for doubles
+// and for exact scalars.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <span>
-#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -15,39 +14,12 @@
 #include "sample/pieces.hpp"
 #include "sample/point.hpp"
 #include "sample/sampler.hpp"
-#include "schema/schema.hpp"
+#include "sample/table.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb {
-
-/// What the cells of a column are, which decides how they are written.
-enum class CellKind { time, duration, real, whole };
-
-/// The name and kind of a column of the output.
-struct OutputColumn {
-  std::string name;
-  CellKind kind = CellKind::real;
-};
-
-/// A number of a row. A time beyond 2^53 needs both parts.
-using Cell = spline::DoubleDouble;
-
-/// The cell of a number that is not defined.
-inline constexpr Cell empty_cell{0, std::numeric_limits<double>::quiet_NaN()};
-inline bool is_empty(const Cell& cell) { return cell.lo != cell.lo; }
-
-/// A cell of a row's position: that of a channel, or of a number of a rotation.
-struct PositionCell {
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::size_t channel = none;   ///< whose number it is, unless the rotation is shown in another form
-  std::size_t rotation = none;  ///< whose number it is
-  std::size_t number = 0;       ///< among those of the rotation
-};
-
-/// The cells of a position in order.
-std::vector<PositionCell> position_cells(std::size_t channels, std::span<const RotationColumns> rotations);
 
 /// Receives the numbers of a point, one cell after another. For exact scalars see exact/exact_rows.hpp.
 template <class S>
@@ -64,24 +36,6 @@ class CellWriter<double> {
 
  private:
   Cell* next_;
-};
-
-struct Field {
-  std::string_view name;
-  std::string_view suffix = {};  ///< of a column's name, for a field with columns for each channel
-  CellKind kind = CellKind::real;
-  bool per_channel = false;          ///< columns for each channel, named after it; otherwise one
-  bool of_motion = false;            ///< only for channels that are not numbers of a rotation
-  bool per_rotation = false;         ///< columns for each rotation
-  bool shows_rotations = false;      ///< rotations have the columns of the form in which rows show them
-  std::size_t columns = 1;           ///< for each channel or rotation; several are numbered from 0
-  std::string_view odd_suffix = {};  ///< of every second one of several columns, where the suffixes alternate
-  bool of_piece = false;             ///< it is of a row that is a piece, not of a sample
-  bool needs_lengths = false;        ///< the segments before it have to be measured
-  bool over_metric = false;          ///< it is a length or a speed over the metric channels
-  bool has_side = false;             ///< at a key it may differ from one side to the other
-  bool is_exact = true;              ///< it has an exact value, which is rounded once
-  bool is_rational = true;           ///< for rational keys at a rational time it is rational, or the root of a rational
 };
 
 template <class S>
@@ -288,32 +242,13 @@ inline constexpr auto field_writers = [] {
   return all;
 }();
 
-std::span<const FieldOf<double>> fields();
-
-/// The fields that can be chosen by name: those of samples, and the length of a piece.
-inline std::span<const FieldOf<double>> named_fields() { return fields().first(sample_fields<double>.size() + 1); }
-
-/// The index of a field. Requires: its name.
-std::size_t field_of(std::string_view name);
-
-/// The channels of a row, and the rotations that four of them each make.
-struct RowShape {
-  std::size_t channels = 0;
-  std::span<const RotationColumns> rotations = {};
-};
 template <class S>
 RowShape shape_of(const CurveSegmentOf<S>& segment) {
   return {segment.cubics.size(), segment.rotation_columns};
 }
 
-/// The number of cells of these fields in a row.
-std::size_t cells_in_row(std::span<const std::size_t> chosen, const RowShape& shape);
-
 /// Writes fields of the samples on a segment, row after row. `point` is memory to reuse.
 void write_rows(Cell* rows, std::span<const std::size_t> chosen, const CurveSegment& segment, const Located& located,
                 Point<double>& point);
-
-/// The columns of these fields.
-std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Schema& schema);
 
 }  // namespace tcb

@@ -9,6 +9,7 @@
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
+#include "sample/build.hpp"
 
 namespace tcb {
 namespace {

@@ -2,18 +2,18 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "sample/build.hpp"
 #include "sample/fields.hpp"
 #include "sample/sampler.hpp"
+#include "sample/table.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
+
+struct SegmentBlock;
 
 /// Samples on successive segments, few enough to be evaluated at once.
 struct SampleBlock {
@@ -33,16 +33,6 @@ struct SampleBlock {
 /// parts of an ease, that on which a row there is.
 Source<SampleBlock> place(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler, CurveChannels channels,
                           spline::Side side = spline::Side::right);
-
-/// The cells of some rows, row after row.
-struct Table {
-  std::vector<Cell> cells;
-  std::vector<std::string> texts =
-      {};  ///< of the cells, where they have more digits than these; else none, or empty ones
-};
-
-/// The rows of a block with the chosen fields.
-using Evaluate = std::function<Table(const SampleBlock& block, std::span<const std::size_t> chosen)>;
 
 /// The cells of a block, row after row. A pure function. Throws: Error (data) for a number beyond
 /// the range of doubles.

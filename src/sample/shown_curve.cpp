@@ -5,8 +5,16 @@
 #include <utility>
 
 #include "numbers/decimal_time.hpp"
+#include "sample/build.hpp"
 
 namespace tcb {
+
+spline::Curve<double> kept_curve(const Source<SegmentBlock>& segments, const spline::CurveRules<double>& rules,
+                                 bool closed, std::size_t count) {
+  spline::Curve<double> curve(rules, closed, count);
+  while (std::optional<SegmentBlock> block = segments()) curve.append(std::move(block->segments), block->lengths);
+  return curve;
+}
 
 ShownCurve::ShownCurve(spline::Curve<double> curve, CurveChannels channels)
     : curve_(std::move(curve)), channels_(std::move(channels)) {

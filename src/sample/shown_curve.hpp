@@ -1,15 +1,23 @@
 // Shown curve: a kept curve, and how rows show its channels.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "sample/curve_segment.hpp"
 #include "schema/curve_channels.hpp"
+#include "stream/source.hpp"
 #include "tcb/spline/curve.hpp"
 
 namespace tcb {
+
+struct SegmentBlock;
+
+/// The curve of these segments. `count`: the number of segments.
+spline::Curve<double> kept_curve(const Source<SegmentBlock>& segments, const spline::CurveRules<double>& rules,
+                                 bool closed, std::size_t count);
 
 /// A kept curve with random access to its segments, as rows need them.
 class ShownCurve {

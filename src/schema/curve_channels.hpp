@@ -8,7 +8,7 @@
 
 #include "numbers/frame_times.hpp"
 #include "tcb/spline/key.hpp"
-#include "tcb/spline/rotation_notation.hpp"
+#include "tcb/spline/rotation_form.hpp"
 
 namespace tcb {
 

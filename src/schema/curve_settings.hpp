@@ -10,7 +10,11 @@
 
 #include "error.hpp"
 #include "numbers/rational.hpp"
-#include "tcb/spline/rules.hpp"
+
+namespace tcb::spline {
+enum class Preset : std::uint8_t;  // in tcb/spline/rules.hpp
+enum class Timing : std::uint8_t;
+}  // namespace tcb::spline
 
 namespace tcb {
 

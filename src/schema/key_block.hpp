@@ -13,7 +13,7 @@
 #include "schema/curve_settings.hpp"
 #include "schema/texts.hpp"
 #include "tcb/spline/key.hpp"
-#include "tcb/spline/rotation_notation.hpp"
+#include "tcb/spline/rotation_form.hpp"
 
 namespace tcb {
 

@@ -10,7 +10,7 @@
 
 #include "numbers/time_notation.hpp"
 #include "schema/rotation_options.hpp"
-#include "tcb/spline/rotation_notation.hpp"
+#include "tcb/spline/rotation_form.hpp"
 
 namespace tcb {
 

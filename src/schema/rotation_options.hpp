@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tcb/spline/rotation_notation.hpp"
+#include "tcb/spline/rotation_form.hpp"
 
 namespace tcb {
 

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "option_names.hpp"
+#include "schema/columns.hpp"
 #include "schema/key_block.hpp"
+#include "schema/schema.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"

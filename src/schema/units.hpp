@@ -6,12 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "error.hpp"
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
-#include "schema/columns.hpp"
-#include "schema/schema.hpp"
 
 namespace tcb {
+
+struct Columns;
+struct Schema;
 
 /// The factor of a channel's positions.
 struct ChannelScale {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "numbers/rational.hpp"
-#include "sample/rows.hpp"
+#include "sample/table.hpp"
 #include "write/layout.hpp"
 
 namespace tcb {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "numbers/print_number.hpp"
-#include "sample/fields.hpp"
+#include "sample/table.hpp"
 #include "schema/format.hpp"
 #include "write/camera_path.hpp"
 #include "write/layout.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "numbers/print_number.hpp"
-#include "sample/fields.hpp"
+#include "sample/table.hpp"
 #include "schema/schema.hpp"
 
 namespace tcb {

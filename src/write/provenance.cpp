@@ -9,6 +9,8 @@
 #include "error.hpp"
 #include "io/input_file.hpp"
 #include "io/sha256.hpp"
+#include "sample/rows.hpp"
+#include "schema/key_block.hpp"
 #include "text/utf8.hpp"
 #include "write/layout.hpp"
 

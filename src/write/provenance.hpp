@@ -12,12 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "sample/rows.hpp"
 #include "schema/format.hpp"
-#include "schema/key_block.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
+
+struct KeyBlock;
+struct SampleBlock;
 
 /// Names and values in words.
 using Facts = std::vector<std::pair<std::string, std::string>>;

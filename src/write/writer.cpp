@@ -16,6 +16,7 @@
 #include "schema/units.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
+#include "write/labels.hpp"
 #include "write/output_format.hpp"
 
 namespace tcb {

@@ -10,37 +10,17 @@
 #include <vector>
 
 #include "io/atomic_output.hpp"
-#include "sample/rows.hpp"
-#include "schema/key_block.hpp"
+#include "sample/table.hpp"
 #include "schema/schema.hpp"
 #include "stream/source.hpp"
 #include "write/frame.hpp"
 #include "write/gltf.hpp"
-#include "write/labels.hpp"
 #include "write/provenance.hpp"
+#include "write/writer_options.hpp"
 
 namespace tcb {
 
-/// The time that is subtracted from those of rows.
-struct TimeZero {
-  std::optional<Rational> time;  ///< in the unit of the times; nothing: that of the first key of the output
-};
-
-/// The form of an output.
-struct WriterOptions {
-  const Format* format = nullptr;   ///< one that has rows
-  std::optional<bool> header;       ///< nothing: as the input has one
-  std::optional<char> delimiter;    ///< nothing: that of the format
-  char decimal = '.';               ///< the decimal mark
-  bool like_input = false;          ///< instead of both: the marks of the input
-  Notation notation;                ///< of numbers that may have a fraction
-  std::vector<std::size_t> fields;  ///< indices into fields()
-  std::optional<ProvenanceRequest> provenance;
-  std::optional<std::string> file_column = {};     ///< the name of a first column with that of the input's file
-  std::optional<TimeNotation> time_notation = {};  ///< nothing: that of the input
-  std::optional<Rational> frame_rate = {};         ///< of timecode and frames
-  std::optional<TimeZero> time_zero = {};          ///< from which times count
-};
+struct LabelledBlock;
 
 /// The notation in which rows show times.
 TimeNotation notation_of_times(const WriterOptions& options, const TimeSchema& time);

@@ -8,6 +8,7 @@
 
 #include "comparing.hpp"
 #include "option_names.hpp"
+#include "run/curve_pipeline.hpp"
 
 namespace tcb {
 

@@ -1,5 +1,6 @@
 // Fields: the table has unique names, and rows have the cells of its columns, with and without columns.
 #include "sample/fields.hpp"
+#include "schema/schema.hpp"
 
 #include <gtest/gtest.h>
 

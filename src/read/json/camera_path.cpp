@@ -24,6 +24,7 @@
 #include "read/text_bytes.hpp"
 #include "read/written_number.hpp"
 #include "schema/pose_formats.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 namespace {

@@ -24,6 +24,7 @@
 #include "read/input_format.hpp"
 #include "read/scenes/text_lines.hpp"
 #include "read/scenes/tracks.hpp"
+#include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 

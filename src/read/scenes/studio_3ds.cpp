@@ -21,6 +21,7 @@
 
 #include "read/input_format.hpp"
 #include "read/scenes/tracks.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 namespace {

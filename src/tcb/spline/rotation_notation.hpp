@@ -17,31 +17,9 @@
 #include "tcb/spline/angle.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rotation.hpp"
+#include "tcb/spline/rotation_form.hpp"
 
 namespace tcb::spline {
-
-/// The numbers that give a rotation: x, y, z, w; an axis and the angle around it; angles around three axes in turn; or
-/// the nine of a matrix, row after row.
-enum class RotationForm : std::uint8_t { quaternion, axis_angle, euler, matrix };
-
-/// How a rotation is written.
-struct RotationNotation {
-  RotationForm form = RotationForm::quaternion;
-  std::array<std::uint8_t, 3> axes{};  ///< of Euler angles: 0 to 2, in the order of the turns
-  bool intrinsic = true;               ///< each turn is around an axis of the frame that was turned before
-  bool degrees = false;                ///< angles are in degrees, else in radians
-
-  constexpr std::size_t numbers() const {
-    constexpr std::array<std::size_t, 4> counts{4, 4, 3, 9};
-    return counts[static_cast<std::size_t>(form)];
-  }
-  constexpr bool is_quaternion() const { return form == RotationForm::quaternion; }
-  friend bool operator==(const RotationNotation&, const RotationNotation&) = default;
-};
-
-/// The numbers of a rotation in any notation; zeros follow.
-template <class S>
-using RotationNumbers = std::array<S, 9>;
 
 /// The cosine and sine of half an angle. Requires: |angle| <= 2^20 radians.
 inline SineCosine<double> sine_cosine_of_half(double angle, bool degrees) {

@@ -95,6 +95,7 @@
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rotation.hpp"
+#include "tcb/spline/rotation_form.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 #include "tcb/spline/rules.hpp"
 #include "tcb/spline/scalar.hpp"
