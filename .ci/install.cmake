@@ -3,7 +3,7 @@
 
 # The program prints the pages of its manual that have its tables, its completions, and the tables themselves; a program
 # for another machine needs an emulator for that. The other pages are files.
-set(pages man/tcbsample-input.5 man/tcbsample-output.5 man/tcbsample-numerics.7 man/tcbsample-clusters.7)
+set(pages man/tcbsample-input.5 man/tcbsample-output.5 man/tcbsample-numerics.7)
 if(NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR)
   foreach(document tcbsample.1=man tcbsample-curves.7=man-curves completion.bash=bash completion.zsh=zsh
           completion.fish=fish tables.json=tables)

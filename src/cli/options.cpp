@@ -78,8 +78,8 @@ constexpr OptionRow option_rows[] = {
      "The names in LIST end with NUL instead of a line end",
      "", flag, unrecorded, [](Typed& to, Text) { to.files.nul = true; }},
     {option::recursive, "", "", files_group,
-     "A folder stands for all files below it whose ending names a format, or with --input-format for all files "
-     "below it; DIR gets the same tree",
+     "A folder means all files below it whose ending names a format, or with --input-format all files below it; DIR "
+     "gets the same tree",
      "", flag, unrecorded, [](Typed& to, Text) { to.files.recursive = true; }},
     {option::suffix, "", "S", files_group,
      "Appends S to the name of each output, before the ending",
@@ -92,9 +92,8 @@ constexpr OptionRow option_rows[] = {
      "", flag, unrecorded, [](Typed& to, Text) { to.fail_fast = true; }},
 
     {option::check, "", "FILE", comparison_group,
-     "Compares the samples in FILE, made by any program, with the curve at the same times or arc lengths, and "
-     "prints a report. With a sampling option, or provenance in FILE, a missing or surplus row is a difference as "
-     "well",
+     "Compares the samples in FILE, made by any program, with the curve, and prints a report. With a sampling "
+     "option, or provenance in FILE, a missing or surplus row is a difference as well",
      "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; }},
     {option::abs, "", "[COL=]D,...", comparison_group,
      "With --check: the largest accepted difference between two numbers, in all columns, or in one, as in x=1e-6",
@@ -110,13 +109,13 @@ constexpr OptionRow option_rows[] = {
      "Renames columns of FILE before they are compared, as in frame_time=t,px=x",
      "", other, recorded, [](Typed& to, Text text) { to.comparison.maps = renamings(text); }},
     {option::identify, "", "FILE", comparison_group,
-     "Finds the tangent rule, the end rule, the speeds, and the order and signs of T, C, B that produce the "
-     "positions in FILE, and prints a ranked table",
+     "Finds the rules, and the order and signs of T, C, B, that produce the positions in FILE, and prints a ranked "
+     "table",
      "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; }},
 
     {option::input_format, "-i", "FORMAT", input_group,
      "The format of the input: @NAMES@; see tcbsample-input(5). By default it follows from the first bytes and the "
-     "ending of the file; other text is JSON where it begins with [ or {, else delimited",
+     "ending of the file",
      "", name, recorded, [](Typed& to, Text text) { to.keys.input.format = input_format(text); }, input_format_names},
     {option::delimiter, "-d", "CHAR", input_group,
      "The character between cells, or tab, comma, semicolon, space or pipe; by default the first of tab, semicolon, "
@@ -133,7 +132,7 @@ constexpr OptionRow option_rows[] = {
      "Skips lines that begin with PREFIX; none skips no lines",
      "#", other, recorded, [](Typed& to, Text text) { to.keys.input.delimited.comment = text == "none" ? "" : text; }},
     {option::skip_lines, "", "N", input_group,
-     "Skips the first N lines, which are no part of the table",
+     "Skips the first N lines, which are not part of the table",
      "", other, recorded,
      [](Typed& to, Text text) { to.keys.input.delimited.skipped_lines = count_between(text, 0, INT64_MAX); }},
     {option::units, "", "POLICY", input_group,
@@ -162,8 +161,7 @@ constexpr OptionRow option_rows[] = {
      "The decimal mark of numbers, a point or a comma",
      ".", other, recorded, [](Typed& to, Text text) { to.keys.input.delimited.marks.decimal = decimal_mark(text); }},
     {option::thousands, "", "CHAR", input_group,
-     "The character between groups of three digits, which is skipped, or comma, point, apostrophe, underscore or "
-     "space",
+     "The mark between groups of three digits: a character, or comma, point, apostrophe, underscore or space",
      "", name, recorded,
      [](Typed& to, Text text) { to.keys.input.delimited.marks.thousands = thousands_mark(text); },
      names_in<thousands_names>},
@@ -181,11 +179,11 @@ constexpr OptionRow option_rows[] = {
        for (const std::string_view pattern : split(text, ',')) to.keys.input.only.emplace_back(pattern);
      }},
     {option::records, "", "PATH", input_group,
-     "Reads the list of keys at this path of JSON, such as data.result[0].values; with * for any name, each list is "
+     "Reads the list of keys at this path in JSON, such as data.result[0].values; with * for any name, each list is "
      "a curve",
      "", other, recorded, [](Typed& to, Text text) { to.keys.input.records = text; }},
     {option::max_memory, "", "SIZE", input_group,
-     "Fails if a file whose format is kept as a whole needs more memory, such as 512MiB or 4GiB",
+     "Fails if a file that must be kept in memory as a whole needs more, such as 512MiB or 4GiB",
      "1GiB", other, unrecorded, [](Typed& to, Text text) { to.keys.input.max_memory = memory_size(text); }},
     {option::missing, "", "POLICY", input_group,
      "What happens to a cell that is empty or marks a missing number, such as NA: error rejects it; skip-row skips "
@@ -211,7 +209,7 @@ constexpr OptionRow option_rows[] = {
        if (broadcast_rate(text)) units.rate_as_decimal = text;
      }},
     {option::date_order, "", "ORDER", input_group,
-     "The order of dates such as 01.02.2024 or 1/2/2024 8:05, which have the year last: dmy or mdy",
+     "The order of dates that have the year last, such as 01.02.2024: dmy or mdy",
      "", name, recorded,
      [](Typed& to, Text text) { to.keys.input.units.date_order = named_row(date_orders, text).order; },
      names_in<date_orders>},
@@ -240,8 +238,7 @@ constexpr OptionRow option_rows[] = {
      "Channels that are angles, in degrees or radians, and turn the shorter way from key to key",
      "", columns, recorded, [](Typed& to, Text text) { to.keys.input.rotation.angles = angle_channels(text); }},
     {option::normalize, "", "", input_group,
-     "Divides quaternions by their norm, which may be any number but 0, and replaces a matrix by the nearest "
-     "rotation",
+     "Divides quaternions by their norm, which may be any number but 0, and replaces matrices by the nearest rotation",
      "", flag, recorded, [](Typed& to, Text) { to.keys.input.rotation.normalize = true; }},
     {option::duplicates, "", "POLICY", input_group,
      "What happens to keys with equal times: error rejects them; first or last keeps that one; break begins a new "
@@ -250,8 +247,7 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.keys.curves.duplicates = named_row(duplicates_names, text).value; },
      names_in<duplicates_names>},
     {option::max_gap, "", "D", input_group,
-     "Begins a new curve where keys are further apart in time than D, a number or a duration such as 2s; rows at steps "
-     "stay on the grid of the first key",
+     "Begins a new curve where keys are further apart in time than D, a number or a duration such as 2s",
      "", other, recorded,
      [](Typed& to, Text text) {
        const std::optional<Rational> duration = read_duration(text);
@@ -275,16 +271,15 @@ constexpr OptionRow option_rows[] = {
        to.keys.rules.tangents = {std::string(named_row(spline::tangent_rules<double>, text).name), {option::tangents}};
      }, names_in<spline::tangent_rules<double>>},
     {option::ends, "", "RULE[,RULE]", curve_group,
-     "The rule for the tangents at the first and the last key, one for both or one for each, instead of the "
-     "preset's rule; velocity=V:V... sets a velocity, with one number for each channel",
+     "The rule for the tangents at the first and the last key, one for both or one for each, instead of the preset's "
+     "rule; velocity=V:V... sets a velocity, a number for each channel",
      "", names, recorded,
      [](Typed& to, Text text) { to.keys.rules.ends = {text, {option::ends}}; }, names_in<spline::end_rules<double>>},
     {option::closed, "", "", curve_group,
      "The curve continues from the last key to the first",
      "", flag, recorded, [](Typed& to, Text) { to.keys.rules.closed = {true, {option::closed}}; }},
     {option::period, "", "P", curve_group,
-     "The time that a closed curve takes to return to its first key, which may have a unit as for --step; implies "
-     "--closed",
+     "The time that a closed curve takes to return to its first key, such as 4 or 4s; implies --closed",
      "", other, recorded, [](Typed& to, Text text) { to.keys.rules.period = {text, {option::period}}; }},
     {option::equal_speed, "", "", curve_group,
      "Makes the speeds on both sides of a key equal, even if the continuity is not 0",
@@ -299,8 +294,8 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.keys.rules.parameter = {text, {option::parameter}}; }, names_in<parameter_names>},
     {option::metric, "", "CHANNEL,...", curve_group,
      "The channels, by name or number, over which lengths and speeds are measured; by default those called x, y and "
-     "z where these are, otherwise all. all measures all channels, rotation the angles through which rotations "
-     "turn, in radians",
+     "z if there are any, otherwise all. all means all channels, rotation the angles in radians through which "
+     "rotations turn",
      "", columns, recorded, [](Typed& to, Text text) { to.keys.rules.metric = {text, {option::metric}}; }},
     {option::rotation_curve, "", "NAME", curve_group,
      "The curve between rotations, instead of the preset's curve: squad, casteljau, components or slerp",
@@ -371,8 +366,8 @@ constexpr OptionRow option_rows[] = {
      "", places, recorded,
      [](Typed& to, Text text) { to.sampling.mode = Mode::arc_at; store_places(to, option::arc_at, text); }},
     {option::tolerance, "", "D[,ANGLE]", sampling_group,
-     "Uses a greedy search for few samples whose polyline stays within D of the curve, over the metric channels, "
-     "and whose rotations stay within ANGLE, such as 0.5deg or 0.01rad",
+     "Takes few samples, whose polyline stays within D of the curve over the metric channels, and whose rotations "
+     "stay within ANGLE, such as 0.5deg or 0.01rad",
      "", other, recorded,
      [](Typed& to, Text text) { to.sampling.mode = Mode::tolerance; to.sampling.tolerance = curve_tolerance(text); }},
     {option::emit, "", "FORM", sampling_group,
@@ -386,21 +381,21 @@ constexpr OptionRow option_rows[] = {
        to.form = form_of_pieces(text);
      }, names_in<form_table>},
     {option::fit, "", "D,...", sampling_group,
-     "Prints keys, not samples: the fewest keys found whose curve is within D of every sample in the input, over "
-     "the metric channels. NAME=D limits one channel; 0.5deg or 0.01rad limits rotations",
+     "Finds a small set of keys whose curve stays within D of every sample in the input, over the metric channels, "
+     "and prints these keys. NAME=D limits one channel; 0.5deg or 0.01rad limits rotations",
      "", other, recorded, [](Typed& to, Text text) { std::tie(to.fit.tolerances, to.fit.angle) = fit_limits(text); }},
     {option::fit_keys, "", "KIND", sampling_group,
      "The parameters of the keys of --fit: tcb means tension and bias, hermite means velocities",
      "tcb", name, recorded,
      [](Typed& to, Text text) { to.fit.keys = named_row(fit_key_names, text).keys; }, names_in<fit_key_names>},
     {option::keep_times, "", "T,...", sampling_group,
-     "Times of samples that --fit turns into keys in any case, written as in --at",
+     "Samples that --fit must keep as keys, by time, written as in --at",
      "", places, recorded, [](Typed& to, Text text) { store_places(to, option::keep_times, text); }},
     {option::corner, "", "DEGREES", sampling_group,
      "Allows a key of --fit to be a corner where the samples turn by more than DEGREES",
      "", other, recorded, [](Typed& to, Text text) { to.fit.corner = corner_angle(text); }},
     {option::from, "", "T", sampling_group,
-     "Where sampling begins: a time, which may have a unit as for --step, or an arc length for the arc modes; by "
+     "Where sampling begins: a time, which may have a unit as in 20ms, or an arc length for the arc modes; by "
      "default the first key",
      "", other, recorded, [](Typed& to, Text text) { to.sampling.from = stored_bound(to, text, &InSeconds::from); }},
     {option::to, "", "T", sampling_group,
@@ -408,12 +403,11 @@ constexpr OptionRow option_rows[] = {
      "", other, recorded, [](Typed& to, Text text) { to.sampling.to = stored_bound(to, text, &InSeconds::to); }},
     {option::end, "", "POLICY", sampling_group,
      "What happens if the steps do not meet the end: drop stops before it; keep adds it after a shorter step; fit "
-     "takes the nearest whole number of equal steps, fit-down the largest equal steps of at most H, and fit-up the "
-     "smallest of at least H",
+     "takes the nearest whole number of equal steps, fit-down steps of at most H, and fit-up steps of at least H",
      "drop", name, recorded,
      [](Typed& to, Text text) { to.sampling.end = named_row(end_policies, text).policy; }, names_in<end_policies>},
     {option::keys, "", "", sampling_group,
-     "Adds every key as a sample, in place of a sample within a billionth of a step of the key",
+     "Adds every key as a sample, in place of one within a billionth of a step of it",
      "", flag, recorded, [](Typed& to, Text) { to.sampling.keys = true; }},
     {option::max_rows, "", "N", sampling_group,
      "Fails if there are more than N samples",
@@ -482,8 +476,7 @@ constexpr OptionRow option_rows[] = {
      "Writes csv with the delimiter, the decimal mark and the line ends of the input",
      "", flag, recorded, [](Typed& to, Text) { to.output.like_input = true; }},
     {option::file_column, "", "[=NAME]", output_group,
-     "Adds the name of the input as the first column, which is called NAME, and leaves out the blank line between "
-     "files",
+     "Adds the name of the input as the first column, called NAME, in place of a blank line between files",
      "file", attached, recorded, [](Typed& to, Text text) { to.output.file_column = text; }},
     {option::time_format, "", "FORMAT", output_group,
      "The notation of times in rows: seconds, frames, clock (hh:mm:ss.fff), smpte (timecode) or iso (dates of ISO "
@@ -503,22 +496,21 @@ constexpr OptionRow option_rows[] = {
      "Renames columns of the input, in the output and for the options about channels",
      "", columns, recorded, [](Typed& to, Text text) { to.keys.input.renamings = renamings(text); }},
     {option::axes, "", "X:Y", output_group,
-     "With a picture: the channels, by name or number, that point right and up in the view of the path; by default "
-     "the first two metric channels",
+     "With a picture: the channels, by name or number, that point right and up; by default the first two metric "
+     "channels",
      "", column_pair, unrecorded, [](Typed& to, Text text) { to.picture.axes = axis_names(text); }},
     {option::title, "", "TEXT", output_group,
      "With a picture: its title; by default the name of the file",
      "", other, unrecorded, [](Typed& to, Text text) { to.picture.title = text; }},
     {option::size, "", "WxH", output_group,
-     "With a picture: its width and height in pixels; by default as large as its contents require",
+     "With a picture: its width and height in pixels",
      "", other, unrecorded, [](Typed& to, Text text) { to.picture.size = picture_size(text); }},
 
     {option::explain, "", "", about_group,
      "Prints what was detected, and with a sampling option what would be done, instead of samples",
      "", flag, recorded, [](Typed& to, Text) { to.explain = true; }},
     {option::progress, "", "", about_group,
-     "Shows the progress on a terminal after a second, even if the rows go to the terminal; by default it is shown "
-     "only if they do not",
+     "Shows the progress on a terminal after a second, also if the rows go to the terminal",
      "", flag, unrecorded, [](Typed& to, Text) { to.progress = true; }},
     {option::no_progress, "", "", about_group,
      "Does not show the progress",
