@@ -65,7 +65,7 @@ TEST_F(CompletionTest, zsh_and_fish_have_every_option_and_its_values) {
 
 TEST_F(CompletionTest, descriptions_are_escaped) {
   EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("[The format of the input\\: csv"));
-  EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("where it begins with \\[ or {"));
+  EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("such as data.result\\[0\\].values"));
   EXPECT_THAT(generated_text(Generated::zsh), HasSubstr("instead of the preset'\\''s"));
   EXPECT_THAT(generated_text(Generated::fish), HasSubstr("-d 'The rule for the tangents at inner keys'"));
 }
