@@ -47,9 +47,9 @@ SampleRows concatenated(const std::vector<SampleRows>& parts) {
 
 /// Divides rows at the gaps of the keys, so that each part of a curve has its own; rows in a gap belong to the part
 /// before it. Requires: the rows have times.
-void divide_at_gaps(const KeptCurves& kept, SampleTable& table) {
-  const std::vector<KeptCurve>& curves = kept.curves;
-  const auto is_first_part = [](const KeptCurve& curve) { return curve.part->number == 0; };
+void divide_at_gaps(const KeptInput& kept, SampleTable& table) {
+  const std::vector<KeptKeys>& curves = kept.curves;
+  const auto is_first_part = [](const KeptKeys& curve) { return curve.part->number == 0; };
   if (std::ranges::count_if(curves, is_first_part) == 1) table.curves = {concatenated(table.curves)};
   std::vector<SampleRows> divided;
   std::size_t next = 0;  // of the first part of a curve
@@ -76,11 +76,11 @@ void divide_at_gaps(const KeptCurves& kept, SampleTable& table) {
   table.curves = std::move(divided);
 }
 
-Pairs pairs_by_group(const KeptCurves& kept, SampleTable& table) {
+Pairs pairs_by_group(const KeptInput& kept, SampleTable& table) {
   const std::vector<std::string>& names = kept.schema.groups;
   Pairs result;
   std::vector<bool> taken(table.curves.size());
-  for (const KeptCurve& curve : kept.curves) {
+  for (const KeptKeys& curve : kept.curves) {
     const auto wanted = contents(curve.group);
     SampleRows rows;
     for (std::size_t i = 0; i < taken.size(); ++i) {
@@ -105,7 +105,7 @@ Pairs pairs_by_group(const KeptCurves& kept, SampleTable& table) {
 
 }  // namespace
 
-Pairs pair_up(const KeptCurves& kept, SampleTable& table) {
+Pairs pair_up(const KeptInput& kept, SampleTable& table) {
   if (!kept.curves.empty() && kept.curves[0].part && table.timed) divide_at_gaps(kept, table);
   if (!kept.curves.empty() && has_content(kept.curves[0].group) && !table.curves.empty() &&
       has_content(table.curves[0].group)) {
@@ -133,20 +133,20 @@ ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs) {
 }
 
 Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
-                 const WholeCurve& curve, const Limits& limits) {
-  const Time first = columns.by_length ? Time(0.0) : curve.extent.first;
-  const Time last = columns.by_length ? Time(curve.curve->curve().length().value) : *curve.extent.last;
+                 const KeptCurve& curve, const Limits& limits) {
+  const Time first = columns.by_length ? Time(0.0) : curve.extent().first;
+  const Time last = columns.by_length ? Time(curve.length()) : *curve.extent().last;
   const auto is_extended_to = [&](const Time& place) {
-    const auto& [before, after] = curve.extrapolations;
+    const auto& [before, after] = curve.extrapolations();
     return !columns.by_length && (place < first ? before : after) != Extrapolation::error;
   };
   Places result;
   std::uint64_t off_curve = 0;
   std::pair<std::size_t, Time> first_off;
   for (std::size_t row = 0; row < rows.size(); ++row) {
-    Time place = columns.place               ? Time(rows.numbers[row * table.columns.size() + *columns.place])
-                 : curve.extent.decimals > 0 ? with_all_digits(rows.times[row])
-                                             : as_double(rows.times[row]);
+    Time place = columns.place                 ? Time(rows.numbers[row * table.columns.size() + *columns.place])
+                 : curve.extent().decimals > 0 ? with_all_digits(rows.times[row])
+                                               : as_double(rows.times[row]);
     const bool on_curve = place >= first && place <= last;
     const Time end = place < first ? first : last;
     const bool extended = is_extended_to(place);
@@ -172,22 +172,14 @@ Places places_of(const SampleRows& rows, const SampleTable& table, const Matched
   return result;
 }
 
-void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns, const WholeCurve& curve,
-                  spline::Side side, unsigned threads,
+void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
+                  const std::shared_ptr<const KeptCurve>& curve, spline::Side side, unsigned threads,
                   const std::function<void(std::size_t, std::span<const Cell>)>& use) {
-  const auto place = [&places](std::uint64_t row) { return places.places[row]; };
-  const auto evaluate_all = [&](const auto& locator) {
-    const auto cells_of = [&columns, locator](const SampleBlock& block) {
-      return evaluate(block, *locator, columns.fields);
-    };
-    return ordered_map(look_up(curve.curve, locator, side), cells_of, threads);
+  const FoundRows rows = find_rows(curve, places.places, columns.by_length, side);
+  const auto cells_of = [&columns, &rows](const SampleBlock& block) {
+    return evaluate(block, *rows.locator, columns.fields);
   };
-  const std::uint64_t rows = places.places.size();
-  const auto cells =
-      columns.by_length
-          ? evaluate_all(std::make_shared<const AnywhereInLength>(place, rows, curve.curve->curve().length().value))
-          : evaluate_all(std::make_shared<const AnywhereInTime>(place, rows, curve.extrapolations, curve.extent.first,
-                                                                *curve.extent.last, curve.curve->frames()));
+  const auto cells = ordered_map(rows.blocks, cells_of, threads);
   std::size_t next = 0;
   while (std::optional<std::vector<Cell>> block = cells()) {
     const std::size_t width = block->size() / std::min<std::size_t>(SampleBlock::most_rows, places.rows.size() - next);
@@ -269,7 +261,7 @@ class RowMatcher {
 }  // namespace
 
 std::vector<Time> expected_places(const ExpectedSamples& expected, const Comparison& comparison,
-                                  const ComparisonInputs& inputs, const KeptCurve& curve) {
+                                  const ComparisonInputs& inputs, const KeptKeys& curve) {
   const std::vector<std::size_t> fields{field_of(inputs.columns.by_length ? "s" : "time")};
   const Schema& schema = inputs.kept.schema;
   CurveSettings rules = comparison.keys.rules;
@@ -278,11 +270,11 @@ std::vector<Time> expected_places(const ExpectedSamples& expected, const Compari
                              .rules = rules,
                              .fields = fields,
                              .threads = inputs.threads};
-  CurvePipeline pipeline(request, schema, inputs.kept.traits, *curve.curve_info);
-  const PlacedCurve placed = pipeline.place(curve.keys(), curve.part);
+  CurvePipeline pipeline(request, schema, inputs.kept.traits, *curve.curve_info, curve.part);
+  const CurveSamples samples = pipeline.samples(curve.keys());
   std::vector<Time> places;
-  while (const std::optional<SampleBlock> block = placed.blocks()) {
-    const Table rows = placed.evaluate(*block, fields);
+  while (const std::optional<SampleBlock> block = samples.blocks()) {
+    const Table rows = samples.evaluate(*block, fields);
     places.insert(places.end(), rows.cells.begin(), rows.cells.end());
   }
   std::ranges::sort(places, std::less<>());
@@ -323,11 +315,11 @@ std::optional<std::string> rows_differ(std::span<const Time> expected, const Pla
   return rows_not_as_expected(counts);
 }
 
-Coverage coverage_of(const KeptCurve& curve, const ComparisonInputs& inputs, const WholeCurve& whole,
+Coverage coverage_of(const KeptKeys& curve, const ComparisonInputs& inputs, const KeptCurve& whole,
                      const Places& found) {
   Coverage coverage{group_title(inputs.kept.schema.groups, curve.group), inputs.place_name()};
-  coverage.first = inputs.columns.by_length ? Time(0.0) : whole.extent.first;
-  coverage.last = inputs.columns.by_length ? Time(whole.curve->curve().length().value) : *whole.extent.last;
+  coverage.first = inputs.columns.by_length ? Time(0.0) : whole.extent().first;
+  coverage.last = inputs.columns.by_length ? Time(whole.length()) : *whole.extent().last;
   coverage.rows = found.places.size();
   if (found.places.empty()) return coverage;
   const auto [least, most] = std::ranges::minmax(found.places, std::less<>());
@@ -416,7 +408,7 @@ void require_columns(const Comparison& comparison, const ComparisonInputs& input
 
 /// Compares which rows there are. Rows of provenance that these keys do not make are unknown.
 void check_coverage(const Pair& pair, const Comparison& comparison, const ComparisonInputs& inputs,
-                    const WholeCurve& curve, const Places& found, const Limits& limits, Check& result) {
+                    const KeptCurve& curve, const Places& found, const Limits& limits, Check& result) {
   Coverage& coverage = result.coverage.emplace_back(coverage_of(*pair.curve, inputs, curve, found));
   std::optional<ExpectedSamples> expected = comparison.expected;
   if (!expected && inputs.table.provenance) expected = comparison.recorded(*inputs.table.provenance);
@@ -445,13 +437,13 @@ void check_pair(const Pair& pair, const Comparison& comparison, const Comparison
   request.samples.mode = columns.by_length ? Mode::arc_at : Mode::at;
   const spline::Side side = request.samples.side();
   CurvePipeline pipeline(request, inputs.kept.schema, inputs.kept.traits, *pair.curve->curve_info);
-  const WholeCurve curve = pipeline.whole(pair.curve->keys());
+  const std::shared_ptr<const KeptCurve> curve = pipeline.kept(pair.curve->keys());
   const Limits limits = limits_of(comparison, inputs.place_name());
-  const Places places = places_of(pair.rows, inputs.table, columns, curve, limits);
+  const Places places = places_of(pair.rows, inputs.table, columns, *curve, limits);
   if (places.off_curve) result.problems.emplace_back(*places.off_curve);
   for_each_row(pair.rows, places, columns, curve, side, inputs.threads,
                [&](std::size_t row, auto cells) { checker.compare_row(pair.rows, row, cells); });
-  check_coverage(pair, comparison, inputs, curve, places, limits, result);
+  check_coverage(pair, comparison, inputs, *curve, places, limits, result);
   if (observe) observe({inputs, pipeline, *pair.curve, pair.rows, curve, places, side});
 }
 

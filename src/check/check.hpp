@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,7 +17,7 @@
 namespace tcb {
 
 class CurvePipeline;
-struct WholeCurve;
+class KeptCurve;
 
 /// The distance of a given number from the computed one; a missing number is NaN.
 struct Distance {
@@ -83,7 +84,7 @@ struct Check : ComparisonSummary {
 
 /// A curve and its given rows.
 struct Pair {
-  const KeptCurve* curve;
+  const KeptKeys* curve;
   SampleRows rows;
 };
 
@@ -93,7 +94,7 @@ struct Pairs {
 };
 
 /// Pairs curves and rows by their groups if both have them, else by their order; a single curve takes all rows.
-Pairs pair_up(const KeptCurves& kept, SampleTable& table);
+Pairs pair_up(const KeptInput& kept, SampleTable& table);
 
 /// The parts of a result that all comparisons have.
 ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs);
@@ -107,12 +108,12 @@ struct Places {
 
 /// Where rows lie on a curve. A place before or after the curve, but within `limits` of its end, counts as that end.
 Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
-                 const WholeCurve& curve, const Limits& limits);
+                 const KeptCurve& curve, const Limits& limits);
 
 /// The places that the rows of a curve should have, in increasing order: arc lengths if the given rows are at these,
 /// otherwise times. Throws: Error if the request does not fit the curve.
 std::vector<Time> expected_places(const ExpectedSamples& expected, const Comparison& comparison,
-                                  const ComparisonInputs& inputs, const KeptCurve& curve);
+                                  const ComparisonInputs& inputs, const KeptKeys& curve);
 
 /// Compares the rows of a curve with those that are expected. A row counts as the expected one from which it
 /// is less than an eighth of the way to the next one, within `limits`, or different only as printed in `notation`.
@@ -121,22 +122,22 @@ std::optional<std::string> rows_differ(std::span<const Time> expected, const Pla
                                        const Notation& notation, const Limits& limits);
 
 /// The part of a curve that its rows cover.
-Coverage coverage_of(const KeptCurve& curve, const ComparisonInputs& inputs, const WholeCurve& whole,
+Coverage coverage_of(const KeptKeys& curve, const ComparisonInputs& inputs, const KeptCurve& whole,
                      const Places& found);
 
 /// Calls `use` for each of the rows, in order, with its cells. They are aligned with the given row. Throws: Error
 /// (data) for a number beyond the range.
-void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns, const WholeCurve& curve,
-                  spline::Side side, unsigned threads,
+void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
+                  const std::shared_ptr<const KeptCurve>& curve, spline::Side side, unsigned threads,
                   const std::function<void(std::size_t row, std::span<const Cell> cells)>& use);
 
 /// A curve with the places of its samples, as it is compared.
 struct CheckedPair {
   const ComparisonInputs& inputs;
   const CurvePipeline& pipeline;
-  const KeptCurve& curve;
+  const KeptKeys& curve;
   const SampleRows& rows;
-  const WholeCurve& indexed;
+  const std::shared_ptr<const KeptCurve>& indexed;
   const Places& places;
   spline::Side side;  ///< of a key, the segment on which a row there is
 };

@@ -36,9 +36,10 @@ class ComparisonPicture {
     if (!picture_.has_begun()) begin(pair.inputs);
     if (picture_.is_full()) return;
     CurvePipeline pipeline = pair.pipeline;
-    const StoredCurve stored = pipeline.stored(pair.curve.keys(), false);
-    picture_.add(stored.keys, with_rotations_as_cubics(stored.segments, pipeline.facts().spec.channels()),
-                 stored.closed, samples_of(pair));
+    const StreamedCurve curve = pipeline.streamed(pair.curve.keys());
+    const CurveChannels channels = pipeline.facts().spec.channels();
+    picture_.add(curve.keys, with_rotations_as_cubics([curve] { return curve.segments(); }, channels),
+                 curve.extent.closed, samples_of(pair));
   }
 
   std::string svg(const ComparisonSummary& files, const std::string& result) {

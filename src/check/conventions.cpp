@@ -20,9 +20,9 @@ using spline::tangent_rules;
 Triple triple_of(const spline::Tcb<double>& tcb) { return {tcb.tension, tcb.continuity, tcb.bias}; }
 
 /// The distinct values of tension, continuity and bias among all keys.
-std::set<Triple> triples(const KeptCurves& kept) {
+std::set<Triple> triples(const KeptInput& kept) {
   std::set<Triple> found;
-  for (const KeptCurve& curve : kept.curves) {
+  for (const KeptKeys& curve : kept.curves) {
     for (const KeyBlock& block : curve.blocks) {
       if (block.keys.tcbs.empty()) found.insert(triple_of(block.keys.common_tcb));
       for (const auto& tcb : block.keys.tcbs) found.insert(triple_of(tcb));
@@ -60,7 +60,7 @@ std::string TcbOrder::name() const {
   return text;
 }
 
-std::vector<TcbOrders> distinct_orders(const KeptCurves& kept) {
+std::vector<TcbOrders> distinct_orders(const KeptInput& kept) {
   const std::set<Triple> known = triples(kept);
   std::vector<TcbOrders> distinct;
   for (const TcbOrder& order : all_orders()) {
@@ -82,7 +82,7 @@ std::vector<TcbOrders> distinct_orders(const KeptCurves& kept) {
 namespace {
 
 /// Whether keys can have this curve of rotations, which some have not with velocities or whole turns.
-bool is_curve_of(spline::RotationCurve curve, const KeptCurves& kept) {
+bool is_curve_of(spline::RotationCurve curve, const KeptInput& kept) {
   if (curve == spline::RotationCurve::squad) return true;
   const bool is_slerp = curve == spline::RotationCurve::slerp;
   const auto has_whole_turn = [&](const Keys& keys, std::size_t rotation) {
@@ -93,7 +93,7 @@ bool is_curve_of(spline::RotationCurve curve, const KeptCurves& kept) {
     }
     return false;
   };
-  for (const KeptCurve& kept_curve : kept.curves) {
+  for (const KeptKeys& kept_curve : kept.curves) {
     for (const KeyBlock& block : kept_curve.blocks) {
       if (is_slerp && !block.keys.velocities.empty()) return false;
       for (std::size_t i = 0; !is_slerp && i < kept.schema.rotations.size(); ++i) {
@@ -105,7 +105,7 @@ bool is_curve_of(spline::RotationCurve curve, const KeptCurves& kept) {
 }
 
 /// Whether the keys have neither ease nor velocities nor missing positions, with which timing is always even.
-bool has_rules_alone(const KeptCurve& curve) {
+bool has_rules_alone(const KeptKeys& curve) {
   return std::ranges::all_of(curve.blocks, [](const KeyBlock& block) {
     return block.keys.eases.empty() && block.keys.velocities.empty() && !block.keys.is_sparse();
   });
@@ -122,7 +122,7 @@ ComparedParts compared_parts(const CurveSettings& rules, const ComparisonInputs&
     const bool is_position = cells[column.computed].rotation == PositionCell::none;
     (is_position ? parts.positions : rotations) = true;
   }
-  for (const KeptCurve& curve : inputs.kept.curves) {
+  for (const KeptKeys& curve : inputs.kept.curves) {
     const CurveSpec spec = make_spec(merged(rules, curve.curve_info->settings));
     parts.closed = parts.closed || spec.closed;
     parts.may_be_timed = parts.may_be_timed && has_rules_alone(curve);

@@ -33,7 +33,7 @@ struct TcbOrders {
 inline constexpr std::size_t all_tcb_orders = 48;
 
 /// The orders that differ for these keys, the usual one first.
-std::vector<TcbOrders> distinct_orders(const KeptCurves& kept);
+std::vector<TcbOrders> distinct_orders(const KeptInput& kept);
 
 /// A way to make a curve of keys.
 struct Convention {

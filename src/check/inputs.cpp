@@ -286,26 +286,26 @@ Error no_position_column(const std::vector<std::string>& channels) {
                     listed(channels));
 }
 
-Source<KeyBlock> KeptCurve::keys() const {
+Source<KeyBlock> KeptKeys::keys() const {
   return [this, next = std::size_t{0}]() mutable {
     return next < blocks.size() ? std::optional(blocks[next++]) : std::nullopt;
   };
 }
 
-std::size_t KeptCurve::key_count() const {
+std::size_t KeptKeys::key_count() const {
   std::size_t count = 0;
   for (const KeyBlock& block : blocks) count += block.size();
   return count;
 }
 
-KeptCurves keep_curves(const Comparison& comparison, Source<std::string> bytes) {
+KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes) {
   InputOptions options = comparison.keys.input;
   options.threads = comparison.threads.count();
   const Input input = open_input(comparison.keys_file, std::move(bytes), options);
-  KeptCurves kept{input.schema, input.keys.traits, {}};
+  KeptInput kept{input.schema, input.keys.traits, {}};
   Curves curves(input.schema, input.keys, comparison.keys.curves, false);
   while (const std::optional<InputCurve> curve = curves.next()) {
-    KeptCurve& one = kept.curves.emplace_back(KeptCurve{curve->group, curve->curve_info, {}});
+    KeptKeys& one = kept.curves.emplace_back(KeptKeys{curve->group, curve->curve_info, {}});
     while (std::optional<KeyBlock> block = curve->keys()) one.blocks.push_back(std::move(*block));
     if (curve->part)
       one.part = {curve->part->number, curve->part->origin, [next = curve->part->next()] { return next; }};
@@ -323,7 +323,7 @@ ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std
   const auto bytes_of = [progress](const std::string& path) {
     return progress == nullptr ? read_file(path) : progress->observe_bytes(read_file(path));
   };
-  inputs.kept = in_file(inputs.keys, [&] { return keep_curves(comparison, bytes_of(comparison.keys_file)); });
+  inputs.kept = in_file(inputs.keys, [&] { return keep_input(comparison, bytes_of(comparison.keys_file)); });
   in_file(inputs.file, [&] {
     const auto before_time = columns_before_time(chosen, inputs.kept.schema);
     inputs.table = read_samples(comparison, bytes_of(comparison.file), inputs.kept.schema, before_time);

@@ -86,7 +86,7 @@ MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const
 std::optional<std::size_t> columns_before_time(const std::vector<std::size_t>& fields, const Schema& keys);
 
 /// A curve whose keys can be read more than once.
-struct KeptCurve {
+struct KeptKeys {
   std::vector<std::string> group;
   std::shared_ptr<const CurveInfo> curve_info;
   std::vector<KeyBlock> blocks;
@@ -98,21 +98,21 @@ struct KeptCurve {
 };
 
 /// All curves of an input.
-struct KeptCurves {
+struct KeptInput {
   Schema schema;
   KeyTraits traits;
-  std::vector<KeptCurve> curves;
+  std::vector<KeptKeys> curves;
 };
 
 /// Reads the curves from the bytes of `comparison.keys_file`. Throws: Error.
-KeptCurves keep_curves(const Comparison& comparison, Source<std::string> bytes);
+KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes);
 
 /// The error of samples without a column of positions; `channels`: those of the keys.
 Error no_position_column(const std::vector<std::string>& channels);
 
 /// Both files of a comparison.
 struct ComparisonInputs {
-  KeptCurves kept;
+  KeptInput kept;
   SampleTable table;
   MatchedColumns columns;
   std::string keys, file;  ///< names of the files of keys and of samples for messages

@@ -47,10 +47,10 @@ std::vector<double> numbers_of(const std::vector<GivenSamples>& samples, const S
 }
 
 /// The largest size of the keys' numbers in a cell; of a rotation, at most that of a number of a quaternion.
-double largest_position(const KeptCurves& kept, const PositionCell& cell) {
+double largest_position(const KeptInput& kept, const PositionCell& cell) {
   if (cell.rotation != PositionCell::none) return cell.channel == PositionCell::none ? 0 : 1;
   double largest = 0;
-  for (const KeptCurve& curve : kept.curves) {
+  for (const KeptKeys& curve : kept.curves) {
     for (const KeyBlock& block : curve.blocks) {
       for (std::size_t key = 0; key < block.size(); ++key) {
         const double position = std::abs(block.keys.positions[key * block.keys.channels + cell.channel]);
@@ -75,8 +75,8 @@ void append_row(GivenSamples& to, const GivenSamples& from, std::size_t row, con
 }
 
 /// The first keys of a curve.
-KeptCurve beginning_of(const KeptCurve& curve) {
-  KeptCurve cut{curve.group, curve.curve_info, {}};
+KeptKeys beginning_of(const KeptKeys& curve) {
+  KeptKeys cut{curve.group, curve.curve_info, {}};
   std::size_t left = most_keys;
   for (const KeyBlock& block : curve.blocks) {
     if (left == 0) break;
@@ -88,14 +88,14 @@ KeptCurve beginning_of(const KeptCurve& curve) {
 }
 
 /// The time of the key with this number, counted from the last key as 1, or of the first key.
-spline::Time<double> time_from_end(const KeptCurve& curve, std::size_t number) {
+spline::Time<double> time_from_end(const KeptKeys& curve, std::size_t number) {
   auto block = curve.blocks.rbegin();
   for (; std::next(block) != curve.blocks.rend() && block->size() < number; ++block) number -= block->size();
   return block->keys.times[block->size() - std::min(block->size(), number)];
 }
 
 /// The rows on the beginning of a curve, as far as later keys do not affect it.
-GivenSamples on_beginning(const GivenSamples& sample, const KeptCurve& beginning, const ComparisonInputs& inputs) {
+GivenSamples on_beginning(const GivenSamples& sample, const KeptKeys& beginning, const ComparisonInputs& inputs) {
   const spline::Time<double> end = time_from_end(beginning, 3);
   GivenSamples before{&beginning, {}, {}, {}};
   for (std::size_t row = 0; row < sample.rows.size(); ++row) {
@@ -174,7 +174,7 @@ std::vector<GivenSamples> samples_of(std::vector<Pair> pairs, const ComparisonIn
 
 Subset subset_of(const std::vector<GivenSamples>& samples, const ComparisonInputs& inputs, const ComparedParts& parts) {
   Subset subset{samples, {}, true};
-  const KeptCurves& kept = inputs.kept;
+  const KeptInput& kept = inputs.kept;
   const bool cuttable =
       !parts.closed && kept.schema.time.is_given && !kept.traits.may_miss && !inputs.columns.by_length;
   subset.curves.reserve(samples.size());

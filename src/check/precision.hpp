@@ -27,7 +27,7 @@ std::vector<Allowance> allowances(std::span<const double> column, double size);
 
 /// Given rows of a curve, and the precision of their numbers.
 struct GivenSamples {
-  const KeptCurve* curve;
+  const KeptKeys* curve;
   SampleRows rows;
   std::vector<std::uint64_t> numbers;  ///< of these rows, from 1
   std::vector<Allowance> allowances;   ///< of each compared column, row after row
@@ -40,8 +40,8 @@ std::uint64_t count_rows(const std::vector<GivenSamples>& samples);
 /// An evenly spread subset of all rows; if there are many keys, of the rows on the first keys.
 struct Subset {
   std::vector<GivenSamples> samples;
-  std::vector<KeptCurve> curves;  ///< the first keys of the curves that were cut
-  bool all = false;               ///< it has all rows
+  std::vector<KeptKeys> curves;  ///< the first keys of the curves that were cut
+  bool all = false;              ///< it has all rows
 };
 
 /// At most 1,000 rows, fewer if several curves of rotations are tried, on 256 keys if the curve is open and has times,

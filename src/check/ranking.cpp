@@ -36,29 +36,29 @@ class Comparer {
   Candidate compare(const Convention& convention, const std::vector<GivenSamples>& samples) const {
     Candidate candidate{convention, 0, {}, 0, {}, {}};
     for (const GivenSamples& sample : samples) {
-      const WholeCurve curve = curve_of(*sample.curve, convention);
-      for_each_row(sample.rows, places(sample, curve), inputs_.columns, curve, spline::Side::left, 1,
+      const std::shared_ptr<const KeptCurve> curve = curve_of(*sample.curve, convention);
+      for_each_row(sample.rows, places(sample, *curve), inputs_.columns, curve, spline::Side::left, 1,
                    [&](std::size_t row, auto cells) { compare_row(candidate, sample, row, cells); });
     }
     return candidate;
   }
 
-  WholeCurve curve_of(const KeptCurve& curve, const Convention& convention) const {
+  std::shared_ptr<const KeptCurve> curve_of(const KeptKeys& curve, const Convention& convention) const {
     const CurveRequest request{.samples = request_,
                                .rules = settings_of(convention, rules_, parts_),
                                .fields = inputs_.columns.fields,
                                .threads = inputs_.threads};
     CurvePipeline pipeline(request, inputs_.kept.schema, inputs_.kept.traits, *curve.curve_info);
     const TcbOrder& order = orders_[convention.order].order;
-    if (order.is_plain()) return pipeline.whole(curve.keys());
-    return pipeline.whole(mapped(curve.keys(), [&order](KeyBlock block) {
+    if (order.is_plain()) return pipeline.kept(curve.keys());
+    return pipeline.kept(mapped(curve.keys(), [&order](KeyBlock block) {
       set_order(block, order);
       return block;
     }));
   }
 
   /// Where samples lie on a curve; an arc length beyond its end counts as the end.
-  Places places(const GivenSamples& sample, const WholeCurve& curve) const {
+  Places places(const GivenSamples& sample, const KeptCurve& curve) const {
     Limits limits;
     if (inputs_.columns.by_length) limits.abs = std::numeric_limits<double>::infinity();
     return places_of(sample.rows, inputs_.table, inputs_.columns, curve, limits);
@@ -139,7 +139,7 @@ void compare_positions_only(ComparisonInputs& inputs) {
 /// Counts the rows on the curves; adds a problem for rows off them, which are off them with every convention.
 void find_rows(const Comparer& comparer, const std::vector<GivenSamples>& samples, Identification& result) {
   for (const GivenSamples& sample : samples) {
-    const Places places = comparer.places(sample, comparer.curve_of(*sample.curve, {}));
+    const Places places = comparer.places(sample, *comparer.curve_of(*sample.curve, {}));
     result.rows += places.rows.size();
     if (places.off_curve) result.problems.emplace_back(*places.off_curve);
   }
@@ -192,13 +192,13 @@ std::vector<Convention> mixed(const Ranking& ranking) {
 }
 
 /// Whether keys can be resampled with equal speed: not where they have velocities, or lack positions.
-bool allows_equal_speed(const KeptCurves& kept) {
+bool allows_equal_speed(const KeptInput& kept) {
   const auto refuses = [](const KeyBlock& block) {
     const auto is_missing = [](double position) { return std::isnan(position); };
     return !block.keys.velocities.empty() || std::ranges::any_of(block.keys.positions, is_missing);
   };
   return std::ranges::none_of(kept.curves,
-                              [&](const KeptCurve& curve) { return std::ranges::any_of(curve.blocks, refuses); });
+                              [&](const KeptKeys& curve) { return std::ranges::any_of(curve.blocks, refuses); });
 }
 
 /// Ranks all conventions, by a subset of the rows first. Throws: Error (data) if there is nothing to compare.
@@ -289,7 +289,7 @@ Check check_best(const Comparison& comparison, const Identification& found, Comp
   const Convention& best = found.ranking.candidates.front().convention;
   Comparison with_rules = comparison;
   with_rules.keys.rules = settings_of(best, comparison.keys.rules, found.parts);
-  for (KeptCurve& curve : inputs.kept.curves) {
+  for (KeptKeys& curve : inputs.kept.curves) {
     for (KeyBlock& block : curve.blocks) set_order(block, found.orders[best.order].order);
   }
   return check(with_rules, std::move(inputs), observe);

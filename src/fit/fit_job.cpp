@@ -152,20 +152,17 @@ class FittedKeys final : public BatchOutput {
 
 /// The samples of a recording beside its curve. A computed quaternion is negated where that is nearer to the sample, as
 /// both are the same rotation.
-std::vector<ComparedSample> compared_samples(const Samples& samples, const WholeCurve& curve) {
+std::vector<ComparedSample> compared_samples(const Samples& samples, const std::shared_ptr<const KeptCurve>& curve) {
   std::vector<Time> times;
   for (const Time& time : samples.times) {
-    times.push_back(curve.extent.decimals > 0 ? with_all_digits(time) : as_double(time));
+    times.push_back(curve->extent().decimals > 0 ? with_all_digits(time) : as_double(time));
   }
-  const auto place = [&times](std::uint64_t row) { return times[row]; };
-  const auto locator = std::make_shared<const AnywhereInTime>(
-      place, times.size(), curve.extrapolations, curve.extent.first, *curve.extent.last, curve.curve->frames());
   const std::vector fields{field_of("time"), field_of("position")};
   const Recording& recording = samples.recording;
-  const Source<SampleBlock> blocks = look_up(curve.curve, locator, spline::Side::left);
+  const FoundRows rows = find_rows(curve, std::move(times), false, spline::Side::left);
   std::vector<ComparedSample> compared;
-  while (const std::optional<SampleBlock> block = blocks()) {
-    const std::vector<Cell> cells = evaluate(*block, *locator, fields);
+  while (const std::optional<SampleBlock> block = rows.blocks()) {
+    const std::vector<Cell> cells = evaluate(*block, *rows.locator, fields);
     for (auto cell = cells.begin(); cell != cells.end();) {
       ComparedSample& sample = compared.emplace_back(ComparedSample{*cell++, {}, {}});
       for (std::size_t channel = 0; channel < recording.channels; ++channel) {
@@ -206,10 +203,10 @@ FitReport add_fits(DifferencePicture& picture, const FitJob& job) {
     SamplingRequest request;
     request.mode = Mode::at;
     CurvePipeline pipeline({.samples = request, .rules = job.keys.rules, .threads = job.threads.count()}, keys, {}, {});
-    const WholeCurve whole = pipeline.whole(blocks());
-    const StoredCurve stored = pipeline.stored(blocks(), false);
-    picture.add(stored.keys, with_rotations_as_cubics(stored.segments, pipeline.facts().spec.channels()), stored.closed,
-                compared_samples(samples, whole));
+    const StreamedCurve streamed = pipeline.streamed(blocks());
+    const CurveChannels channels = pipeline.facts().spec.channels();
+    picture.add(streamed.keys, with_rotations_as_cubics([streamed] { return streamed.segments(); }, channels),
+                streamed.extent.closed, compared_samples(samples, pipeline.kept(blocks())));
   }
   return report;
 }

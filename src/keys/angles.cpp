@@ -90,8 +90,8 @@ Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<An
   return closed ? with_checked_seam(std::move(blocks), std::move(chains)) : blocks;
 }
 
-Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn>& angles) {
-  if (angles.empty()) return blocks;
+SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles) {
+  if (angles.empty()) return {std::move(blocks), {}};
   std::vector<KeyBlock> all;
   for (AngleColumn& angle : angles) angle.is_signed = false;
   while (std::optional<KeyBlock> block = blocks()) {
@@ -103,10 +103,11 @@ Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn>& a
     }
     all.push_back(std::move(*block));
   }
-  return [all = std::move(all), next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
+  const auto again = [all = std::move(all), next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
     if (next == all.size()) return std::nullopt;
     return std::move(all[next++]);
   };
+  return {again, std::move(angles)};
 }
 
 LikelyAngles::LikelyAngles(const Schema& schema) : has_names_(schema.named) {

@@ -61,7 +61,11 @@ class LikelyAngles {
   std::vector<Channel> channels_;
 };
 
-/// Passes keys on. Where there are angles, reads all keys, and sets whether any angle of a channel is negative.
-Source<KeyBlock> with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn>& angles);
+/// Keys, and whether any angle of a channel is negative, for which all keys are read where there are angles.
+struct SignedKeys {
+  Source<KeyBlock> blocks;
+  std::vector<AngleColumn> angles;
+};
+SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles);
 
 }  // namespace tcb

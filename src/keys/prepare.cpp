@@ -1,4 +1,5 @@
-// Prepare: the keys of a curve on their way to it: times for those without any, and checks of their numbers.
+// Prepare: what the keys of a curve go through before they make it: quaternions, times for those without any, and
+// checks of their numbers.
 #include "keys/prepare.hpp"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "keys/angles.hpp"
 #include "option_names.hpp"
 #include "schema/roles.hpp"
 #include "tcb/spline/scalar.hpp"
@@ -139,6 +141,18 @@ class VelocityCheck {
 };
 
 }  // namespace
+
+Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs) {
+  blocks = with_quaternions(std::move(blocks), needs.rotations);
+  blocks = with_clear_angles(std::move(blocks), needs.angles, needs.channels, needs.closed);
+  if (needs.may_be_timed) blocks = with_clear_times(std::move(blocks), needs.channels[0]);
+  if (needs.exponent) blocks = parameterized(std::move(blocks), *needs.exponent, needs.metric);
+  if (needs.unlikely_scale) blocks = within_tcb_scale(std::move(blocks), *needs.unlikely_scale);
+  if (!needs.ease) blocks = without_ease(std::move(blocks));
+  if (needs.monotone) blocks = with_rules_alone(std::move(blocks));
+  blocks = with_complete_velocities(std::move(blocks), needs.channels, needs.equal_speed);
+  return checked(std::move(blocks), needs.least);
+}
 
 Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) {
   return [blocks = std::move(blocks), channel = std::move(channel), held = std::deque<KeyBlock>(),

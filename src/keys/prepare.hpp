@@ -1,24 +1,49 @@
-// Prepare: the keys of a curve on their way to it: times for those without any, and checks of their numbers.
+// Prepare: what the keys of a curve go through before they make it: quaternions, times for those without any, and
+// checks of their numbers.
 #pragma once
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "keys/rotations.hpp"
+#include "schema/curve_channels.hpp"
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb {
 
+/// The scale on which a product shows tension, continuity and bias, where it is not from -1 to 1.
+enum class ShownTcbScale { from_0_to_50, percent };
+
+/// What the keys of a curve need before they make it.
+struct KeyPreparation {
+  std::vector<std::string> channels;  ///< names
+  RotationsOfKeys rotations;
+  std::vector<AngleColumn> angles;
+  bool closed = false;                               ///< the first key follows the last one
+  bool may_be_timed = false;                         ///< keys have no times, but the first channel may be one
+  std::optional<double> exponent = {};               ///< of the distances that make the times; nothing: keys have times
+  std::vector<std::size_t> metric = {};              ///< the channels of these distances; empty: all
+  std::optional<ShownTcbScale> unlikely_scale = {};  ///< on which tension, continuity and bias must not seem to be
+  bool ease = true;                                  ///< that of keys is used
+  bool monotone = false;                             ///< the timing, which has no ease, velocities or missing positions
+  bool equal_speed = false;                          ///< of incoming and outgoing tangents, which has no velocities
+  std::size_t least = 2;                             ///< number of keys, 1 or 2
+};
+
+/// The keys after all steps. Throws: Error (data) with the line of a key.
+Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs);
+
+// Each step:
+
 /// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases
 /// from key to key, up to the thousandth: then it may be the time.
 Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel);
-
-/// The scale on which a product shows tension, continuity and bias, where it is not from -1 to 1.
-enum class ShownTcbScale { from_0_to_50, percent };
 
 /// Passes keys on. Throws: Error (data) for tension, continuity or bias beyond 5 in size: they are probably on the
 /// scale on which the product shows them.

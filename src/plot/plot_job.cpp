@@ -48,7 +48,8 @@ class Drawing {
   void begin(const std::string& path, const Schema& schema, const RuleFacts& rules);
 
   /// Adds a curve with its rules in words, and counts its samples; if they are few, they are evaluated to be drawn.
-  void add(const std::vector<std::string>& group, const StoredCurve& stored, std::string rules);
+  void add(const std::vector<std::string>& group, const StreamedCurve& streamed, const CurveSamples& samples,
+           std::string rules);
 
   /// Draws, and ends the output. Throws: Error (usage) if it cannot be completed.
   void commit();
@@ -99,10 +100,10 @@ SceneSample sample_of(std::span<const Cell> cells, const CurveSegment& segment) 
 }
 
 /// The samples of a block, each with its position and velocity.
-void append_samples(std::vector<SceneSample>& samples, const PlacedCurve& placed, const SampleBlock& block,
+void append_samples(std::vector<SceneSample>& samples, const Evaluate& evaluate, const SampleBlock& block,
                     const std::vector<FirstRotation>& firsts) {
   const std::array chosen{field_of("time"), field_of("position"), field_of("velocity"), field_of("angular_velocity")};
-  const Table table = placed.evaluate(block, chosen);
+  const Table table = evaluate(block, chosen);
   const std::size_t rows = block.rows();
   const std::size_t width = rows == 0 ? 0 : table.cells.size() / rows;
   for (std::size_t row = 0; row < rows; ++row) {
@@ -206,21 +207,21 @@ std::size_t Drawing::name_of(const std::vector<std::string>& group) {
   return static_cast<std::size_t>(known - scene_.names.begin());
 }
 
-void Drawing::add(const std::vector<std::string>& group, const StoredCurve& stored, std::string rules) {
+void Drawing::add(const std::vector<std::string>& group, const StreamedCurve& streamed, const CurveSamples& samples,
+                  std::string rules) {
   if (curves_ > 0 && rules != rules_) rules = "several rules";
   rules_ = std::move(rules);
-  const std::vector<FirstRotation> firsts = first_rotations(stored.keys, channels_.rotations);
-  SceneCurve curve{0, with_angles(stored.keys, firsts), with_rotations_as_cubics(stored.segments, channels_, firsts),
-                   stored.closed};
+  const std::vector<FirstRotation> firsts = first_rotations(streamed.keys, channels_.rotations);
+  SceneCurve curve{0, with_angles(streamed.keys, firsts),
+                   with_rotations_as_cubics([streamed] { return streamed.segments(); }, channels_, firsts),
+                   streamed.extent.closed};
   const bool is_drawn = curves_++ < Scene::most_curves;
-  while (stored.placed) {
-    const std::optional<SampleBlock> block = stored.placed->blocks();
-    if (!block) break;
+  while (const std::optional<SampleBlock> block = samples.blocks()) {
     curve.rows += block->rows();
     if (curve.rows > Scene::most_samples || !is_drawn) {
       curve.samples.clear();
     } else {
-      append_samples(curve.samples, *stored.placed, *block, firsts);
+      append_samples(curve.samples, samples.evaluate, *block, firsts);
     }
   }
   rows_ += curve.rows;
@@ -271,11 +272,12 @@ class Picture final : public BatchOutput {
       CurvePipeline pipeline = pipeline_of(input, *curve, options.threads);
       const RuleFacts rules = pipeline.facts();
       if (is_first) drawing_.begin(file.path, input.schema, rules);
-      StoredCurve stored = pipeline.stored(curve->keys, true, curve->part);  // segments, measure, place
-      std::optional<PlacedCurve>& placed = stored.placed;
-      if (placed) placed->blocks = progress->observe_rows(std::move(placed->blocks), placed->expected_rows, rows);
-      drawing_.add(curve->group, stored, short_rules(rules));  // evaluate, draw
-      if (placed) notes.add_samples(*placed, job_.samples.request, rules.spec.closed);
+      const StreamedCurve streamed = pipeline.streamed(curve->keys);  // segments
+      const bool has_samples = streamed.keys.size() > 1 || pipeline.needs().single_key;
+      CurveSamples samples = has_samples ? pipeline.samples(streamed) : CurveSamples::none();  // measure, place
+      samples.blocks = progress->observe_rows(std::move(samples.blocks), samples.expected_rows, rows);
+      drawing_.add(curve->group, streamed, samples, short_rules(rules));  // evaluate, draw
+      notes.add_samples(samples, job_.samples.request, rules.spec.closed);
     }
     notes.end(curves);
     return rows;
@@ -289,7 +291,7 @@ class Picture final : public BatchOutput {
                                .rules = job_.keys.rules,
                                .fields = {field_of("time"), field_of("position")},
                                .threads = threads};
-    return {request, input.schema, input.keys.traits, *curve.curve_info};
+    return {request, input.schema, input.keys.traits, *curve.curve_info, curve.part};
   }
 
   const PlotJob& job_;

@@ -1,18 +1,20 @@
-// The pipeline of one curve: which stages its keys go through to become placed samples, and in which order.
+// The pipeline of one curve: the stages that its keys go through to become samples.
 #include "run/curve_pipeline.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <utility>
 
 #include "error.hpp"
 #include "exact/exact_rows.hpp"
+#include "keys/angles.hpp"
 #include "keys/prepare.hpp"
 #include "option_names.hpp"
 #include "sample/anywhere.hpp"
-#include "sample/build.hpp"
-#include "sample/tolerance.hpp"
+#include "sample/grid.hpp"
+#include "sample/kept_curve.hpp"
+#include "sample/sampler.hpp"
+#include "sample/table.hpp"
 #include "schema/doubts.hpp"
 #include "text/utf8.hpp"
 
@@ -47,15 +49,6 @@ CurveSpec spec_of(const CurveSettings& settings, CurveSettings of_input, const S
   return make_spec(all, schema.channels, rotations, schema.angles);
 }
 
-PlacedCurve no_samples(const Time& first_key) {
-  PlacedCurve none;
-  none.first_key = first_key;
-  none.blocks = []() -> std::optional<SampleBlock> { return std::nullopt; };
-  none.expected_rows = [] { return 0.0; };
-  none.limited_tangents = [] { return std::size_t{0}; };
-  return none;
-}
-
 /// The times that the texts of rows name: where these are times in words, frames, or counted from another time than 0;
 /// nothing: they are numbers.
 std::optional<FrameTimes> named_times(const CurveRequest& request, const TimeSchema& time) {
@@ -68,10 +61,101 @@ std::optional<FrameTimes> named_times(const CurveRequest& request, const TimeSch
   return FrameTimes(*request.frame_rate / (time.unit ? units_per_second(*time.unit) : Rational(1)));
 }
 
+/// About how many rows a curve will have, by the part of it that is known.
+class RowEstimate {
+ public:
+  /// Requires: a request with rows segment after segment.
+  RowEstimate(const SamplingRequest& request, const Extent& extent) : request_(request), first_(extent.first) {
+    if (!by_segment(request.mode)) spacing_ = spacing(request, extent);
+  }
+
+  /// Adds keys that were read, and segments that were made.
+  void add(const KeyBlock& block) {
+    if (!block.keys.times.empty()) end_ = block.keys.times.back();
+    segments_ += block.size();
+  }
+  void add(const SegmentBlock& block) {
+    if (!block.segments.times.empty()) made_ = block.segments.times.back();
+    for (const auto& length : block.lengths) length_ += length.value;
+  }
+  /// Adds all segments of a curve whose extent is known.
+  void add_all(const Extent& extent, std::uint64_t segments) {
+    end_ = made_ = *extent.last;
+    length_ = extent.length.value_or(0);
+    segments_ = segments;
+  }
+
+  double rows() const {
+    const auto segments = static_cast<double>(segments_);
+    const double keys = request_.keys ? segments + 1 : 0;
+    if (!spacing_) return segments * static_cast<double>(request_.count) + keys + 1;
+    Time end = end_;
+    if (by_length(request_.mode)) end = Time(length_ * ((end_ - first_) / (made_ - first_)).hi);
+    if (spacing_->end) end = std::min(end, nearest_time(*spacing_->end));
+    const double rows = spacing_->grid.is_single() ? 1 : std::max(1.0, spacing_->grid.rough_rows(end));
+    return std::min(rows, static_cast<double>(spacing_->rows)) + keys;
+  }
+
+ private:
+  SamplingRequest request_;
+  std::optional<Spacing> spacing_;  ///< nothing: each segment has its own rows
+  Time first_, end_;                ///< of the keys
+  Time made_;                       ///< end of the segments
+  double length_ = 0;               ///< of these
+  std::uint64_t segments_ = 0;
+};
+
+/// Rows come in any order, or depend on more than one segment.
+bool is_anywhere(const SamplingRequest& request, const CurveSpec& spec) {
+  return request.mode == Mode::at || request.mode == Mode::arc_at || request.mode == Mode::tolerance ||
+         spec.extrapolations.extend_curve();
+}
+
+/// There is one row, for which a curve may have a single key.
+bool is_one_row(const SamplingRequest& request) {
+  const bool is_count = request.mode == Mode::count || request.mode == Mode::arc_count;
+  return (is_count && request.count == 1) || request.places.size() == 1;
+}
+
+bool needs_lengths(const SamplingRequest& request, std::span<const std::size_t> fields) {
+  return by_length(request.mode) ||
+         std::ranges::any_of(fields, [](std::size_t field) { return tcb::fields()[field].needs_lengths; });
+}
+
+MetricUse metric_use(const SamplingRequest& request, std::span<const std::size_t> fields, bool times_of_distances) {
+  const auto is_of_path = [](std::size_t field) {
+    return tcb::fields()[field].over_metric && !tcb::fields()[field].needs_lengths;
+  };
+  const bool is_near_path = request.mode == Mode::tolerance && request.tolerance.limits_distance();
+  if (std::ranges::any_of(fields, is_of_path) || times_of_distances || is_near_path) return MetricUse::path;
+  return needs_lengths(request, fields) ? MetricUse::lengths : MetricUse::nothing;
+}
+
 }  // namespace
 
+CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size_t> fields, const CurveSpec& spec,
+                       const KeyFacts& keys, bool exact) {
+  CurveNeeds needs;
+  needs.random_access = is_anywhere(request, spec);
+  needs.all_keys = spec.closed || needs.random_access || keys.may_miss || exact || needs_end(request);
+  needs.lengths = needs_lengths(request, fields);
+  needs.whole_length = needs.all_keys && !needs.random_access && by_length(request.mode);
+  needs.single_key = is_one_row(request);
+  needs.angle_signs = !spec.angles.empty();
+  needs.metric = metric_use(request, fields, !keys.timed && spec.parameter.value_or(0) != 0);
+  return needs;
+}
+
+std::string in_words(const CurveNeeds& needs) {
+  if (needs.whole_length) return "all keys and the length of the curve before the first row";
+  std::string words = needs.all_keys || needs.angle_signs ? "all keys before the first row" : "a few keys at a time";
+  if (needs.random_access) words += ", segments in any order";
+  if (needs.lengths) words += ", the length of each segment";
+  return words;
+}
+
 CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, const KeyTraits& traits,
-                             const CurveInfo& curve_info)
+                             const CurveInfo& curve_info, std::optional<CurvePart> part)
     : request_(request.samples),
       spec_(spec_of(request.rules, curve_info.settings, schema, request.samples)),
       golden_(request.golden),
@@ -82,7 +166,8 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
       threads_(request.threads),
       channels_(schema.channels),
       rotations_{schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
-                 spec_.preset == spline::Preset::nel, spec_.closed} {
+                 spec_.preset == spline::Preset::nel, spec_.closed},
+      part_(std::move(part)) {
   const auto unit = schema.time.unit;
   const bool has_duration = request_.in_seconds.has_duration || spec_.is_period_in_seconds;
   if (has_duration && unit == TimeUnit::frames)
@@ -113,46 +198,82 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
   }
   require_rotations(spec_, request.fields, request_);
   require_fitting_rotations(spec_, needs_.metric, request_.mode == Mode::emit);
+  if (part_) request_.origin = request_.exact(part_->origin);
 }
 
 /// The keys with times, checked. `least`: how many, unless a single key is enough. Sets the signs of angles.
 Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) {
-  blocks = with_quaternions(with_signs(std::move(blocks), spec_.angles), rotations_);
-  blocks = with_clear_angles(std::move(blocks), spec_.angles, channels_, spec_.closed);
-  if (may_be_timed_) blocks = with_clear_times(std::move(blocks), channels_[0]);
-  if (!timed_) blocks = parameterized(std::move(blocks), spec_.parameter.value_or(0), spec_.rules.metric);
-  const auto shown_scale = has_tcb_scale_ ? std::nullopt : shown_tcb_scale(spec_.preset);
-  if (shown_scale) blocks = within_tcb_scale(std::move(blocks), *shown_scale);
-  if (!spec_.ease) blocks = without_ease(std::move(blocks));
-  if (spec_.rules.timing == spline::Timing::monotone) blocks = with_rules_alone(std::move(blocks));
-  blocks = with_complete_velocities(std::move(blocks), channels_, spec_.rules.equal_speed);
-  return checked(std::move(blocks), needs_.single_key ? 1 : least);
+  SignedKeys keys = with_signs(std::move(blocks), spec_.angles);
+  spec_.angles = std::move(keys.angles);
+  return tcb::prepared(std::move(keys.blocks),
+                       {.channels = channels_,
+                        .rotations = rotations_,
+                        .angles = spec_.angles,
+                        .closed = spec_.closed,
+                        .may_be_timed = may_be_timed_,
+                        .exponent = timed_ ? std::nullopt : std::optional(spec_.parameter.value_or(0)),
+                        .metric = spec_.rules.metric,
+                        .unlikely_scale = has_tcb_scale_ ? std::nullopt : shown_tcb_scale(spec_.preset),
+                        .ease = spec_.ease,
+                        .monotone = spec_.rules.timing == spline::Timing::monotone,
+                        .equal_speed = spec_.rules.equal_speed,
+                        .least = needs_.single_key ? 1 : least});
 }
 
-/// The same keys, also added to `exact`. Times made from distances are then computed exactly and rounded.
-Source<KeyBlock> CurvePipeline::recorded(Source<KeyBlock> blocks, const std::shared_ptr<ExactKeys>& exact) const {
-  return mapped(std::move(blocks), [this, exact](KeyBlock block) {
-    exact->add(block);
-    if (time_exponent() != 0) exact->set_times(block, time_exponent(), spec_.rules.metric);
+/// A curve whose keys are all read. Frames are counted from its first key.
+StreamedCurve CurvePipeline::read(Source<KeyBlock> blocks) {
+  KeyStore keys(blocks);
+  if (keys.are_sparse()) {
+    if (const auto error = spline::find_position_error(keys.all())) throw curve_error(*error, keys, channels_);
+  }
+  Extent extent{keys.key(0).times[0], {}, {}, spec_.closed, keys.decimals()};
+  if (spec_.frames) spec_.frames = spec_.frames->from(extent.first);
+  extent.last = spec_.closed ? take_closing(keys, spec_, timed_, channels_) : keys.key(keys.size() - 1).times[0];
+  const bool expanded = request_.mode == Mode::emit;  // where coefficients are printed, not positions
+  return {std::move(keys), extent, spec_.rules, {false, expanded, threads_, spec_.frames}};
+}
+
+StreamedCurve CurvePipeline::streamed(Source<KeyBlock> blocks) { return read(prepared(std::move(blocks), 1)); }
+
+std::shared_ptr<const KeptCurve> CurvePipeline::kept(Source<KeyBlock> blocks) {
+  const StreamedCurve curve = streamed(std::move(blocks));
+  return std::make_shared<const KeptCurve>(curve.kept(spec_.channels(), spec_.extrapolations, needs_.lengths));
+}
+
+/// Where rows are at steps or given times, a key between two gaps is enough.
+CurveSamples CurvePipeline::samples(Source<KeyBlock> blocks) {
+  const bool may_be_point = part_ && (request_.mode == Mode::step || request_.mode == Mode::at);
+  blocks = prepared(std::move(blocks), may_be_point ? 1 : 2);
+  if (!needs_.all_keys) return samples_as_read(std::move(blocks));
+  if (!golden_) return samples(read(std::move(blocks)));
+  ExactKeys exact(golden_->decimal, converted_rotations(rotations_), spec_.frames);
+  StreamedCurve curve = read(mapped(std::move(blocks), [this, &exact](KeyBlock block) {
+    exact.add(block);  // times made from distances are computed exactly and rounded
+    if (time_exponent() != 0) exact.set_times(block, time_exponent(), spec_.rules.metric);
     return block;
-  });
+  }));
+  if (spec_.closed && time_exponent() != 0 && !spec_.period && curve.keys.size() == exact.size()) {
+    curve.extent.last = exact.time_back(time_exponent(), spec_.rules.metric);
+  }
+  return samples(std::move(curve), &exact);
 }
 
-/// Takes the origin of a part's grid. Returns how many keys it needs: where rows are at steps or given times, a key
-/// between two gaps is enough.
-std::size_t CurvePipeline::set_part(const std::optional<CurvePart>& part) {
-  if (!part) return 2;
-  request_.origin = request_.exact(part->origin);
-  return request_.mode == Mode::step || request_.mode == Mode::at ? 1 : 2;
+CurveSamples CurvePipeline::samples(StreamedCurve curve, const ExactKeys* exact) {
+  if (part_ && request_.mode == Mode::at && !take_places_of_part(curve.extent)) {
+    return CurveSamples::none(curve.extent.first);
+  }
+  if (exact != nullptr && golden_->decimal && time_exponent() == 0) set_key_times(curve, *exact);
+  return needs_.random_access ? samples_anywhere(curve, exact) : samples_on_grid(std::move(curve), exact);
 }
 
-/// Leaves the places that are on a part of a curve, and those after it up to the next part. Throws: Error (usage) for a
-/// time in the gap after it, where nothing extends the curve. Requires: its keys were read to the end.
-bool CurvePipeline::takes_places_of(const CurvePart& part, const Extent& extent) {
-  const std::optional<Time> next = part.next();
+/// Leaves the places that are on the part of a curve, and those after it up to the next part; whether there are any.
+/// Throws: Error (usage) for a time in the gap after it, where nothing extends the curve. Requires: its keys were read
+/// to the end.
+bool CurvePipeline::take_places_of_part(const Extent& extent) {
+  const std::optional<Time> next = part_->next();
   const Rational first = request_.exact(extent.first), last = request_.exact(*extent.last);
   std::erase_if(request_.places, [&](const Rational& place) {
-    const bool is_before = part.number > 0 && place < first, is_after = next && place >= exact_time(*next);
+    const bool is_before = part_->number > 0 && place < first, is_after = next && place >= exact_time(*next);
     return is_before || is_after;
   });
   for (const Rational& place : request_.places) {
@@ -164,71 +285,53 @@ bool CurvePipeline::takes_places_of(const CurvePart& part, const Extent& extent)
   return !request_.places.empty();
 }
 
-PlacedCurve CurvePipeline::place(Source<KeyBlock> blocks, const std::optional<CurvePart>& part) {
-  blocks = prepared(std::move(blocks), set_part(part));
-  if (!needs_.all_keys) return place_as_read(std::move(blocks));
-  const auto exact =
-      std::make_shared<ExactKeys>(golden_ && golden_->decimal, converted_rotations(rotations_), spec_.frames);
-  if (golden_) blocks = recorded(std::move(blocks), exact);
-  KeyStore keys(blocks);
-  const Extent range = extent(keys);
-  if (part && request_.mode == Mode::at && !takes_places_of(*part, range)) return no_samples(range.first);
-  if (has_exact_times()) set_key_times(keys, range, *exact);
-  return place_stored(keys, range, *exact);
-}
-
-/// Frames are counted from the curve's first key.
-void CurvePipeline::set_origin(const Time& first) {
-  if (spec_.frames) spec_.frames = spec_.frames->from(first);
-}
-
-/// Rows segment after segment, each as soon as its keys are read.
-PlacedCurve CurvePipeline::place_as_read(Source<KeyBlock> blocks) {
+/// Samples segment after segment, each as soon as its keys are read.
+CurveSamples CurvePipeline::samples_as_read(Source<KeyBlock> blocks) {
   std::optional<KeyBlock> first = blocks();
   while (first->size() == 0) first = blocks();
   const Extent extent{first->keys.times.front(), {}, {}};
-  set_origin(extent.first);
+  if (spec_.frames) spec_.frames = spec_.frames->from(extent.first);
   const auto estimate = std::make_shared<RowEstimate>(request_, extent);
   Source<Keys> keys = mapped(preceded_by(std::move(*first), std::move(blocks)), [estimate](KeyBlock block) {
     estimate->add(block);
     return std::move(block.keys);
   });
-  auto segments = segment_blocks(std::move(keys), spec_.rules,
-                                 {.measured = needs_.lengths, .threads = threads_, .frames = spec_.frames});
+  Source<SegmentBlock> segments =
+      segment_blocks(std::move(keys), spec_.rules, {needs_.lengths, false, threads_, spec_.frames});
   segments = mapped(std::move(segments), [estimate](SegmentBlock block) {
     estimate->add(block);
     return block;
   });
-  return place_in_order(std::move(segments), extent, estimate);
+  CurveSamples samples = samples_in_order(std::move(segments), make_sampler(request_, extent), extent.first);
+  samples.expected_rows = [estimate] { return estimate->rows(); };
+  return samples;
 }
 
-/// The exact time of the end of a curve with so many keys. `end`: as it is rounded.
-Rational CurvePipeline::exact_end(const ExactKeys& exact, std::size_t keys, const Time& end) const {
-  if (keys < exact.size()) return exact.times()[keys];  // of the key that repeats the first one
-  if (spec_.period && golden_->decimal) return exact.times()[0] + *spec_.period;
-  return exact_number(end, golden_->decimal, spec_.frames);
-}
-
-/// Requests take the times of keys with all their digits.
-void CurvePipeline::set_key_times(const KeyStore& keys, const Extent& extent, const ExactKeys& exact) {
-  std::map<Time, Rational> times;
-  const Keys rounded = keys.all();
-  for (std::size_t key = 0; key < rounded.size(); ++key) times.emplace(rounded.times[key], exact.times()[key]);
-  if (spec_.closed) times.emplace(*extent.last, exact_end(exact, keys.size(), *extent.last));
-  request_.key_times = std::make_shared<const std::map<Time, Rational>>(std::move(times));
-}
-
-/// The segments of a curve whose keys are all known.
-Source<SegmentBlock> CurvePipeline::segments(const KeyStore& keys, const Extent& extent, bool measured) const {
-  const bool expanded = request_.mode == Mode::emit;  // where coefficients are printed, not positions
-  return segment_blocks(keys, spec_.closed ? extent.last : std::nullopt, spec_.rules,
-                        {measured, expanded, threads_, spec_.frames});
-}
-
-/// Rows segment after segment.
-PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const Extent& extent,
-                                          std::shared_ptr<const RowEstimate> estimate) const {
+/// Samples on a grid that depends on the whole curve. By arc length, the curve is measured first.
+CurveSamples CurvePipeline::samples_on_grid(StreamedCurve curve, const ExactKeys* exact) const {
+  Extent& extent = curve.extent;
+  SampleFacts facts{extent.first, extent.last, {}, {}};
+  std::optional<Lengths> lengths;
+  if (needs_.whole_length) {
+    lengths = all_lengths(curve.segments(true));
+    facts.length = extent.length = total_length(*lengths);
+  }
+  if (!by_segment(request_.mode)) facts.step = nearest_time(spacing(request_, extent).grid.step());
+  Source<SegmentBlock> segments = curve.segments(needs_.lengths && !lengths);
+  if (lengths) segments = with_lengths(std::move(segments), std::move(*lengths));
+  RowEstimate estimate(request_, extent);
+  estimate.add_all(extent, curve.keys.size() - (spec_.closed ? 0 : 1));
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
+  CurveSamples samples = samples_in_order(std::move(segments), sampler, extent.first);
+  samples.expected_rows = [rows = estimate.rows()] { return rows; };
+  samples.facts = facts;
+  if (exact != nullptr) samples.evaluate = exact_rows(*exact, curve, {}, sampler);
+  return samples;
+}
+
+/// A sampler places samples segment after segment.
+CurveSamples CurvePipeline::samples_in_order(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
+                                             const Time& first_key) const {
   const auto limited = std::make_shared<std::size_t>(0);
   if (spec_.rules.no_overshoot) {
     segments = mapped(std::move(segments), [limited](SegmentBlock block) {
@@ -236,216 +339,77 @@ PlacedCurve CurvePipeline::place_in_order(Source<SegmentBlock> segments, const E
       return block;
     });
   }
-  Source<SampleBlock> blocks = tcb::place(std::move(segments), sampler, spec_.channels(), request_.side());
-  const auto expected = [estimate = std::move(estimate)] { return estimate->rows(); };
-  return {std::move(blocks), sampler, sampler, {}, fast_rows(sampler), expected, {}, extent.first, [limited] {
-            return *limited;
-          }};
+  return {.blocks = place(std::move(segments), sampler, spec_.channels(), request_.side()),
+          .evaluate = fast_rows(sampler),
+          .first_key = first_key,
+          .in_order = true,
+          .limited_tangents = [limited] { return *limited; },
+          .remainder = [sampler] { return sampler->remainder(); }};
 }
 
-/// The first and the last time of the curve.
-Extent CurvePipeline::extent(KeyStore& keys) {
-  if (keys.are_sparse()) {
-    if (const auto error = spline::find_position_error(keys.all())) throw curve_error(*error, keys, channels_);
-  }
-  Extent extent{keys.key(0).times[0], {}, {}, spec_.closed, keys.decimals()};
-  set_origin(extent.first);
-  extent.last = spec_.closed ? take_closing(keys, spec_, timed_, channels_) : keys.key(keys.size() - 1).times[0];
-  return extent;
-}
-
-/// The curve, kept.
-std::shared_ptr<const ShownCurve> CurvePipeline::shown(const KeyStore& keys, const Extent& extent) const {
-  const std::size_t count = spec_.closed ? keys.size() : std::max<std::size_t>(keys.size() - 1, 1);
-  return std::make_shared<const ShownCurve>(
-      kept_curve(segments(keys, extent, needs_.lengths), spec_.rules, spec_.closed, count), spec_.channels());
-}
-
-WholeCurve CurvePipeline::whole(Source<KeyBlock> blocks) {
-  KeyStore keys(prepared(std::move(blocks), 1));
-  const Extent range = extent(keys);
-  return {shown(keys, range), range, spec_.extrapolations};
-}
-
-StoredCurve CurvePipeline::stored(Source<KeyBlock> blocks, bool sampled, const std::optional<CurvePart>& part) {
-  (void)set_part(part);
-  KeyStore keys(prepared(std::move(blocks), 1));
-  const Extent range = extent(keys);
-  if (part && sampled && request_.mode == Mode::at) sampled = takes_places_of(*part, range);
-  const auto again = [pipeline = *this, keys, range] { return pipeline.segments(keys, range, false); };
-  StoredCurve curve{keys, again, spec_.closed, {}};
-  if (sampled && (keys.size() > 1 || needs_.single_key)) curve.placed = place_stored(keys, range, ExactKeys(false));
-  return curve;
-}
-
-/// Rows once all keys are known: counts, closed curves, and rows in any order.
-PlacedCurve CurvePipeline::place_stored(const KeyStore& keys, Extent extent, const ExactKeys& exact) const {
-  if (golden_ && spec_.closed && time_exponent() != 0 && !spec_.period && keys.size() == exact.size()) {
-    extent.last = exact.time_back(time_exponent(), spec_.rules.metric);
-  }
-  PlacedCurve placed;
-  std::vector<Rational> times;
-  if (needs_.random_access) {
-    if (golden_ && golden_->decimal) times = exact_places(extent);
-    placed = place_anywhere(keys, extent, times);
-  } else {
-    placed = place_on_grid(keys, extent);
-  }
-  if (!golden_) return placed;
-  placed.golden = exact_rows(exact, keys.size(), extent, std::move(times));
-  placed.evaluate = [rows = placed.golden, locator = placed.locator](const auto& block, const auto& chosen) {
-    return rows->evaluate(block, *locator, chosen);
-  };
-  return placed;
-}
-
-/// Rows on a grid that depends on the whole curve. By arc length, the curve is measured first.
-PlacedCurve CurvePipeline::place_on_grid(const KeyStore& keys, Extent& extent) const {
-  PlacementFacts facts{extent.first, extent.last, {}, {}};
-  std::optional<Lengths> lengths;
-  if (needs_.whole_length) {
-    lengths = all_lengths(segments(keys, extent, true));
-    facts.length = extent.length = total_length(*lengths);
-  }
-  if (!by_segment(request_.mode)) facts.step = nearest_time(spacing(request_, extent).grid.step());
-  auto all = segments(keys, extent, needs_.lengths && !lengths);
-  if (lengths) all = with_lengths(std::move(all), std::move(*lengths));
-  const auto estimate = std::make_shared<RowEstimate>(request_, extent);
-  estimate->add_all(extent, keys.size() - (spec_.closed ? 0 : 1));
-  PlacedCurve placed = place_in_order(std::move(all), extent, estimate);
-  placed.facts = facts;
-  return placed;
-}
-
-/// The times of a grid that may leave the curve.
-std::vector<Time> CurvePipeline::grid_times(const Extent& extent) const {
-  const auto spacing = tcb::spacing(request_, extent);
-  if (spacing.rows == 0) return {};
-  const bool single = spacing.grid.step() == 0;
-  const int digits = extent.decimals;
-  const Time end = nearest_time(*spacing.end, digits);
-  if (!single) require_resolution(spacing.grid, end, digits);
-  const std::uint64_t rows = single ? spacing.rows : std::min(spacing.rows, spacing.grid.rows_through(end, digits));
-  std::vector<Time> times;
-  for (std::uint64_t row = 0; row < rows; ++row) times.push_back(spacing.grid.time(row, digits));
-  if (request_.end == EndPolicy::keep && (times.empty() || times.back() < end)) times.push_back(end);
-  return times;
-}
-
-/// The times or arc lengths of rows that need random access to the curve. Sets facts about them.
-std::vector<Time> CurvePipeline::places(const ShownCurve& curve, const Extent& extent, PlacementFacts& facts) const {
-  std::vector<Time> places;
-  if (request_.mode == Mode::tolerance) {
-    ToleranceRows rows = rows_within_tolerance(curve, request_.tolerance, request_.max_rows, request_.keys);
-    places = std::move(rows.times);
-    if (request_.tolerance.limits_distance()) facts.least_rows = rows.least;
-  } else if (request_.places.empty()) {
-    places = grid_times(extent);
-  } else {
-    const int digits = request_.mode == Mode::at ? extent.decimals : only_doubles;
-    std::ranges::transform(request_.places, std::back_inserter(places),
-                           [&](const Rational& place) { return nearest_time(place, digits); });
-  }
-  if (!request_.keys) return places;
-  const auto bound = [&](const std::optional<Rational>& given, const Time& end) {
-    return given ? nearest_time(*given, extent.decimals) : end;
-  };
-  return with_keys(places, curve.curve().times(), bound(request_.from, extent.first), bound(request_.to, *extent.last),
-                   Time(1e-9));
-}
-
-/// The exact times of rows in any order; nothing where only the rows decide them, or where they are lengths.
-std::vector<Rational> CurvePipeline::exact_places(const Extent& extent) const {
-  const bool merges_computed_keys = request_.keys && !request_.key_times;
-  if (by_length(request_.mode) || request_.mode == Mode::tolerance || merges_computed_keys) return {};
-  const Rational first = request_.exact(extent.first), last = request_.exact(*extent.last);
-  std::vector<Rational> places = request_.places;
-  if (request_.mode == Mode::at) {
-    for (std::size_t i = 0; request_.key_times && i < places.size(); ++i) {
-      require_extended_to(option::at, places[i], {End::first_key, first}, {End::last_key, last});
-    }
-    return places;
-  }
-  const Spacing spacing = tcb::spacing(request_, extent);
-  const Rational &from = spacing.grid.start(), &step = spacing.grid.step(), &to = *spacing.end;
-  if (spacing.rows == 0) return {};
-  const bool is_counted = spacing.rows != Spacing::unlimited;
-  const std::uint64_t rows = is_counted ? spacing.rows : whole_number(floor(steps_between(from, to, step))) + 1;
-  for (std::uint64_t row = 0; row < rows; ++row) places.push_back(from + step * row);
-  if (request_.end == EndPolicy::keep && places.back() < to) places.push_back(to);
-  if (!request_.keys) return places;
-  std::vector<Rational> keys;
-  for (const auto& [rounded, exact] : *request_.key_times) keys.push_back(exact);
-  return with_keys<Rational>(places, keys, request_.from.value_or(first), request_.to.value_or(last),
-                             Rational(1, 1'000'000'000));
-}
-
-/// Throws: Error (usage) for a time outside the keys where nothing extends the curve.
-void CurvePipeline::require_extended_to(std::string_view option, const Rational& time, const Bound& first,
-                                        const Bound& last) const {
-  if (spec_.extrapolations.before == Extrapolation::error) require_not_before(option, time, first);
-  if (spec_.extrapolations.after == Extrapolation::error) require_not_after(option, time, last);
-}
-
-/// Rows at places in any order, also outside the curve. `exact`: their times, or nothing.
-PlacedCurve CurvePipeline::place_anywhere(const KeyStore& keys, const Extent& extent,
-                                          const std::vector<Rational>& exact) const {
+/// Samples in any order, also outside the curve.
+CurveSamples CurvePipeline::samples_anywhere(const StreamedCurve& curve, const ExactKeys* exact) const {
+  const Extent& extent = curve.extent;
   if (spec_.extrapolations.extend_curve() && may_leave_curve(request_) && !request_.origin) {
     const Bound first = first_key(extent.first), last = last_key(*extent.last);
-    if (request_.from) require_extended_to(option::from, *request_.from, first, last);
-    if (request_.to) require_extended_to(option::to, *request_.to, first, last);
+    const auto& [before, after] = spec_.extrapolations;
+    for (const auto& [option, time] : {std::pair(option::from, request_.from), std::pair(option::to, request_.to)}) {
+      if (time && before == Extrapolation::error) require_not_before(option, *time, first);
+      if (time && after == Extrapolation::error) require_not_after(option, *time, last);
+    }
   }
-  const std::shared_ptr<const ShownCurve> curve = shown(keys, extent);
-  std::vector<Time> places;
-  std::ranges::transform(exact, std::back_inserter(places),
-                         [&](const Rational& place) { return nearest_time(place, extent.decimals); });
-  PlacementFacts facts{extent.first, extent.last, {}, {}};
-  if (exact.empty()) places = this->places(*curve, extent, facts);
-  const std::uint64_t rows = places.size();
+  const auto kept =
+      std::make_shared<const KeptCurve>(curve.kept(spec_.channels(), spec_.extrapolations, needs_.lengths));
+  RowPlaces places = row_places(request_, *kept, exact != nullptr && golden_->decimal);
+  SampleFacts facts{extent.first, extent.last, {}, {}};
+  const std::size_t rows = places.places.size();
+  facts.least_rows = places.least_rows;
   if (facts.least_rows) facts.rows = rows;
-  const auto place = [places = std::move(places)](std::uint64_t row) { return places[row]; };
-  const auto expected = [rows] { return static_cast<double>(rows); };
-  const auto limited = [curve] { return curve->curve().limited_tangents(); };
-  if (request_.mode == Mode::arc_at) {
-    const auto locator = std::make_shared<const AnywhereInLength>(place, rows, curve->curve().length().value);
-    return {look_up(curve, locator, request_.side()),
-            locator,
-            nullptr,
-            facts,
-            fast_rows(locator),
-            expected,
-            {},
-            extent.first,
-            limited};
-  }
-  const Time& end = *extent.last;
-  const auto locator =
-      std::make_shared<const AnywhereInTime>(place, rows, spec_.extrapolations, extent.first, end, spec_.frames);
-  return {look_up(curve, locator, request_.side()),
-          locator,
-          nullptr,
-          facts,
-          fast_rows(locator),
-          expected,
-          {},
-          extent.first,
-          limited};
+  FoundRows found = find_rows(kept, std::move(places.places), request_.mode == Mode::arc_at, request_.side());
+  return {.blocks = std::move(found.blocks),
+          .evaluate = exact == nullptr ? fast_rows(found.locator)
+                                       : exact_rows(*exact, curve, std::move(places.exact), found.locator),
+          .first_key = extent.first,
+          .facts = facts,
+          .expected_rows = [rows] { return static_cast<double>(rows); },
+          .limited_tangents = [kept] { return kept->curve().limited_tangents(); }};
 }
 
-/// Evaluates rows exactly, and rounds each number once.
-std::shared_ptr<ExactRows> CurvePipeline::exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
-                                                     std::vector<Rational> times) const {
+/// The exact time of the end of a closed curve.
+Rational CurvePipeline::exact_end(const ExactKeys& exact, const StreamedCurve& curve) const {
+  const std::size_t keys = curve.keys.size();
+  if (keys < exact.size()) return exact.times()[keys];  // of the key that repeats the first one
+  if (spec_.period && golden_->decimal) return exact.times()[0] + *spec_.period;
+  return exact_number(*curve.extent.last, golden_->decimal, spec_.frames);
+}
+
+/// Requests take the times of keys with all their digits.
+void CurvePipeline::set_key_times(const StreamedCurve& curve, const ExactKeys& exact) {
+  std::map<Time, Rational> times;
+  const Keys rounded = curve.keys.all();
+  for (std::size_t key = 0; key < rounded.size(); ++key) times.emplace(rounded.times[key], exact.times()[key]);
+  if (spec_.closed) times.emplace(*curve.extent.last, exact_end(exact, curve));
+  request_.key_times = std::make_shared<const std::map<Time, Rational>>(std::move(times));
+}
+
+/// Evaluates rows exactly, and rounds each number once. `times`: of rows in any order, or none.
+Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, const StreamedCurve& curve, std::vector<Rational> times,
+                                   std::shared_ptr<const Locator> locator) const {
   std::optional<Rational> end;
-  if (spec_.closed) end = exact_end(exact, keys, *extent.last);
-  ExactCurve curve = exact.curve(keys, spec_.rules, end);
-  curve.channels = spec_.channels();
+  if (spec_.closed) end = exact_end(exact, curve);
+  ExactCurve exact_curve = exact.curve(curve.keys.size(), spec_.rules, end);
+  exact_curve.channels = spec_.channels();
   if (time_exponent() != 0) {
-    curve.exponent = time_exponent();
-    if (!spec_.period) curve.end.reset();
+    exact_curve.exponent = time_exponent();
+    if (!spec_.period) exact_curve.end.reset();
   }
-  curve.closed = spec_.closed;
-  curve.extrapolations = spec_.extrapolations;
-  return std::make_shared<ExactRows>(std::move(curve), request_, extent, golden_->notation, std::move(times));
+  exact_curve.closed = spec_.closed;
+  exact_curve.extrapolations = spec_.extrapolations;
+  const auto rows =
+      std::make_shared<ExactRows>(std::move(exact_curve), request_, curve.extent, golden_->notation, std::move(times));
+  return [rows, locator = std::move(locator)](const SampleBlock& block, std::span<const std::size_t> chosen) {
+    return rows->evaluate(block, *locator, chosen);
+  };
 }
 
 }  // namespace tcb

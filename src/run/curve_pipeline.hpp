@@ -1,34 +1,31 @@
-// The pipeline of one curve: which stages its keys go through to become placed samples, and in which order.
+// The pipeline of one curve: the stages that its keys go through, in this order:
+//   keys -> prepared keys, in order and with times
+//        -> a streamed curve: its segments as keys are read, or once all keys are read, as often as they are needed;
+//           or a kept curve: its segments in any order
+//        -> samples, which a sampler places segment after segment, or which are found on a kept curve
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
-#include "keys/angles.hpp"
 #include "keys/curves.hpp"
-#include "keys/key_store.hpp"
 #include "keys/rotations.hpp"
-#include "run/curve_needs.hpp"
 #include "run/job.hpp"
-#include "run/row_estimate.hpp"
 #include "sample/build.hpp"
-#include "sample/grid.hpp"
 #include "sample/request.hpp"
 #include "sample/rows.hpp"
-#include "sample/sampler.hpp"
-#include "sample/shown_curve.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/schema.hpp"
 
 namespace tcb {
 
 class ExactKeys;
-class ExactRows;
+class KeptCurve;
 
 /// The rows that are requested of a curve, and the settings that make it.
 struct CurveRequest {
@@ -48,8 +45,29 @@ struct RuleFacts {
   bool timed = false;  ///< the keys have times; otherwise the parameter makes them
 };
 
+/// What a request needs of a curve before its first row.
+struct CurveNeeds {
+  bool all_keys = false;       ///< every key is read before the first row; otherwise memory is constant
+  bool random_access = false;  ///< segments are needed in any order, so the curve is kept
+  bool lengths = false;        ///< every segment is measured
+  bool whole_length = false;   ///< the length of the whole curve is known before the first row
+  bool single_key = false;     ///< a single key is enough
+  bool angle_signs = false;    ///< whether any angle is negative is known before the first row, from all keys
+  MetricUse metric = MetricUse::nothing;
+};
+
+/// What is known of the keys of an input before they are read.
+struct KeyFacts {
+  bool timed = false;     ///< they have times; otherwise the parameter of the specification makes them
+  bool may_miss = false;  ///< positions may be missing
+};
+
+/// `fields`: those of the rows. `exact`: numbers are computed exactly.
+CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size_t> fields, const CurveSpec& spec,
+                       const KeyFacts& keys, bool exact);
+
 /// The extent of a curve and its samples, as far as they are known before the first row.
-struct PlacementFacts {
+struct SampleFacts {
   std::optional<Time> first, last;  ///< times of the first and the last key
   std::optional<double> length;
   std::optional<Time> step;                                ///< of time or of arc length
@@ -57,52 +75,41 @@ struct PlacementFacts {
   std::optional<std::uint64_t> least_rows = std::nullopt;  ///< of any polyline within it
 };
 
-/// The samples of a curve in blocks, and how they are located and evaluated.
-struct PlacedCurve {
+/// The samples of a curve in blocks, and how they are evaluated. Functions are of the segments that were made so far.
+struct CurveSamples {
   Source<SampleBlock> blocks;
-  std::shared_ptr<const Locator> locator;  ///< of the rows
-  std::shared_ptr<const Sampler> sampler;  ///< the same, where the samples are placed segment after segment
-  PlacementFacts facts;
   Evaluate evaluate = {};
-  std::function<double()> expected_rows = {};  ///< about the number of rows, by the segments that were made so far
-  std::shared_ptr<ExactRows> golden = {};      ///< null: rows are not exact
-  Time first_key = {};                         ///< its time
-  std::function<std::size_t()> limited_tangents = {};  ///< so that it does not overshoot, of the segments made so far
-
+  Time first_key = {};    ///< its time
+  bool in_order = false;  ///< they are placed segment after segment
+  SampleFacts facts = {};
+  std::function<double()> expected_rows = [] { return 0.0; };                     ///< about how many there will be
+  std::function<std::size_t()> limited_tangents = [] { return std::size_t{0}; };  ///< so that it does not overshoot
   /// How far the end of the range is from the last row, once all blocks were taken; nothing if it is a row.
-  std::optional<Rational> remainder() const { return sampler == nullptr ? std::nullopt : sampler->remainder(); }
-};
+  std::function<std::optional<Rational>()> remainder = [] { return std::nullopt; };
 
-/// A curve whose segments can be made more than once, and its samples.
-struct StoredCurve {
-  KeyStore keys;
-  std::function<Source<SegmentBlock>()> segments;
-  bool closed = false;
-  std::optional<PlacedCurve> placed;  ///< nothing if a single key has no samples, or none are wanted
-};
-
-/// A curve with random access.
-struct WholeCurve {
-  std::shared_ptr<const ShownCurve> curve;
-  Extent extent;
-  Extrapolations extrapolations;
+  static CurveSamples none(const Time& first_key = {}) {
+    return {.blocks = []() -> std::optional<SampleBlock> { return std::nullopt; }, .first_key = first_key};
+  }
 };
 
 class CurvePipeline {
  public:
-  /// Throws: Error if the settings of the job and of the input contradict each other, or do not fit the input.
-  CurvePipeline(const CurveRequest& request, const Schema& schema, const KeyTraits& traits,
-                const CurveInfo& curve_info);
+  /// `part`: of a curve that gaps divide. Throws: Error if the settings of the job and of the input contradict each
+  /// other, or do not fit the input.
+  CurvePipeline(const CurveRequest& request, const Schema& schema, const KeyTraits& traits, const CurveInfo& curve_info,
+                std::optional<CurvePart> part = {});
 
   // From the keys of a curve. Throws: Error (data) for keys that make no curve.
 
   /// The samples of the request, in constant memory if it does not need all keys.
-  /// `part`: of a curve that gaps divide.
-  PlacedCurve place(Source<KeyBlock> blocks, const std::optional<CurvePart>& part = {});
-  /// The curve itself, for samples that the request does not have; it may have a single key.
-  WholeCurve whole(Source<KeyBlock> blocks);
-  /// The curve as it is drawn, and unless it is not `sampled`, its samples; it may have a single key.
-  StoredCurve stored(Source<KeyBlock> blocks, bool sampled = true, const std::optional<CurvePart>& part = {});
+  CurveSamples samples(Source<KeyBlock> blocks);
+  /// The curve as it is drawn; it may have a single key.
+  StreamedCurve streamed(Source<KeyBlock> blocks);
+  /// The curve for samples that the request does not have; it may have a single key.
+  std::shared_ptr<const KeptCurve> kept(Source<KeyBlock> blocks);
+
+  /// The samples of the request on a curve of this pipeline. `exact`: its keys, if rows are exact.
+  CurveSamples samples(StreamedCurve curve, const ExactKeys* exact = nullptr);
 
   RuleFacts facts() const { return {spec_, timed_}; }
   const CurveNeeds& needs() const { return needs_; }
@@ -115,28 +122,17 @@ class CurvePipeline {
   double time_exponent() const { return timed_ ? 0 : spec_.parameter.value_or(0); }
 
   Source<KeyBlock> prepared(Source<KeyBlock> blocks, std::size_t least);
-  Source<KeyBlock> recorded(Source<KeyBlock> blocks, const std::shared_ptr<ExactKeys>& exact) const;
-  Extent extent(KeyStore& keys);
-  Source<SegmentBlock> segments(const KeyStore& keys, const Extent& extent, bool measured) const;
-  PlacedCurve place_as_read(Source<KeyBlock> blocks);
-  void set_origin(const Time& first);
-  std::size_t set_part(const std::optional<CurvePart>& part);
-  bool takes_places_of(const CurvePart& part, const Extent& extent);
-  bool has_exact_times() const { return golden_ && golden_->decimal && time_exponent() == 0; }
-  Rational exact_end(const ExactKeys& exact, std::size_t keys, const Time& end) const;
-  void set_key_times(const KeyStore& keys, const Extent& extent, const ExactKeys& exact);
-  std::vector<Rational> exact_places(const Extent& extent) const;
-  PlacedCurve place_stored(const KeyStore& keys, Extent extent, const ExactKeys& exact) const;
-  PlacedCurve place_on_grid(const KeyStore& keys, Extent& extent) const;
-  PlacedCurve place_in_order(Source<SegmentBlock> segments, const Extent& extent,
-                             std::shared_ptr<const RowEstimate> estimate) const;
-  void require_extended_to(std::string_view option, const Rational& time, const Bound& first, const Bound& last) const;
-  PlacedCurve place_anywhere(const KeyStore& keys, const Extent& extent, const std::vector<Rational>& exact) const;
-  std::shared_ptr<const ShownCurve> shown(const KeyStore& keys, const Extent& extent) const;
-  std::vector<Time> grid_times(const Extent& extent) const;
-  std::vector<Time> places(const ShownCurve& curve, const Extent& extent, PlacementFacts& facts) const;
-  std::shared_ptr<ExactRows> exact_rows(const ExactKeys& exact, std::size_t keys, const Extent& extent,
-                                        std::vector<Rational> times) const;
+  StreamedCurve read(Source<KeyBlock> blocks);
+  CurveSamples samples_as_read(Source<KeyBlock> blocks);
+  CurveSamples samples_on_grid(StreamedCurve curve, const ExactKeys* exact) const;
+  CurveSamples samples_in_order(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
+                                const Time& first_key) const;
+  CurveSamples samples_anywhere(const StreamedCurve& curve, const ExactKeys* exact) const;
+  bool take_places_of_part(const Extent& extent);
+  void set_key_times(const StreamedCurve& curve, const ExactKeys& exact);
+  Rational exact_end(const ExactKeys& exact, const StreamedCurve& curve) const;
+  Evaluate exact_rows(const ExactKeys& exact, const StreamedCurve& curve, std::vector<Rational> times,
+                      std::shared_ptr<const Locator> locator) const;
 
   SamplingRequest request_;
   CurveSpec spec_;
@@ -146,6 +142,10 @@ class CurvePipeline {
   unsigned threads_;
   std::vector<std::string> channels_;
   RotationsOfKeys rotations_;
+  std::optional<CurvePart> part_;
 };
+
+/// As in "all keys before the first row, the length of each segment".
+std::string in_words(const CurveNeeds& needs);
 
 }  // namespace tcb

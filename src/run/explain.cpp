@@ -148,7 +148,7 @@ struct CurveOutcome {
   std::size_t keys = 0;
   std::optional<std::uint64_t> rows;  ///< nothing if no samples are requested
   std::optional<Time> first, last;    ///< times of the keys, where they are known
-  PlacementFacts facts;
+  SampleFacts facts;
   std::optional<Rational> remainder;
   bool ends_at_key = true;                  ///< the end of the range is the last key
   std::optional<std::size_t> limited = {};  ///< tangents, so that the curve does not overshoot
@@ -162,30 +162,30 @@ struct CurveOutcome {
 };
 
 /// Places the samples of a curve if they are requested, and reads its keys to the end.
-CurveOutcome outcome_of(CurvePipeline& pipeline, const InputCurve& curve, bool has_samples) {
+CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, bool has_samples) {
   CurveOutcome outcome;
   const bool no_overshoot = pipeline.facts().spec.rules.no_overshoot;
-  const Source<KeyBlock> observed = mapped(curve.keys, [&outcome](KeyBlock block) {
+  const Source<KeyBlock> observed = mapped(keys, [&outcome](KeyBlock block) {
     outcome.add(block);
     return block;
   });
   if (!has_samples) {
-    const WholeCurve whole = pipeline.whole(observed);
-    outcome.first = whole.extent.first;
-    outcome.last = whole.extent.last;
-    if (no_overshoot) outcome.limited = whole.curve->curve().limited_tangents();
+    const auto kept = pipeline.kept(observed);
+    outcome.first = kept->extent().first;
+    outcome.last = kept->extent().last;
+    if (no_overshoot) outcome.limited = kept->curve().limited_tangents();
     return outcome;
   }
-  const PlacedCurve placed = pipeline.place(observed, curve.part);
+  const CurveSamples samples = pipeline.samples(observed);
   outcome.rows = 0;
-  while (const auto block = placed.blocks()) *outcome.rows += block->rows();
+  while (const auto block = samples.blocks()) *outcome.rows += block->rows();
   while (observed()) {
   }
-  if (no_overshoot) outcome.limited = placed.limited_tangents();
-  outcome.facts = placed.facts;
-  outcome.remainder = placed.remainder();
-  if (placed.facts.first) outcome.first = placed.facts.first;
-  if (placed.facts.last) outcome.last = placed.facts.last;
+  if (no_overshoot) outcome.limited = samples.limited_tangents();
+  outcome.facts = samples.facts;
+  outcome.remainder = samples.remainder();
+  if (samples.facts.first) outcome.first = samples.facts.first;
+  if (samples.facts.last) outcome.last = samples.facts.last;
   return outcome;
 }
 
@@ -227,7 +227,7 @@ class Explainer {
 
   void add(const InputCurve& curve) {
     const CurveRequest request{job_.samples.of(curve, input_.schema), job_.keys.rules, job_.fields, job_.golden};
-    CurvePipeline pipeline(request, input_.schema, input_.keys.traits, *curve.curve_info);
+    CurvePipeline pipeline(request, input_.schema, input_.keys.traits, *curve.curve_info, curve.part);
     if (count_ == 0) {
       if (job_.has_samples) needs_ = in_words(pipeline.needs());
       append(intended_, rules_in_words(pipeline.facts()));
@@ -238,7 +238,7 @@ class Explainer {
       append(intended_,
              intentions(job_, input_.schema, input_.facts.tcb, has_metric ? metric : std::vector<std::size_t>{}));
     }
-    last_ = outcome_of(pipeline, curve, job_.has_samples);
+    last_ = outcome_of(pipeline, curve.keys, job_.has_samples);
     last_.ends_at_key = !job_.samples.request.to && !pipeline.facts().spec.closed;
     keys_ += last_.keys;
     rows_ += last_.rows.value_or(0);

@@ -123,15 +123,15 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   }
 }
 
-void FileNotes::add_samples(const PlacedCurve& placed, const SamplingRequest& request, bool is_closed) {
-  const auto distance = placed.remainder();
+void FileNotes::add_samples(const CurveSamples& samples, const SamplingRequest& request, bool is_closed) {
+  const auto distance = samples.remainder();
   const bool ends_at_key = !request.to && !is_closed;
   if (distance && remainders_++ == 0) add(remainder_note(nearest_time(*distance).hi, ends_at_key));
-  if (placed.facts.rows) {
-    rows_ += *placed.facts.rows;
-    least_rows_ += *placed.facts.least_rows;
+  if (samples.facts.rows) {
+    rows_ += *samples.facts.rows;
+    least_rows_ += *samples.facts.least_rows;
   }
-  if (placed.facts.step && request.end != EndPolicy::drop) add(step_is(time_text(*placed.facts.step)));
+  if (samples.facts.step && request.end != EndPolicy::drop) add(step_is(time_text(*samples.facts.step)));
 }
 
 void FileNotes::end(const Curves& curves) {

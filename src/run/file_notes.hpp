@@ -15,7 +15,7 @@ namespace tcb {
 
 class Curves;
 struct Input;
-struct PlacedCurve;
+struct CurveSamples;
 struct ProvenanceRequest;
 
 /// Reports facts about a file that a user may not expect.
@@ -32,7 +32,7 @@ class FileNotes {
                  std::span<const std::size_t> fields = {});
 
   /// Notes where the samples of a curve end. Requires: they were all taken.
-  void add_samples(const PlacedCurve& placed, const SamplingRequest& request, bool is_closed);
+  void add_samples(const CurveSamples& samples, const SamplingRequest& request, bool is_closed);
 
   /// Notes counts of all curves.
   void end(const Curves& curves);

@@ -50,18 +50,18 @@ class FileRun {
       const auto labels = labels_of(input);
       Source<KeyBlock> keys = provenance.observe_keys(curve->keys);
       if (labels != nullptr) keys = Labels::observe(labels, std::move(keys));
-      PlacedCurve placed = pipeline_->place(std::move(keys), curve->part);  // segments, measure, place
-      writer_.set_first_time(placed.first_key);
-      if (curve->part && !has_rows(placed)) {  // the range does not meet it
+      CurveSamples samples = pipeline_->samples(std::move(keys));  // segments, measure, place
+      writer_.set_first_time(samples.first_key);
+      if (curve->part && !has_rows(samples)) {  // the range does not meet it
         provenance.end_curve();
         continue;
       }
       begin_rows(input, *curve);
-      placed.blocks = progress_->observe_rows(std::move(placed.blocks), placed.expected_rows, rows);
-      placed.blocks = provenance.observe_rows(std::move(placed.blocks));
-      writer_.write(printed(placed, labels));  // evaluate, print
+      samples.blocks = progress_->observe_rows(std::move(samples.blocks), samples.expected_rows, rows);
+      samples.blocks = provenance.observe_rows(std::move(samples.blocks));
+      writer_.write(printed(samples, labels));  // evaluate, print
       provenance.end_curve();
-      notes_.add_samples(placed, job_.samples.request, pipeline_->facts().spec.closed);
+      notes_.add_samples(samples, job_.samples.request, pipeline_->facts().spec.closed);
     }
     provenance.end_input();
     notes_.end(curves);
@@ -80,7 +80,7 @@ class FileRun {
                                  notation_of_times(job_.rows, input.schema.time),
                                  job_.rows.frame_rate,
                                  job_.rows.time_zero.has_value()};
-      pipeline_.emplace(request, input.schema, input.keys.traits, *curve.curve_info);
+      pipeline_.emplace(request, input.schema, input.keys.traits, *curve.curve_info, curve.part);
     }
     if (curve_info_ == nullptr) {
       writer_.begin(input.schema, live_, preset_in_words(pipeline_->facts()), shown_name(path_));
@@ -107,11 +107,11 @@ class FileRun {
   }
 
   /// Whether a curve has rows. Reads its blocks up to the first one with some.
-  static bool has_rows(PlacedCurve& placed) {
-    std::optional<SampleBlock> block = placed.blocks();
-    while (block && block->parts.empty()) block = placed.blocks();
+  static bool has_rows(CurveSamples& samples) {
+    std::optional<SampleBlock> block = samples.blocks();
+    while (block && block->parts.empty()) block = samples.blocks();
     if (!block) return false;
-    placed.blocks = preceded_by(std::move(*block), std::move(placed.blocks));
+    samples.blocks = preceded_by(std::move(*block), std::move(samples.blocks));
     return true;
   }
 
@@ -122,18 +122,18 @@ class FileRun {
   }
 
   /// The rows of a curve as text.
-  Source<std::string> printed(const PlacedCurve& placed, const std::shared_ptr<Labels>& labels) const {
+  Source<std::string> printed(const CurveSamples& samples, const std::shared_ptr<Labels>& labels) const {
     const bool shares_lengths = job_.golden && by_length(job_.samples.request.mode);  // with earlier rows
     const unsigned threads = shares_lengths ? 1 : threads_;
     if (labels == nullptr) {
-      const auto print = [this, &placed](const SampleBlock& block) {
-        return writer_.print(placed.evaluate(block, job_.rows.fields), block.first);
+      const auto print = [this, &samples](const SampleBlock& block) {
+        return writer_.print(samples.evaluate(block, job_.rows.fields), block.first);
       };
-      return ordered_map(placed.blocks, print, threads);
+      return ordered_map(samples.blocks, print, threads);
     }
     const auto row_end = [this](std::span<const std::string_view> texts) { return writer_.row_end(texts); };
-    const auto print = [this, &placed](const LabelledBlock& block) { return writer_.print(block, placed.evaluate); };
-    return ordered_map(Labels::attach(labels, placed.blocks, row_end, placed.sampler != nullptr), print, threads);
+    const auto print = [this, &samples](const LabelledBlock& block) { return writer_.print(block, samples.evaluate); };
+    return ordered_map(Labels::attach(labels, samples.blocks, row_end, samples.in_order), print, threads);
   }
 
   const std::string& path_;

@@ -3,23 +3,184 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <span>
+#include <string_view>
 #include <utility>
 
+#include "numbers/decimal_time.hpp"
 #include "option_names.hpp"
+#include "sample/tolerance.hpp"
 
 namespace tcb {
 namespace {
 
-/// Rows in blocks; `find` gives the number of a row's segment. Neighbouring rows on one segment are located together.
-Source<SampleBlock> blocks(std::shared_ptr<const ShownCurve> curve, std::uint64_t rows, spline::Side side,
-                           std::function<std::uint64_t(std::uint64_t)> find) {
-  return [curve = std::move(curve), rows, side, find = std::move(find),
+/// Throws: Error (usage) for a time outside the keys where nothing extends the curve.
+void require_extended_to(std::string_view option, const Rational& time, const Extrapolations& extrapolations,
+                         const Bound& first, const Bound& last) {
+  if (extrapolations.before == Extrapolation::error) require_not_before(option, time, first);
+  if (extrapolations.after == Extrapolation::error) require_not_after(option, time, last);
+}
+
+/// Adds the times of keys in [from, to], and drops a time that is closer to a key than a billionth of the first step.
+/// T: Time or Rational.
+template <class T>
+std::vector<T> with_keys(const std::vector<T>& times, std::span<const T> keys, const T& from, const T& to,
+                         const T& billionth) {
+  const T near = times.size() > 1 ? (times[1] - times[0]) * billionth : T(0.0);
+  std::vector<T> merged;
+  std::size_t next = 0;
+  for (const T& key : keys) {
+    if (key < from - near || key > to + near) continue;
+    for (; next < times.size() && times[next] < key - near; ++next) merged.push_back(times[next]);
+    while (next < times.size() && times[next] <= key + near) ++next;
+    merged.push_back(key);
+  }
+  merged.insert(merged.end(), times.begin() + static_cast<std::ptrdiff_t>(next), times.end());
+  return merged;
+}
+
+/// The times of a grid that may leave the curve.
+std::vector<Time> grid_times(const SamplingRequest& request, const Extent& extent) {
+  const Spacing on = spacing(request, extent);
+  if (on.rows == 0) return {};
+  const bool single = on.grid.step() == 0;
+  const int digits = extent.decimals;
+  const Time end = nearest_time(*on.end, digits);
+  if (!single) require_resolution(on.grid, end, digits);
+  const std::uint64_t rows = single ? on.rows : std::min(on.rows, on.grid.rows_through(end, digits));
+  std::vector<Time> times;
+  for (std::uint64_t row = 0; row < rows; ++row) times.push_back(on.grid.time(row, digits));
+  if (request.end == EndPolicy::keep && (times.empty() || times.back() < end)) times.push_back(end);
+  return times;
+}
+
+/// The exact times of that grid.
+std::vector<Rational> exact_grid_times(const SamplingRequest& request, const Extent& extent) {
+  const Spacing on = spacing(request, extent);
+  if (on.rows == 0) return {};
+  const Rational &from = on.grid.start(), &step = on.grid.step(), &to = *on.end;
+  const bool is_counted = on.rows != Spacing::unlimited;
+  const std::uint64_t rows = is_counted ? on.rows : whole_number(floor(steps_between(from, to, step))) + 1;
+  std::vector<Rational> times;
+  for (std::uint64_t row = 0; row < rows; ++row) times.push_back(from + step * row);
+  if (request.end == EndPolicy::keep && times.back() < to) times.push_back(to);
+  return times;
+}
+
+/// The exact times of rows; nothing where only the rows decide them, or where they are lengths.
+std::vector<Rational> exact_times(const SamplingRequest& request, const KeptCurve& curve) {
+  const bool merges_computed_keys = request.keys && !request.key_times;
+  if (by_length(request.mode) || request.mode == Mode::tolerance || merges_computed_keys) return {};
+  const Extent& extent = curve.extent();
+  const Rational first = request.exact(extent.first), last = request.exact(*extent.last);
+  if (request.mode == Mode::at) {
+    for (std::size_t i = 0; request.key_times && i < request.places.size(); ++i) {
+      require_extended_to(option::at, request.places[i], curve.extrapolations(), {End::first_key, first},
+                          {End::last_key, last});
+    }
+    return request.places;
+  }
+  std::vector<Rational> times = exact_grid_times(request, extent);
+  if (!request.keys || times.empty()) return times;
+  std::vector<Rational> keys;
+  for (const auto& [rounded, exact] : *request.key_times) keys.push_back(exact);
+  return with_keys<Rational>(times, keys, request.from.value_or(first), request.to.value_or(last),
+                             Rational(1, 1'000'000'000));
+}
+
+/// A row at a place of a list.
+class AtPlace : public Locator {
+ public:
+  explicit AtPlace(std::vector<Time> places) : places_(std::move(places)) {}
+
+  std::uint64_t size() const { return places_.size(); }
+  const Time& place_of(std::uint64_t row) const { return places_[row]; }
+
+  /// The number of the segment of a row. Throws: Error (usage) outside the curve.
+  virtual std::uint64_t segment_of(std::uint64_t row, spline::Side side) const = 0;
+
+ private:
+  std::vector<Time> places_;
+};
+
+/// Places are times, which may be outside the curve.
+class AtTime : public AtPlace {
+ public:
+  AtTime(std::vector<Time> places, const std::shared_ptr<const KeptCurve>& curve)
+      : AtPlace(std::move(places)), curve_(curve), first_(curve->extent().first), last_(*curve->extent().last) {}
+
+  std::uint64_t segment_of(std::uint64_t row, spline::Side side) const override {
+    const Time& t = place_of(row);
+    const auto& [before, after] = curve_->extrapolations();
+    using enum Extrapolation;
+    if (t < first_ && before == error) require_not_before(option::at, exact_time(t), first_key(first_));
+    if (t > last_ && after == error) require_not_after(option::at, exact_time(t), last_key(last_));
+    return curve_->curve().find_time(outside(t).t, side);
+  }
+
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override {
+    const spline::TimeMap<double> locate = segment.time_map();
+    located.outside.clear();
+    bool all_on_curve = true;
+    fill(located, first, last, [&](std::uint64_t row) -> Sample {
+      const Time& t = place_of(row);
+      all_on_curve = all_on_curve && t >= first_ && t <= last_;
+      located.outside.push_back(outside(t));
+      return {t, locate(segment.precise(located.outside.back().t))};
+    });
+    if (all_on_curve) located.outside.clear();
+  }
+
+ private:
+  /// Where times are frames, the time on the curve is a double, as all are.
+  Outside outside(const Time& t) const {
+    const Extrapolations& rules = curve_->extrapolations();
+    const std::optional<FrameTimes>& frames = curve_->frames();
+    if (!frames) return map_to_curve<double>(rules, first_, last_, t);
+    Outside outside = map_to_curve<double>(rules, frames->elapsed(first_), frames->elapsed(last_), frames->elapsed(t));
+    outside.t = frames->time(outside.t);
+    return outside;
+  }
+
+  std::shared_ptr<const KeptCurve> curve_;
+  Time first_, last_;
+};
+
+/// Places are arc lengths.
+class AtLength : public AtPlace {
+ public:
+  AtLength(std::vector<Time> places, const std::shared_ptr<const KeptCurve>& curve)
+      : AtPlace(std::move(places)), curve_(curve), length_(curve->length()) {}
+
+  std::uint64_t segment_of(std::uint64_t row, spline::Side side) const override {
+    const Time& s = place_of(row);
+    if (s < Time(0.0)) require_not_before(option::arc_at, exact_time(s), curve_start());
+    if (s > Time(length_)) require_not_after(option::arc_at, exact_time(s), curve_length(length_));
+    return curve_->curve().find_length(s, side);
+  }
+
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override {
+    located.coordinates.clear();
+    for (std::uint64_t row = first; row != last; ++row) located.coordinates.push_back(place_of(row));
+    locate_lengths(segment, located);
+  }
+
+ private:
+  std::shared_ptr<const KeptCurve> curve_;
+  double length_;
+};
+
+/// Rows in blocks. Neighbouring rows on one segment are located together.
+Source<SampleBlock> blocks_of(std::shared_ptr<const KeptCurve> curve, std::shared_ptr<const AtPlace> rows,
+                              spline::Side side) {
+  return [curve = std::move(curve), rows = std::move(rows), side,
           row = std::uint64_t{0}]() mutable -> std::optional<SampleBlock> {
-    if (row == rows) return std::nullopt;
+    if (row == rows->size()) return std::nullopt;
     SampleBlock block{curve, {}, row == 0};
-    const std::uint64_t end = row + std::min(SampleBlock::most_rows, rows - row);
+    const std::uint64_t end = row + std::min(SampleBlock::most_rows, rows->size() - row);
     for (; row < end; ++row) {
-      const std::uint64_t number = find(row);
+      const std::uint64_t number = rows->segment_of(row, side);
       if (block.parts.empty() || block.parts.back().segment.number != number) {
         block.parts.push_back({curve->segment(number), row, row});
         block.parts.back().segment.side = side;
@@ -32,62 +193,45 @@ Source<SampleBlock> blocks(std::shared_ptr<const ShownCurve> curve, std::uint64_
 
 }  // namespace
 
-Time AnywhereInTime::on_curve(std::uint64_t row) const {
-  const Time t = place_of(row);
-  using enum Extrapolation;
-  if (t < first_ && rules_.before == error) require_not_before(option::at, exact_time(t), first_key(first_));
-  if (t > last_ && rules_.after == error) require_not_after(option::at, exact_time(t), last_key(last_));
-  return outside(t).t;
+RowPlaces row_places(const SamplingRequest& request, const KeptCurve& curve, bool exact) {
+  const Extent& extent = curve.extent();
+  RowPlaces result;
+  if (exact) result.exact = exact_times(request, curve);
+  const auto set_rounded = [&](const std::vector<Rational>& places, int digits) {
+    std::ranges::transform(places, std::back_inserter(result.places),
+                           [digits](const Rational& place) { return nearest_time(place, digits); });
+  };
+  if (!result.exact.empty()) {
+    set_rounded(result.exact, extent.decimals);
+    return result;
+  }
+  if (request.mode == Mode::tolerance) {
+    ToleranceRows rows = rows_within_tolerance(curve, request.tolerance, request.max_rows, request.keys);
+    result.places = std::move(rows.times);
+    if (request.tolerance.limits_distance()) result.least_rows = rows.least;
+  } else if (request.places.empty()) {
+    result.places = grid_times(request, extent);
+  } else {
+    set_rounded(request.places, request.mode == Mode::at ? extent.decimals : only_doubles);
+  }
+  if (!request.keys) return result;
+  const auto bound = [&](const std::optional<Rational>& given, const Time& end) {
+    return given ? nearest_time(*given, extent.decimals) : end;
+  };
+  result.places = with_keys(result.places, curve.curve().times(), bound(request.from, extent.first),
+                            bound(request.to, *extent.last), Time(1e-9));
+  return result;
 }
 
-/// Where times are frames, the time on the curve is a double, as all are.
-Outside AnywhereInTime::outside(const Time& t) const {
-  if (!frames_) return map_to_curve<double>(rules_, first_, last_, t);
-  Outside outside =
-      map_to_curve<double>(rules_, frames_->elapsed(first_), frames_->elapsed(last_), frames_->elapsed(t));
-  outside.t = frames_->time(outside.t);
-  return outside;
-}
-
-void AnywhereInTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
-                            Located& located) const {
-  const spline::TimeMap<double> locate = segment.time_map();
-  located.outside.clear();
-  bool all_on_curve = true;
-  fill(located, first, last, [&](std::uint64_t row) -> Sample {
-    const Time t = place_of(row);
-    all_on_curve = all_on_curve && t >= first_ && t <= last_;
-    located.outside.push_back(outside(t));
-    return {t, locate(segment.precise(located.outside.back().t))};
-  });
-  if (all_on_curve) located.outside.clear();
-}
-
-Time AnywhereInLength::on_curve(std::uint64_t row) const {
-  const Time s = place_of(row);
-  if (s < Time(0.0)) require_not_before(option::arc_at, exact_time(s), curve_start());
-  if (s > Time(length_)) require_not_after(option::arc_at, exact_time(s), curve_length(length_));
-  return s;
-}
-
-void AnywhereInLength::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
-                              Located& located) const {
-  located.coordinates.clear();
-  for (std::uint64_t row = first; row != last; ++row) located.coordinates.push_back(place_of(row));
-  locate_lengths(segment, located);
-}
-
-Source<SampleBlock> look_up(const std::shared_ptr<const ShownCurve>& curve,
-                            const std::shared_ptr<const AnywhereInTime>& rows, spline::Side side) {
-  return blocks(curve, rows->size(), side,
-                [curve, rows, side](std::uint64_t row) { return curve->curve().find_time(rows->on_curve(row), side); });
-}
-
-Source<SampleBlock> look_up(const std::shared_ptr<const ShownCurve>& curve,
-                            const std::shared_ptr<const AnywhereInLength>& rows, spline::Side side) {
-  return blocks(curve, rows->size(), side, [curve, rows, side](std::uint64_t row) {
-    return curve->curve().find_length(rows->on_curve(row), side);
-  });
+FoundRows find_rows(const std::shared_ptr<const KeptCurve>& curve, std::vector<Time> places, bool by_length,
+                    spline::Side side) {
+  std::shared_ptr<const AtPlace> rows;
+  if (by_length) {
+    rows = std::make_shared<const AtLength>(std::move(places), curve);
+  } else {
+    rows = std::make_shared<const AtTime>(std::move(places), curve);
+  }
+  return {blocks_of(curve, rows, side), rows};
 }
 
 }  // namespace tcb

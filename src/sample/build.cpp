@@ -201,6 +201,12 @@ Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Ti
   return streamed_segments(keys.source(), stream, rules, options);
 }
 
+Source<SegmentBlock> StreamedCurve::segments(bool measured) const {
+  SegmentOptions own = options;
+  own.measured = measured;
+  return segment_blocks(keys, extent.closed ? extent.last : std::nullopt, rules, own);
+}
+
 void require_length(const DoubleDouble& length, const Time& end) {
   if (std::isfinite(length.hi)) return;
   throw data_error(

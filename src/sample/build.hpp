@@ -9,6 +9,7 @@
 #include "error.hpp"
 #include "keys/key_store.hpp"
 #include "sample/curve_spec.hpp"
+#include "sample/request.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/segments.hpp"
@@ -18,6 +19,8 @@ struct BuildError;
 }
 
 namespace tcb {
+
+class KeptCurve;
 
 using Rules = spline::CurveRules<double>;
 
@@ -53,6 +56,18 @@ Source<SegmentBlock> segment_blocks(Source<Keys> keys, const Rules& rules, const
 /// channel.
 Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Time>& last, const Rules& rules,
                                     const SegmentOptions& options);
+
+/// A curve whose segments are made from its keys, as often as they are needed.
+struct StreamedCurve {
+  KeyStore keys;
+  Extent extent;
+  Rules rules;
+  SegmentOptions options;
+
+  Source<SegmentBlock> segments(bool measured = false) const;
+  /// The curve with random access. `measured`: with the lengths of its segments.
+  KeptCurve kept(const CurveChannels& channels, const Extrapolations& extrapolations, bool measured) const;
+};
 
 /// Throws: Error (data) if the length of the curve up to a time is beyond the range of doubles.
 void require_length(const spline::DoubleDouble& length, const Time& end);

@@ -63,15 +63,6 @@ class Grid {
   Time near_start_, near_step_;  ///< as double-doubles
 };
 
-/// What is known of a curve before its samples are placed.
-struct Extent {
-  Time first;
-  std::optional<Time> last;      ///< needed where needs_end(request)
-  std::optional<double> length;  ///< needed where needs_end(request) and by_length(mode)
-  bool closed = false;           ///< counted rows do not repeat the first
-  int decimals = 0;              ///< of the times, if they have more digits than doubles; else 0
-};
-
 struct Spacing {
   static constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 

@@ -83,6 +83,15 @@ struct SamplingRequest {
   Rational exact(const Time& time) const;
 };
 
+/// What is known of a curve before its samples are placed.
+struct Extent {
+  Time first;
+  std::optional<Time> last;      ///< needed where needs_end(request)
+  std::optional<double> length;  ///< needed where needs_end(request) and by_length(mode)
+  bool closed = false;           ///< counted rows do not repeat the first
+  int decimals = 0;              ///< of the times, if they have more digits than doubles; else 0
+};
+
 /// Samples are placed by arc length, so every segment has to be measured.
 constexpr bool by_length(Mode mode) {
   return mode == Mode::arc_step || mode == Mode::arc_count || mode == Mode::arc_at;

@@ -73,7 +73,7 @@ double chords(const CurveSegment& segment, double middle, double tolerance, spli
   return is_bound ? std::max(2 * half / longest - 2, 0.0) : 0;
 }
 
-double least_rows(const ShownCurve& curve, double tolerance) {
+double least_rows(const KeptCurve& curve, double tolerance) {
   double sum = 2;
   spline::Derivatives<double> memory;
   for (std::uint64_t number = 0; number < curve.size(); ++number) {
@@ -158,7 +158,7 @@ class NeededRows {
 /// Finds row after row along a curve.
 class Walker {
  public:
-  Walker(const ShownCurve& curve, const CurveTolerance& tolerance, bool at_keys)
+  Walker(const KeptCurve& curve, const CurveTolerance& tolerance, bool at_keys)
       : curve_(curve),
         tolerance_(tolerance),
         chord_(tolerance.distance),
@@ -407,7 +407,7 @@ class Walker {
     return !(both > 0 && both * both >= same * in2 * out2);
   }
 
-  const ShownCurve& curve_;
+  const KeptCurve& curve_;
   CurveTolerance tolerance_;
   Chord chord_;
   TurnChord turns_;
@@ -433,7 +433,7 @@ void require_resolution(const CurvePoint& place, double tolerance) {
 
 }  // namespace
 
-ToleranceRows rows_within_tolerance(const ShownCurve& curve, const CurveTolerance& tolerance, std::uint64_t max_rows,
+ToleranceRows rows_within_tolerance(const KeptCurve& curve, const CurveTolerance& tolerance, std::uint64_t max_rows,
                                     bool at_keys) {
   constexpr double most = 1e300;
   const double least = std::min(std::floor(least_rows(curve, tolerance.distance)), most);

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "sample/kept_curve.hpp"
 #include "sample/request.hpp"
-#include "sample/shown_curve.hpp"
 
 namespace tcb {
 
@@ -18,7 +18,7 @@ struct ToleranceRows {
 /// The times of few rows whose polyline stays within the tolerance of the curve, from its first key to its last.
 /// Corners are rows. `at_keys`: all keys will be added as rows, so the polyline by them stays within the tolerance,
 /// too. Throws: Error (usage) for more than max_rows rows.
-ToleranceRows rows_within_tolerance(const ShownCurve& curve, const CurveTolerance& tolerance, std::uint64_t max_rows,
+ToleranceRows rows_within_tolerance(const KeptCurve& curve, const CurveTolerance& tolerance, std::uint64_t max_rows,
                                     bool at_keys = false);
 
 }  // namespace tcb

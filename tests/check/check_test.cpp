@@ -17,8 +17,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-KeptCurves curves_of(const std::vector<std::string>& groups) {
-  KeptCurves kept;
+KeptInput curves_of(const std::vector<std::string>& groups) {
+  KeptInput kept;
   kept.schema.groups = {"id"};
   for (const std::string& group : groups) kept.curves.push_back({{group}, nullptr, {}});
   return kept;
@@ -31,7 +31,7 @@ SampleRows row_of(const std::string& group, double number, std::uint64_t line) {
 SampleTable table_of(std::vector<SampleRows> curves) { return {true, true, "t", {"x"}, {}, std::move(curves)}; }
 
 TEST(Pairs, are_made_by_group_in_any_format) {
-  const KeptCurves kept = curves_of({"\"1", "\"b"});
+  const KeptInput kept = curves_of({"\"1", "\"b"});
   SampleTable table = table_of({row_of("\"b", 5, 2), row_of("1", 4, 3)});
   const Pairs pairs = pair_up(kept, table);
   ASSERT_EQ(pairs.pairs.size(), 2U);
@@ -42,7 +42,7 @@ TEST(Pairs, are_made_by_group_in_any_format) {
 }
 
 TEST(Pairs, curves_of_one_file_only_are_problems) {
-  const KeptCurves kept = curves_of({"\"a", "\"b"});
+  const KeptInput kept = curves_of({"\"a", "\"b"});
   SampleTable table = table_of({row_of("\"b", 5, 2), row_of("\"c", 4, 7)});
   const Pairs pairs = pair_up(kept, table);
   EXPECT_EQ(pairs.pairs.size(), 1U);
@@ -52,7 +52,7 @@ TEST(Pairs, curves_of_one_file_only_are_problems) {
 }
 
 TEST(Pairs, are_made_by_order_if_a_file_has_no_groups) {
-  const KeptCurves kept = curves_of({"\"a", "\"b", "\"c"});
+  const KeptInput kept = curves_of({"\"a", "\"b", "\"c"});
   SampleTable table = table_of({row_of("", 5, 2), row_of("", 4, 3)});
   const Pairs pairs = pair_up(kept, table);
   ASSERT_EQ(pairs.pairs.size(), 2U);
@@ -61,7 +61,7 @@ TEST(Pairs, are_made_by_order_if_a_file_has_no_groups) {
 }
 
 TEST(Pairs, a_single_curve_takes_all_rows) {
-  const KeptCurves kept = curves_of({""});
+  const KeptInput kept = curves_of({""});
   SampleTable table = table_of({row_of("", 5, 2), row_of("", 4, 9)});
   const Pairs pairs = pair_up(kept, table);
   ASSERT_EQ(pairs.pairs.size(), 1U);
@@ -80,18 +80,18 @@ class Line {
     if (extrapolate) comparison.keys.rules.extrapolate = TextSetting{*extrapolate};
     inputs = read_inputs(comparison, {});
     request_.mode = inputs.columns.by_length ? Mode::arc_at : Mode::at;
-    const KeptCurve& curve = inputs.kept.curves.at(0);
+    const KeptKeys& curve = inputs.kept.curves.at(0);
     CurvePipeline pipeline({request_, comparison.keys.rules, inputs.columns.fields}, inputs.kept.schema,
                            inputs.kept.traits, *curve.curve_info);
-    indexed = pipeline.whole(curve.keys());
+    indexed = pipeline.kept(curve.keys());
   }
 
   Places places(const Limits& limits = {}) const {
-    return places_of(inputs.table.curves.at(0), inputs.table, inputs.columns, indexed, limits);
+    return places_of(inputs.table.curves.at(0), inputs.table, inputs.columns, *indexed, limits);
   }
 
   ComparisonInputs inputs;
-  WholeCurve indexed;
+  std::shared_ptr<const KeptCurve> indexed;
 
  private:
   Comparing files_;

@@ -14,8 +14,8 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// One curve whose keys have these.
-KeptCurves with(std::vector<spline::Tcb<double>> tcbs) {
-  KeptCurves kept;
+KeptInput with(std::vector<spline::Tcb<double>> tcbs) {
+  KeptInput kept;
   KeyBlock block;
   block.keys.tcbs = std::move(tcbs);
   kept.curves.push_back({{}, nullptr, {block}});

@@ -11,11 +11,11 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(KeptCurves, can_be_read_more_than_once) {
+TEST(KeptInput, can_be_read_more_than_once) {
   const Comparing files("id,t,x\na,0,1\nb,0,2\na,1,3\n", "");
   Comparison comparison = files.comparison;
   comparison.keys.input.columns.roles = {{Role::group, {"id"}}};
-  const KeptCurves kept = keep_curves(comparison, read_file(comparison.keys_file));
+  const KeptInput kept = keep_input(comparison, read_file(comparison.keys_file));
   ASSERT_EQ(kept.curves.size(), 2U);
   EXPECT_EQ(kept.curves[0].key_count(), 2U);
   EXPECT_EQ(kept.curves[1].key_count(), 1U);

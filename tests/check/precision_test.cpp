@@ -40,7 +40,7 @@ struct Many {
     inputs.kept.schema.channels = {"x"};
     inputs.table.columns = {"x"};
     inputs.columns.compared = {{"x", 0, 0}};
-    KeptCurve& curve = inputs.kept.curves.emplace_back();
+    KeptKeys& curve = inputs.kept.curves.emplace_back();
     for (std::size_t key = 0; key < key_count; ++key) {
       if (key % 100 == 0) curve.blocks.emplace_back().keys.channels = 1;
       KeyBlock& block = curve.blocks.back();

@@ -52,8 +52,7 @@ TEST(Angles, beyond_what_the_unit_allows_are_refused) {
 
 TEST(Angles, rows_show_negative_ones_where_a_key_does) {
   for (const double last : {30.0, -30.0}) {
-    std::vector<AngleColumn> angles{{{0, true}}};
-    const auto again = with_signs(keys_with_angles({10, 20, last}), angles);
+    const auto [again, angles] = with_signs(keys_with_angles({10, 20, last}), {{{0, true}}});
     EXPECT_EQ(angles[0].is_signed, last < 0);
     EXPECT_EQ(again()->keys.positions, (std::vector<double>{10, 20, last}));
     EXPECT_FALSE(again());

@@ -1,5 +1,5 @@
 // Curve needs: which requests need all keys, random access and lengths, and the words for that.
-#include "run/curve_needs.hpp"
+#include "run/curve_pipeline.hpp"
 
 #include <gtest/gtest.h>
 

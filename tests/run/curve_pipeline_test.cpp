@@ -22,11 +22,11 @@ Schema schema_of_x(bool timed = true) {
 }
 
 /// The cells of the fields time and position.
-std::vector<double> cells_of(const PlacedCurve& placed) {
+std::vector<double> cells_of(const CurveSamples& samples) {
   std::vector<double> cells;
   const std::vector<std::size_t> fields{0, 1};
-  while (const auto block = placed.blocks()) {
-    for (const Cell& cell : placed.evaluate(*block, fields).cells) cells.push_back(cell.hi);
+  while (const auto block = samples.blocks()) {
+    for (const Cell& cell : samples.evaluate(*block, fields).cells) cells.push_back(cell.hi);
   }
   return cells;
 }
@@ -41,25 +41,25 @@ SamplingRequest request_of(Mode mode, std::uint64_t count) {
 std::vector<double> rows(const SamplingRequest& request, const CurveSettings& settings = {},
                          const std::optional<GoldenOptions>& golden = {}) {
   CurvePipeline pipeline({request, settings, {0, 1}, golden}, schema_of_x(), {}, {});
-  return cells_of(pipeline.place(keys_of(line, 2)));
+  return cells_of(pipeline.samples(keys_of(line, 2)));
 }
 
 TEST(CurvePipeline, rows_in_order_need_no_end_and_have_no_facts) {
   SamplingRequest request;
   request.step = 1;
   CurvePipeline pipeline({request, {}, {0, 1}}, schema_of_x(), {}, {});
-  const PlacedCurve placed = pipeline.place(keys_of(line, 2));
-  EXPECT_FALSE(placed.facts.last);
-  EXPECT_EQ(cells_of(placed), (std::vector<double>{0, 0, 1, 2, 2, 4, 3, 6}));
+  const CurveSamples samples = pipeline.samples(keys_of(line, 2));
+  EXPECT_FALSE(samples.facts.last);
+  EXPECT_EQ(cells_of(samples), (std::vector<double>{0, 0, 1, 2, 2, 4, 3, 6}));
 }
 
 TEST(CurvePipeline, a_grid_over_the_whole_curve_has_its_extent_and_step) {
   const SamplingRequest request = request_of(Mode::arc_count, 3);
   CurvePipeline pipeline({request, {}, {0, 1}}, schema_of_x(), {}, {});
-  const PlacedCurve placed = pipeline.place(keys_of(line, 2));
-  EXPECT_EQ(placed.facts.length, 6.0);
-  EXPECT_EQ(placed.facts.step, Time(3.0));
-  EXPECT_EQ(cells_of(placed), (std::vector<double>{0, 0, 1.5, 3, 3, 6}));
+  const CurveSamples samples = pipeline.samples(keys_of(line, 2));
+  EXPECT_EQ(samples.facts.length, 6.0);
+  EXPECT_EQ(samples.facts.step, Time(3.0));
+  EXPECT_EQ(cells_of(samples), (std::vector<double>{0, 0, 1.5, 3, 3, 6}));
 }
 
 TEST(CurvePipeline, places_may_lie_outside_an_extended_curve) {
@@ -86,7 +86,7 @@ TEST(CurvePipeline, keys_without_times_get_times) {
     block.keys.times.clear();
     return block;
   });
-  EXPECT_EQ(cells_of(pipeline.place(untimed)), (std::vector<double>{0, 5, 1, 7}));
+  EXPECT_EQ(cells_of(pipeline.samples(untimed)), (std::vector<double>{0, 5, 1, 7}));
 }
 
 /// The message of the error that making the pipeline ends with, and the line of its position.

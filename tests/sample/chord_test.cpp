@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "sample/shown_curve.hpp"
+#include "sample/kept_curve_of.hpp"
 #include "tcb/spline/curve.hpp"
 
 namespace tcb {
@@ -26,7 +26,7 @@ spline::Keys<double> random_keys(std::mt19937_64& random, std::size_t channels, 
   return keys;
 }
 
-CurvePoint point(const ShownCurve& curve, std::uint64_t number, double u) {
+CurvePoint point(const KeptCurve& curve, std::uint64_t number, double u) {
   const CurveSegment segment = curve.segment(number);
   CurvePoint result{number, u, time_on(segment, u), {}};
   for (std::size_t i = 0; i < metric_size(segment); ++i) {
@@ -65,7 +65,7 @@ void expect_bounds(std::size_t channels, double size, bool eased) {
     if (eased) {
       for (int i = 0; i < 4; ++i) keys.eases.push_back({place(random), place(random)});
     }
-    const ShownCurve curve(*spline::Curve<double>::build(keys, {}), {});
+    const KeptCurve curve = kept_curve_of(*spline::Curve<double>::build(keys, {}));
     const CurvePoint from = point(curve, 0, place(random)),
                      to = point(curve, round % 2 == 0 ? 0 : 2, from.u + (1 - from.u) * place(random));
     const double tolerance = size * (round % 3 == 0 ? 10 : 0.5);

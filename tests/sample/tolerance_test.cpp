@@ -10,15 +10,16 @@
 #include <vector>
 
 #include "error.hpp"
+#include "sample/kept_curve_of.hpp"
 #include "spline/allocations.hpp"
 
 namespace tcb {
 namespace {
 
 /// A curve through keys, and its position by time.
-struct Curve : ShownCurve {
+struct Curve : KeptCurve {
   Curve(const spline::Keys<double>& keys, const spline::CurveRules<double>& rules = {})
-      : ShownCurve(*spline::Curve<double>::build(keys, rules), {}) {}
+      : KeptCurve(kept_curve_of(*spline::Curve<double>::build(keys, rules))) {}
 
   std::vector<double> at(double t) const {
     std::vector<double> x(curve().channels());
@@ -200,7 +201,7 @@ TEST(Tolerance, takes_memory_for_segments_but_not_for_rows) {
   }
 }
 
-ShownCurve curve_of_size(std::mt19937_64& random, std::size_t channels, double size) {
+KeptCurve curve_of_size(std::mt19937_64& random, std::size_t channels, double size) {
   std::uniform_real_distribution<double> place(-1, 1);
   spline::Keys<double> keys;
   keys.channels = channels;
@@ -209,7 +210,7 @@ ShownCurve curve_of_size(std::mt19937_64& random, std::size_t channels, double s
     keys.tcbs.push_back({place(random), place(random), place(random)});
     for (std::size_t c = 0; c < channels; ++c) keys.positions.push_back(place(random) * size);
   }
-  return {*spline::Curve<double>::build(keys, {}), {}};
+  return kept_curve_of(*spline::Curve<double>::build(keys, {}));
 }
 
 TEST(LeastRows, are_never_more_than_the_rows_that_are_enough) {

@@ -1,14 +1,16 @@
-// Shown curve: segments have their place on the curve.
-#include "sample/shown_curve.hpp"
+// Kept curve: segments have their place on the curve.
+#include "sample/kept_curve.hpp"
 
 #include <gtest/gtest.h>
+
+#include "sample/kept_curve_of.hpp"
 
 namespace tcb {
 namespace {
 
-TEST(ShownCurve, segments_have_their_place_on_the_curve) {
+TEST(KeptCurve, segments_have_their_place_on_the_curve) {
   const spline::Keys<double> keys{1, {0, 1, 2, 4}, {0, 3, 3, 7}, {}, {.tension = 1}, {}};
-  const ShownCurve curve(*spline::Curve<double>::build(keys), {});
+  const KeptCurve curve = kept_curve_of(*spline::Curve<double>::build(keys));
   EXPECT_EQ(curve.size(), 3U);
   const CurveSegment segment = curve.segment(2);
   EXPECT_EQ(segment.start.hi, 2);
@@ -19,9 +21,9 @@ TEST(ShownCurve, segments_have_their_place_on_the_curve) {
   EXPECT_EQ(segment.cycle[0], 7);
 }
 
-TEST(ShownCurve, a_closed_curve_ends_at_its_first_key) {
+TEST(KeptCurve, a_closed_curve_ends_at_its_first_key) {
   const spline::Keys<double> keys{1, {0, 1, 2}, {0, 3, 5}, {}, {}, {}};
-  const ShownCurve curve(*spline::Curve<double>::build_closed(keys, {}, spline::DoubleDouble(4.0)), {});
+  const KeptCurve curve = kept_curve_of(*spline::Curve<double>::build_closed(keys, {}, spline::DoubleDouble(4.0)));
   EXPECT_EQ(curve.size(), 3U);
   EXPECT_EQ(curve.segment(1).end_key, 2U);
   EXPECT_EQ(curve.segment(2).end_key, 0U);

@@ -1,5 +1,5 @@
-// Shown curve: a kept curve, and how rows show its channels.
-#include "sample/shown_curve.hpp"
+// Kept curve: a curve with random access to its segments, and how rows show its channels.
+#include "sample/kept_curve.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -9,15 +9,9 @@
 
 namespace tcb {
 
-spline::Curve<double> kept_curve(const Source<SegmentBlock>& segments, const spline::CurveRules<double>& rules,
-                                 bool closed, std::size_t count) {
-  spline::Curve<double> curve(rules, closed, count);
-  while (std::optional<SegmentBlock> block = segments()) curve.append(std::move(block->segments), block->lengths);
-  return curve;
-}
-
-ShownCurve::ShownCurve(spline::Curve<double> curve, CurveChannels channels)
-    : curve_(std::move(curve)), channels_(std::move(channels)) {
+KeptCurve::KeptCurve(spline::Curve<double> curve, CurveChannels channels, const Extent& extent,
+                     const Extrapolations& extrapolations)
+    : curve_(std::move(curve)), channels_(std::move(channels)), extent_(extent), extrapolations_(extrapolations) {
   for (const Time& time : curve_.times()) decimals_ = std::max(decimals_, decimals_of(time));
   const spline::Segment<double> first = curve_.segment(0), last = curve_.segment(curve_.segment_count() - 1);
   for (std::size_t i = 0; i < first.rotations.size(); ++i) {
@@ -26,7 +20,16 @@ ShownCurve::ShownCurve(spline::Curve<double> curve, CurveChannels channels)
   for (std::size_t i = 0; i < first.cubics.size(); ++i) cycle_.push_back(last.cubics[i].p1 - first.cubics[i].p0);
 }
 
-CurveSegment ShownCurve::segment(std::uint64_t number) const {
+KeptCurve StreamedCurve::kept(const CurveChannels& channels, const Extrapolations& extrapolations,
+                              bool measured) const {
+  const std::size_t count = extent.closed ? keys.size() : std::max<std::size_t>(keys.size() - 1, 1);
+  spline::Curve<double> curve(rules, extent.closed, count);
+  const Source<SegmentBlock> all = segments(measured);
+  while (std::optional<SegmentBlock> block = all()) curve.append(std::move(block->segments), block->lengths);
+  return {std::move(curve), channels, extent, extrapolations};
+}
+
+CurveSegment KeptCurve::segment(std::uint64_t number) const {
   const spline::Segment<double> segment = curve_.segment(number);
   const bool last = number + 1 == size();
   return {segment.start,
