@@ -11,11 +11,13 @@
 #include <utility>
 
 #include "error.hpp"
-#include "formats/open_input.hpp"
+#include "formats/formats.hpp"
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "option_names.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/angle.hpp"
 #include "text/suggest.hpp"

@@ -1,4 +1,5 @@
-// Help: the texts for terminals, made from the tables of options, presets and rules.
+// Help: the texts that are made from the tables of options, presets and rules: for terminals, the manual, completions,
+// and the tables as JSON.
 #pragma once
 
 #include <initializer_list>
@@ -30,6 +31,25 @@ std::string version_text();
 
 /// A text with others in the places marked for them.
 std::string filled(std::string_view text, std::initializer_list<std::pair<std::string_view, std::string>> texts);
+
+/// The texts of the pages, man/tcbsample.1.in and man/tcbsample-curves.7.in, put into the program by the build.
+extern const char* const manual_template;
+extern const char* const curves_template;
+
+/// The pages in the man macros, without the last line end.
+std::string manual_page();
+std::string curves_page();
+
+/// Scripts that complete options and their values in a shell.
+std::string bash_completion();
+std::string zsh_completion();
+std::string fish_completion();
+
+/// The names of the columns of files, or of standard input, one per line. Throws: Error.
+std::string columns_text(const std::vector<std::string>& files, bool positions_only);
+
+/// An object with the version, the options in the order of the help, and the presets, without the last line end.
+std::string tables_text();
 
 /// A page of the manual, a completion script, the names of the columns of files, or the tables.
 std::string generated_text(Generated kind, const std::vector<std::string>& files = {});

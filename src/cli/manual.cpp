@@ -1,6 +1,6 @@
 // Manual: the pages tcbsample(1) and tcbsample-curves(7), made from their texts and the tables of options, presets and
 // rules.
-#include "cli/manual.hpp"
+#include "cli/help.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "cli/help.hpp"
 #include "cli/options.hpp"
 #include "tcb/spline/rules.hpp"
 

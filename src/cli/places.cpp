@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "cli/values.hpp"
-#include "formats/open_input.hpp"
+#include "formats/formats.hpp"
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
@@ -18,6 +18,8 @@
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "read/csv/splitter.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 #include "read/text_bytes.hpp"
 #include "schema/key_rules.hpp"
 #include "text/suggest.hpp"

@@ -8,7 +8,7 @@
 
 #include "cli/help.hpp"
 #include "cli/options.hpp"
-#include "cli/read_options.hpp"
+#include "cli/typed_options.hpp"
 #include "error.hpp"
 #include "io/compression.hpp"
 #include "io/input_file.hpp"

@@ -82,4 +82,8 @@ struct TypedOptions {
   std::vector<Given> given_;
 };
 
+/// Throws: Error (usage) for unknown options, and for values that are wrong in themselves. `color`: where errors are
+/// shown, which is set before the first that is about a value.
+TypedOptions read_options(const std::vector<std::string>& given, ColorWhen* color = nullptr);
+
 }  // namespace tcb

@@ -1,5 +1,5 @@
 // Opening of inputs: their bytes as text, and their format.
-#include "formats/open_input.hpp"
+#include "formats/formats.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,13 +7,13 @@
 #include <string_view>
 #include <utility>
 
-#include "formats/formats.hpp"
-#include "formats/other_files.hpp"
 #include "io/compression.hpp"
 #include "io/encoding.hpp"
 #include "option_names.hpp"
 #include "read/csv/splitter.hpp"
+#include "read/input.hpp"
 #include "read/input_format.hpp"
+#include "read/input_options.hpp"
 #include "schema/doubts.hpp"
 #include "schema/rotation_columns.hpp"
 #include "text/file_ending.hpp"

@@ -1,5 +1,5 @@
 // Other files: those of other products, which are neither read nor written, with what converts them to keys.
-#include "formats/other_files.hpp"
+#include "formats/formats.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 #include <ranges>
 #include <string>
 
-#include "formats/formats.hpp"
 #include "text/file_ending.hpp"
 
 namespace tcb {

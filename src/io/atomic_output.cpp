@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "error.hpp"
-#include "io/path_text.hpp"
 #include "io/system.hpp"
 #include "io/terminal.hpp"
 
@@ -47,9 +46,9 @@ std::string unfinished_name(const std::filesystem::path& path) {
   constexpr std::size_t longest = 200;  // file systems allow 255 bytes
   std::random_device random;
   std::uniform_int_distribution<std::size_t> letter(0, letters.size() - 1);
-  std::string name = "." + path_text(path.filename()).substr(0, longest) + ".";
+  std::string name = "." + system::path_text(path.filename()).substr(0, longest) + ".";
   for (std::size_t i = 0; i < random_letters; ++i) name += letters[letter(random)];
-  return path_text(path.parent_path() / (name + std::string(temporary_ending)));
+  return system::path_text(path.parent_path() / (name + std::string(temporary_ending)));
 }
 
 /// Whether a file name is one that unfinished_name() makes.
@@ -71,7 +70,7 @@ int make_temporary(const std::string& path, std::string& name, const Make& make)
     std::string unused = unfinished_name(path);
     const int result = make(unused);
     if (result >= 0) name = *temporary_files().all.insert(std::move(unused)).first;
-    if (result >= 0 || !system::failed_as_it_exists()) return result;
+    if (result >= 0 || !system::already_exists()) return result;
   }
   return -1;
 }
@@ -106,7 +105,7 @@ Error cannot_write(std::string_view reason) { return usage_error("cannot be writ
 /// Throws: Error (usage) for a link that cannot be followed.
 std::string target_of(const std::string& path) {
   std::error_code error, none;
-  std::string target = path_text(std::filesystem::canonical(path, error));
+  std::string target = system::path_text(std::filesystem::canonical(path, error));
   if (!error) return target;
   if (std::filesystem::is_symlink(path, none)) throw cannot_write(error.message()).in(path);
   return path;
@@ -129,7 +128,7 @@ std::optional<int> own_descriptor(std::string_view path) {
 
 }  // namespace
 
-std::string folder_of(const std::string& path) { return path_text(std::filesystem::path(path).parent_path()); }
+std::string folder_of(const std::string& path) { return system::path_text(std::filesystem::path(path).parent_path()); }
 
 void remove_left_temporaries(const std::string& folder) {
   std::error_code error;
@@ -137,8 +136,8 @@ void remove_left_temporaries(const std::string& folder) {
   for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
     std::error_code none;
     const std::filesystem::path& path = entry->path();
-    if (!is_unfinished_name(path_text(path.filename())) || !entry->is_regular_file(none)) continue;
-    system::remove_unless_written(path_text(path));
+    if (!is_unfinished_name(system::path_text(path.filename())) || !entry->is_regular_file(none)) continue;
+    system::remove_unless_written(system::path_text(path));
   }
 }
 

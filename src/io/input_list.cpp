@@ -9,7 +9,6 @@
 
 #include "error.hpp"
 #include "io/input_file.hpp"
-#include "io/path_text.hpp"
 #include "io/system.hpp"
 #include "option_names.hpp"
 #include "text/file_ending.hpp"
@@ -80,14 +79,14 @@ bool is_input(std::string_view path, const InputListOptions& options) {
 /// The files below a folder, sorted, except those below the output folder.
 void append_folder(Inputs& inputs, const std::string& folder, const InputListOptions& options) {
   std::error_code error;
-  const auto inside = static_cast<std::uint32_t>(path_text(fs::path(folder) / "").size());
+  const auto inside = static_cast<std::uint32_t>(system::path_text(fs::path(folder) / "").size());
   const std::size_t begin = inputs.files.size();
   fs::recursive_directory_iterator entry(folder, error);
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     std::error_code none;
     if (entry->is_directory(none)) {
       if (fs::equivalent(entry->path(), *options.outputs.folder, none)) entry.disable_recursion_pending();
-    } else if (std::string path = path_text(entry->path());
+    } else if (std::string path = system::path_text(entry->path());
                is_or_should_be_regular(*entry) && is_input(path, options)) {
       inputs.files.push_back({std::move(path), inside});
     } else {
@@ -104,7 +103,7 @@ class RealPaths {
  public:
   std::string of(const std::string& path) {
     std::error_code none;
-    std::string folder = path_text(fs::path(path).parent_path());
+    std::string folder = system::path_text(fs::path(path).parent_path());
     if (folder != folder_ || real_folder_.empty()) {
       real_folder_ = fs::weakly_canonical(folder.empty() ? "." : folder, none);
       if (none) real_folder_ = folder;
@@ -112,7 +111,7 @@ class RealPaths {
     }
     const fs::path target = fs::is_symlink(path, none) ? fs::canonical(path, none) : fs::path();
     const bool is_replaced = target.empty();  // also a link without a target
-    return path_text(is_replaced ? real_folder_ / fs::path(path).filename() : target);
+    return system::path_text(is_replaced ? real_folder_ / fs::path(path).filename() : target);
   }
 
  private:
@@ -220,8 +219,8 @@ std::string output_path(const InputFile& file, const OutputPaths& outputs) {
                       option::output_dir, option::output);
   const fs::path kept = file.path.substr(file.inside);
   const fs::path below = file.inside == 0 ? fs::path() : kept.parent_path();
-  const fs::path stem = fs::path(without_compression(path_text(kept))).stem();
-  return path_text(fs::path(*outputs.folder) / below / stem) + outputs.suffix + std::string(outputs.ending);
+  const fs::path stem = fs::path(without_compression(system::path_text(kept))).stem();
+  return system::path_text(fs::path(*outputs.folder) / below / stem) + outputs.suffix + std::string(outputs.ending);
 }
 
 void require_no_input_replaced(const std::string& output, const std::vector<std::string>& inputs) {

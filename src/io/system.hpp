@@ -7,6 +7,7 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,11 +19,17 @@ namespace tcb::system {
 /// The arguments of main() in UTF-8.
 std::vector<std::string> arguments(int argc, char** argv);
 
+/// A path in UTF-8, as it is, but with slashes where the system also has other separators.
+inline std::string path_text(const std::filesystem::path& path) {
+  constexpr bool has_slashes = std::filesystem::path::preferred_separator == '/';
+  return has_slashes ? path.string() : path.generic_string();
+}
+
 /// The reason of the last failure in this thread.
 std::string error_text();
 
 /// Whether it was a name that exists, that a folder was read, or that a pipe without a reader was written.
-bool failed_as_it_exists();
+bool already_exists();
 bool failed_as_folder();
 bool failed_as_closed_pipe();
 

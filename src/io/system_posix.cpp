@@ -60,7 +60,7 @@ void (*end_program)() = nullptr;
 std::vector<std::string> arguments(int argc, char** argv) { return {argv, argv + argc}; }
 
 std::string error_text() { return std::strerror(errno); }
-bool failed_as_it_exists() { return errno == EEXIST; }
+bool already_exists() { return errno == EEXIST; }
 bool failed_as_folder() { return errno == EISDIR; }
 bool failed_as_closed_pipe() { return errno == EPIPE; }
 

@@ -120,7 +120,7 @@ std::string error_text() {
   return in_utf8(text.data(), static_cast<int>(size));
 }
 
-bool failed_as_it_exists() {
+bool already_exists() {
   const DWORD code = ::GetLastError();
   return code == ERROR_FILE_EXISTS || code == ERROR_ALREADY_EXISTS;
 }

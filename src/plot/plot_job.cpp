@@ -1,5 +1,6 @@
 // Plot: pictures of curves and their samples, from the bytes of keys to the bytes of SVG.
 #include "plot/plot_job.hpp"
+#include "formats/formats.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,13 +16,14 @@
 #include <vector>
 
 #include "error.hpp"
-#include "formats/open_input.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "option_names.hpp"
 #include "picture/picture.hpp"
 #include "picture/scene.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 #include "run/batch.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"

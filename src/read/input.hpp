@@ -8,7 +8,7 @@
 
 #include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
-#include "schema/euler_track.hpp"
+#include "schema/curve_channels.hpp"
 #include "schema/format.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/schema.hpp"

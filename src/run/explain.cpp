@@ -1,5 +1,8 @@
 // Explanation: what was detected in a file and will be done with it, one fact per line.
 #include "run/explain.hpp"
+#include "formats/formats.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,7 +11,6 @@
 #include <array>
 #include <utility>
 
-#include "formats/open_input.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "numbers/print_number.hpp"

@@ -1,11 +1,13 @@
 // Pipeline: the stages from the bytes of keys to the bytes of samples, in the order of the flow.
 #include "run/pipeline.hpp"
+#include "formats/formats.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "formats/open_input.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "run/batch.hpp"

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,18 @@ struct RotationColumns : spline::KeyRotation {
 /// An angle of keys, and how rows show it.
 struct AngleColumn : spline::AngleChannel {
   bool is_signed = false;  ///< from half a turn below 0 to half a turn, else from 0 to a whole turn
+};
+
+/// Angles that channels of a curve are, with keys of their own, so that their curve is one of angles, not of rotations.
+struct EulerTrack {
+  struct Turn {
+    std::size_t channel = 0;  ///< of its angle
+    std::uint8_t axis = 0;    ///< 0 to 2
+  };
+  std::array<Turn, 3> turns = {};               ///< the first is around an axis of the parent
+  bool degrees = false;                         ///< angles are in degrees, else in radians
+  std::array<double, 4> before = {0, 0, 0, 1};  ///< a fixed rotation x, y, z, w around the turns
+  std::array<double, 4> after = {0, 0, 0, 1};   ///< one within them
 };
 
 /// The channels of a curve as rows show them, and its times.

@@ -16,10 +16,22 @@ inline bool is_string(std::string_view text) { return text.starts_with('"'); }
 inline std::string_view content(std::string_view text) { return is_string(text) ? text.substr(1) : text; }
 
 /// The characters of a group's texts, without their kinds, which differ between formats.
-std::vector<std::string> contents(const std::vector<std::string>& group);
+inline std::vector<std::string> contents(const std::vector<std::string>& group) {
+  std::vector<std::string> texts;
+  texts.reserve(group.size());
+  for (const std::string& text : group) texts.emplace_back(content(text));
+  return texts;
+}
 
 /// NAME=VALUE for each column of a group.
-std::vector<std::string> group_title(const std::vector<std::string>& names, const std::vector<std::string>& group);
+inline std::vector<std::string> group_title(const std::vector<std::string>& names,
+                                            const std::vector<std::string>& group) {
+  std::vector<std::string> title;
+  for (std::size_t i = 0; i < group.size() && i < names.size(); ++i) {
+    title.push_back(names[i] + "=" + std::string(content(group[i])));
+  }
+  return title;
+}
 
 /// Many texts in one string.
 class Texts {

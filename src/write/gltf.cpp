@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "io/base64.hpp"
+#include "io/digest.hpp"
 #include "option_names.hpp"
 #include "schema/texts.hpp"
 #include "tcb/spline/rotation.hpp"

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "schema/euler_track.hpp"
+#include "schema/curve_channels.hpp"
 #include "schema/schema.hpp"
 
 namespace tcb {

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "error.hpp"
+#include "io/digest.hpp"
 #include "io/input_file.hpp"
-#include "io/sha256.hpp"
 #include "sample/rows.hpp"
 #include "schema/key_block.hpp"
 #include "text/utf8.hpp"

@@ -1,11 +1,11 @@
 // Manual: the pages show every row of the tables.
-#include "cli/manual.hpp"
 
 #include <gmock/gmock.h>
 
 #include <regex>
 
 #include "cli/command_line.hpp"
+#include "cli/help.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {

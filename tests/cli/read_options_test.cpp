@@ -1,8 +1,8 @@
 // Reading of options: the words of a command line, and the errors of words that are wrong.
-#include "cli/read_options.hpp"
 
 #include "cli/command_line.hpp"
 #include "cli/help.hpp"
+#include "cli/typed_options.hpp"
 #include "formats/formats.hpp"
 
 namespace tcb {

@@ -1,5 +1,4 @@
 // Tables: every option and preset is in the JSON.
-#include "cli/tables.hpp"
 
 #include <gmock/gmock.h>
 

@@ -5,7 +5,8 @@
 
 #include <set>
 
-#include "formats/open_input.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {

@@ -1,9 +1,10 @@
 // Reader: how the format of an input is found, and what may precede its first byte.
-#include "formats/open_input.hpp"
 
 #include <gtest/gtest.h>
 
 #include "formats/formats.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {

@@ -25,10 +25,12 @@
 
 #include "cli/plan.hpp"
 #include "error.hpp"
-#include "formats/open_input.hpp"
+#include "formats/formats.hpp"
 #include "invariant.hpp"
 #include "io/terminal.hpp"
 #include "numbers/parse_number.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 #include "sample/fields.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);

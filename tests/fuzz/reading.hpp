@@ -12,10 +12,11 @@
 
 #include "error.hpp"
 #include "formats/formats.hpp"
-#include "formats/open_input.hpp"
 #include "invariant.hpp"
 #include "io/terminal.hpp"
 #include "keys/curves.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 
 namespace tcb::fuzz {
 

@@ -10,8 +10,8 @@
 #include <optional>
 #include <thread>
 
+#include "io/digest.hpp"
 #include "io/file_fixture.hpp"
-#include "io/sha256.hpp"
 
 namespace tcb {
 

@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "error.hpp"
-#include "formats/open_input.hpp"
+#include "formats/formats.hpp"
 #include "io/terminal.hpp"
 #include "keys/curves.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 
 namespace tcb {
 

@@ -1,6 +1,6 @@
-// SHA-256 of bytes; by Nettle, or by the library of Windows.
+// SHA-256 of bytes, and bytes in Base64; by Nettle, or by the libraries of Windows.
 //
-// Source: FIPS 180-4.
+// Source: FIPS 180-4; RFC 4648.
 #pragma once
 
 #include <memory>
@@ -25,5 +25,8 @@ class Sha256 {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// The bytes in Base64 with padding, in one line.
+std::string in_base64(std::string_view bytes);
 
 }  // namespace tcb

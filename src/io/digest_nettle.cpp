@@ -1,11 +1,12 @@
-// SHA-256 by Nettle.
+// SHA-256 and Base64 by Nettle.
 #include <fmt/format.h>
+#include <nettle/base64.h>
 #include <nettle/sha2.h>
 
 #include <array>
 #include <cstdint>
 
-#include "io/sha256.hpp"
+#include "io/digest.hpp"
 
 namespace tcb {
 
@@ -27,6 +28,12 @@ std::string Sha256::digest() {
   sha256_digest(&state_->context, digest.size(), digest.data());
   std::string text;
   for (const std::uint8_t byte : digest) text += fmt::format("{:02x}", byte);
+  return text;
+}
+
+std::string in_base64(std::string_view bytes) {
+  std::string text(BASE64_ENCODE_RAW_LENGTH(bytes.size()), '\0');
+  base64_encode_raw(text.data(), bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
   return text;
 }
 

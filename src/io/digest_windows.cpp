@@ -1,16 +1,17 @@
-// SHA-256 by the library of Windows (CNG).
+// SHA-256 and Base64 by the libraries of Windows.
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>
 // after windows.h, whose types it needs
 #include <bcrypt.h>
 #include <fmt/format.h>
+#include <wincrypt.h>
 
 #include <array>
 #include <cstdint>
 #include <new>
 
-#include "io/sha256.hpp"
+#include "io/digest.hpp"
 
 namespace tcb {
 
@@ -57,6 +58,19 @@ std::string Sha256::digest() {
   state_->begin();
   std::string text;
   for (const std::uint8_t byte : digest) text += fmt::format("{:02x}", byte);
+  return text;
+}
+
+std::string in_base64(std::string_view bytes) {
+  if (bytes.empty()) return "";
+  const auto* const data = reinterpret_cast<const BYTE*>(bytes.data());
+  const auto size = static_cast<DWORD>(bytes.size());
+  constexpr DWORD form = CRYPT_STRING_BASE64 | CRYPT_STRING_NOCRLF;
+  DWORD room = 0;
+  if (::CryptBinaryToStringA(data, size, form, nullptr, &room) == 0) throw std::bad_alloc();
+  std::string text(room, '\0');
+  if (::CryptBinaryToStringA(data, size, form, text.data(), &room) == 0) throw std::bad_alloc();
+  text.resize(room);  // without the NUL
   return text;
 }
 
