@@ -14,7 +14,6 @@
 #include "read/input.hpp"
 #include "read/input_format.hpp"
 #include "read/input_options.hpp"
-#include "schema/doubts.hpp"
 #include "schema/rotation_columns.hpp"
 #include "text/file_ending.hpp"
 #include "text/utf8.hpp"
@@ -84,9 +83,11 @@ InputOptions options_of(const Format& format, Source<std::string>& bytes, const 
         .about(option::only);
   }
   if (!input.takes_delimiters && given.delimited != DelimitedOptions{}) {
-    throw usage_error("{}, {}, {}, {}, {} and {} have no effect on an input in the format {}; remove them",
-                      option::delimiter, option::header, option::no_header, option::comment, option::decimal,
-                      option::thousands, format.name);
+    throw usage_error(
+        "{}, {}, {}, {}, {} and {} have no effect on an input in the format {}; remove them, or, if it is in another "
+        "format, give that with {}",
+        option::delimiter, option::header, option::no_header, option::comment, option::decimal, option::thousands,
+        format.name, option::input_format);
   }
   return input.options == nullptr ? given : input.options(format, bytes, given);
 }
@@ -129,10 +130,6 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   if (!encoding.empty()) input.facts.encoding = encoding;
   if (!input.facts.is_recording) input.facts.roles = columns.shape_roles();
   input.facts.ignored = columns.ignored;
-  const bool chosen = std::ranges::count(options.columns.roles, Role::position, &RoleRequest::role) > 0;
-  if (format.is_json && !chosen && !options.columns.samples) {
-    if (auto note = note_of_letters(columns.channels)) input.facts.doubts.push_back(*std::move(note));
-  }
   KeyTraits& traits = input.keys.traits;
   traits.are_segments = columns.are_segments;
   traits.may_miss = options.keys.missing == Missing::skip_cell;

@@ -1,4 +1,4 @@
-// Earlier outputs: their provenance in comment lines; that in JSON is read in read/json/provenance.cpp.
+// Earlier outputs: their provenance in comment lines, or in the member "meta" of JSON.
 #include "read/earlier_output.hpp"
 
 #include <fmt/format.h>
@@ -9,10 +9,12 @@
 
 #include "error.hpp"
 #include "option_names.hpp"
-#include "read/json/provenance.hpp"
+#include "read/json/tape.hpp"
 
 namespace tcb {
 namespace {
+
+using Kind = JsonNode::Kind;
 
 /// The value of a comment line with this name.
 std::optional<std::string> value_of(std::string_view line, std::string_view name) {
@@ -40,6 +42,56 @@ void read_lines(EarlierOutput& output, std::string& text) {
     left.remove_prefix(end + 1);
   }
   text.erase(0, text.size() - left.size());
+}
+
+std::string text_of(const JsonTape& tape, std::size_t object, std::string_view name) {
+  const auto found = tape.member(object, name);
+  return found && tape.kind(*found) == Kind::string ? std::string(tape.text(*found)) : "";
+}
+
+/// Calls f for each element of a member that is an array.
+template <class F>
+void for_each_of(const JsonTape& tape, std::size_t object, std::string_view name, const F& f) {
+  const auto found = tape.member(object, name);
+  if (!found || tape.kind(*found) != Kind::array) return;
+  tape.for_each_element(*found, [&](std::size_t value) { return f(value), true; });
+}
+
+std::optional<EarlierOutput> provenance_of(const JsonTape& tape) {
+  if (tape.kind(0) != Kind::object) return std::nullopt;
+  const auto meta = tape.member(0, "meta");
+  if (!meta || tape.kind(*meta) != Kind::object) return std::nullopt;
+  EarlierOutput provenance;
+  provenance.program = text_of(tape, *meta, "program");
+  for_each_of(tape, *meta, "options", [&](std::size_t option) {
+    if (tape.kind(option) == Kind::string) provenance.options.emplace_back(tape.text(option));
+  });
+  for_each_of(tape, *meta, "inputs", [&](std::size_t input) {
+    if (tape.kind(input) != Kind::object) return;
+    provenance.inputs.emplace_back(text_of(tape, input, "name"), text_of(tape, input, "sha256"));
+  });
+  return provenance;
+}
+
+/// The member "meta" of JSON: of the object around the rows or the curves, or of the last one of lines; empty if there
+/// is none.
+EarlierOutput json_provenance(std::string_view text) {
+  if (text.find("\"meta\"") == std::string_view::npos) return {};
+  JsonSplitter splitter(
+      [left = std::optional(std::string(text))]() mutable { return std::exchange(left, std::nullopt); });
+  EarlierOutput found;
+  try {
+    while (const std::optional<JsonPart> part = splitter.next()) {
+      if (part->kind == JsonPart::Kind::list) continue;
+      JsonTape tape(*part);
+      do {
+        if (tape.size() == 0) continue;
+        if (auto provenance = provenance_of(tape)) found = *std::move(provenance);
+      } while (part->kind == JsonPart::Kind::values && tape.read_next());
+    }
+  } catch (const Error&) {  // a text that is not JSON, or is cut off
+  }
+  return found;
 }
 
 }  // namespace

@@ -110,9 +110,11 @@ Doubt error(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
 // The rows about columns.
 
 Found near_miss_of_role(const FoundColumns& found) {
-  for (const std::size_t cell : cells_with(found, Role::position)) {
-    if (cell >= found.names.size()) break;
+  for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
+    const Role role = found.columns.cells[cell].role;
     const std::string& name = found.names[cell];
+    if (role != Role::position && (role != Role::ignored || !found.numeric[cell])) continue;
+    if (std::ranges::count(found.meant, name) > 0) continue;
     const auto near = near_miss(name, found.columns, found.requested.roles, found.requested.timeless);
     if (!near) continue;
     return error(
@@ -124,10 +126,30 @@ Found near_miss_of_role(const FoundColumns& found) {
   return std::nullopt;
 }
 
+/// Columns such as x^0 and x^1 beside a duration, as --emit poly and the format crazyswarm write pieces.
+Found coefficients_of_pieces(const FoundColumns& found) {
+  const auto is_of_power = [&](std::string_view power) {
+    return std::ranges::any_of(found.names, [&](const std::string& name) { return name.ends_with(power); });
+  };
+  if (std::ranges::count(found.names, "duration") == 0 || !is_of_power("^0") || !is_of_power("^1")) return std::nullopt;
+  if (is_requested(found, Role::position)) return std::nullopt;
+  return error(
+      "the columns are coefficients of pieces, which {} poly writes; expected keys; give the keys that the pieces were "
+      "made of, pieces that {} hermite writes, or {} for keys with these channels",
+      option::emit, option::emit, option::columns);
+}
+
 Found letters_that_are_data(const FoundColumns& found) {
   if (is_requested(found, Role::position) || found.names.empty()) return std::nullopt;
-  const auto text = note_of_letters(found.columns.channels);
-  return text ? std::optional(Doubt{false, *text}) : std::nullopt;
+  std::vector<std::string> letters;
+  for (const std::string& channel : found.columns.channels) {
+    if (std::ranges::count(tcb_roles, role_of_name(channel)) > 0) letters.push_back(channel);
+  }
+  if (letters.empty()) return std::nullopt;
+  return note(
+      "positions by a single letter: {}; only T, C and B together are tension, continuity and bias; {} {}={} gives the "
+      "role",
+      listed(letters), option::columns, role_name(role_of_name(letters[0])), letters[0]);
 }
 
 /// Columns that are parameters by their names.
@@ -139,7 +161,8 @@ std::vector<std::size_t> parameters_by_name(const FoundColumns& found) {
                               role == Role::channel_continuity || role == Role::channel_bias;
     const bool is_by_request =
         std::ranges::any_of(found.requested.roles, [&](const RoleRequest& request) { return request.role == role; });
-    if (is_parameter && !is_by_request) cells.push_back(cell);
+    const bool is_meant = std::ranges::count(found.meant, found.names[cell]) > 0;
+    if (is_parameter && !is_by_request && !is_meant) cells.push_back(cell);
   }
   return cells;
 }
@@ -325,6 +348,7 @@ struct DoubtAboutColumns {
   Found (*find)(const FoundColumns& found);
 };
 constexpr std::array about_columns{
+    DoubtAboutColumns{"coefficients of pieces", coefficients_of_pieces},
     DoubtAboutColumns{"near miss of a role", near_miss_of_role},
     DoubtAboutColumns{"letters that are data", letters_that_are_data},
     DoubtAboutColumns{"parameters that are data", parameters_that_are_data},
@@ -437,18 +461,6 @@ void take(std::vector<std::string>& notes, Found found) {
 }
 
 }  // namespace
-
-std::optional<std::string> note_of_letters(const std::vector<std::string>& channels) {
-  std::vector<std::string> letters;
-  for (const std::string& channel : channels) {
-    if (std::ranges::count(tcb_roles, role_of_name(channel)) > 0) letters.push_back(channel);
-  }
-  if (letters.empty()) return std::nullopt;
-  return fmt::format(
-      "positions by a single letter: {}; only T, C and B together are tension, continuity and bias; {} {}={} gives the "
-      "role",
-      listed(letters), option::columns, role_name(role_of_name(letters[0])), letters[0]);
-}
 
 std::vector<std::string> doubts_of_columns(const FoundColumns& found) {
   std::vector<std::string> notes;

@@ -29,10 +29,9 @@ struct FoundColumns {
   bool has_rotations = false;  ///< rotations are requested, or none
   bool has_tcb_scale = false;  ///< the scale of tension, continuity and bias is requested
   bool has_header = false;     ///< it is requested whether there is a header
+  std::vector<std::string> meant =
+      {};  ///< names that the input gives to the numbers of an array, so that none is in doubt
 };
-
-/// The note about channels that are called T, C or B, which are parameters only together; nothing where there are none.
-std::optional<std::string> note_of_letters(const std::vector<std::string>& channels);
 
 /// The notes of the doubts about columns. Throws: Error (data) for a doubt that the request has to decide.
 std::vector<std::string> doubts_of_columns(const FoundColumns& found);

@@ -62,25 +62,30 @@ ShownText shown_text(std::string_view text, std::size_t most_bytes) {
   return shown;
 }
 
-/// The number of bytes that begin a character; those after its first are 10xxxxxx. Eight bytes at a time.
+/// The number of bytes that begin a character; those after its first are 10xxxxxx. Eight bytes of ASCII at a time.
 std::uint64_t count_characters(std::string_view text) {
   std::uint64_t count = text.size();
-  for (; text.size() >= sizeof(std::uint64_t); text.remove_prefix(sizeof(std::uint64_t))) {
+  const char *at = text.data(), *const end = at + text.size();
+  const auto is_ascii = [&] {
     std::uint64_t bytes = 0;
-    std::memcpy(&bytes, text.data(), sizeof bytes);
-    constexpr std::uint64_t ones = 0x0101010101010101;
-    count -= (bytes >> 7 & ~(bytes >> 6) & ones) * ones >> 56;  // the sum of eight bytes of 0 or 1
+    std::memcpy(&bytes, at, sizeof bytes);
+    return (bytes & 0x8080808080808080) == 0;
+  };
+  while (at != end) {
+    if (end - at >= 8 && is_ascii()) {
+      at += 8;
+    } else {
+      count -= (code(*at++) & 0xC0U) == 0x80U ? 1 : 0;
+    }
   }
-  for (const char c : text) count -= (code(c) & 0xC0U) == 0x80U ? 1 : 0;
   return count;
 }
 
 }  // namespace
 
 std::uint64_t column_after(std::string_view text, std::uint64_t column) {
-  const std::size_t last = text.rfind('\n');
-  if (last != std::string_view::npos) {
-    text.remove_prefix(last + 1);
+  if (text.find('\n') != std::string_view::npos) {
+    text.remove_prefix(text.rfind('\n') + 1);
     column = 1;
   }
   return column + count_characters(text);

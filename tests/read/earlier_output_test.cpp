@@ -55,6 +55,17 @@ TEST(EarlierOutput, is_read_from_the_member_meta_of_json) {
   }
 }
 
+TEST(EarlierOutput, is_read_from_the_last_one_of_json_lines) {
+  const std::optional<EarlierOutput> output = read_earlier(
+      "{\"t\":0}\n{\"meta\":{\"program\":\"p 1\",\"options\":[\"a\",\"b\"],"
+      "\"inputs\":[{\"name\":\"n\",\"sha256\":\"0f\"}]}}\n",
+      9);
+  ASSERT_TRUE(output);
+  EXPECT_THAT(output->options, ElementsAre("a", "b"));
+  EXPECT_THAT(output->inputs, ElementsAre(Pair("n", "0f")));
+  EXPECT_FALSE(read_earlier("{\"t\":", 9));
+}
+
 TEST(EarlierOutput, needs_a_program_and_an_input) {
   EXPECT_FALSE(read_earlier("t,x\n0,0\n", 3));
   EXPECT_FALSE(read_earlier("# tcbsample 1.2.3\nt,x\n0,0\n", 3));

@@ -337,7 +337,7 @@ std::string first_time(const std::vector<std::string>& cells, const Columns& col
 
 /// The cells of the first records, without reading further. Requires: `data` outlives them.
 std::vector<HeadCells> cells_of(const Chunk& data, const Dialect& dialect) {
-  constexpr std::size_t most = 100;
+  constexpr std::size_t most = 50;
   std::vector<HeadCells> rows;
   Tokenizer tokenizer(data, dialect);
   try {

@@ -1,6 +1,7 @@
-// Camera paths: the keyframes of nerfstudio as keys.
-#include "read/json/camera_path.hpp"
-
+// Camera paths: the keyframes of nerfstudio as keys. The curve has the preset nerfstudio, is closed if the path is a
+// cycle, and its tension is smoothness_value.
+//
+// Source: the viewer of nerfstudio, which writes and reads such files.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,8 +18,8 @@
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
+#include "read/input_format.hpp"
 #include "read/json/keys.hpp"
-#include "read/json/shapes.hpp"
 #include "read/json/tape.hpp"
 #include "read/key_builder.hpp"
 #include "read/text_bytes.hpp"
@@ -29,7 +30,6 @@
 namespace tcb {
 namespace {
 
-using Json = nlohmann::json;
 using Kind = JsonNode::Kind;
 
 constexpr std::string_view keyframe_list = "keyframes";
@@ -241,7 +241,7 @@ class CameraPathReader {
 
   void write_member(std::string& text, std::size_t name, std::size_t value) const {
     if (!text.empty() && text.back() != '{') text += ',';
-    text += Json(std::string(tape_.text(name))).dump() + ":";
+    text += nlohmann::json(std::string(tape_.text(name))).dump() + ":";
     write(text, value);
   }
 
@@ -261,7 +261,7 @@ class CameraPathReader {
         });
         text += ']';
         return;
-      case Kind::string: text += Json(std::string(tape_.text(value))).dump(); return;
+      case Kind::string: text += nlohmann::json(std::string(tape_.text(value))).dump(); return;
       case Kind::number: text += number_in_json(tape_.written(value)); return;
       case Kind::null: text += "null"; return;
       default: text += tape_.written(value);
@@ -272,7 +272,9 @@ class CameraPathReader {
   static std::string number_in_json(std::string_view decimal) {
     const std::string text = json_number_text(decimal);
     const bool is_whole = decimal.find_first_of(".eE") == std::string_view::npos && decimal != "-0";
-    return is_whole && text == decimal ? text : decimal == "-0" ? "0" : Json(parse_number(decimal).value_or(0)).dump();
+    return is_whole && text == decimal ? text
+           : decimal == "-0"           ? "0"
+                                       : nlohmann::json(parse_number(decimal).value_or(0)).dump();
   }
 
   const JsonTape& tape_;
@@ -381,8 +383,8 @@ std::optional<ViewerFrames> frames_of(const PathOfCameras& path, const Rational&
   return ViewerFrames{exact_number(*path.rate), seconds, whole, duration / Rational(whole)};
 }
 
-}  // namespace
-
+/// Whether the beginning of a text is that of a camera path: the first list in an object is "keyframes", and the first
+/// one of these has a matrix. Nothing: that depends on the text that follows.
 std::optional<bool> begins_camera_path(std::string_view beginning) {
   constexpr std::string_view blanks = " \t\r\n";
   const std::size_t first = beginning.find_first_not_of(blanks);
@@ -403,7 +405,13 @@ std::optional<bool> begins_camera_path(std::string_view beginning) {
   return end == std::string_view::npos ? std::nullopt : std::optional(false);
 }
 
-InputOptions options_of_camera_path(InputOptions options) {
+std::optional<int> fit_of_camera_path(std::string_view beginning) {
+  const std::optional<bool> begins = begins_camera_path(beginning);
+  return begins ? std::optional(*begins ? 3 : 0) : std::nullopt;
+}
+
+/// The options with the rotation of camera paths and their unit of times, unless others are requested.
+InputOptions options_of_camera_path(const Format&, Source<std::string>&, InputOptions options) {
   if (options.rotation.requests.empty() && !options.rotation.none) {
     options.rotation.requests.push_back(rotation_of(nerfstudio_poses));
   }
@@ -411,8 +419,9 @@ InputOptions options_of_camera_path(InputOptions options) {
   return options;
 }
 
-Records open_camera_path(Source<std::string> bytes, const InputOptions& options) {
-  refuse_options_of_text(options);
+/// Keys with x, y, z, the matrix r11 to r33, fov in degrees, and render_time where the keyframes have it; the first one
+/// is at 0 seconds.
+Records open_camera_path(const Format&, Source<std::string> bytes, InputOptions options) {
   PathOfCameras path = read_camera_path(bytes, options.max_memory);
   const std::vector<std::string> names = names_of(path);
   Records records;
@@ -444,5 +453,14 @@ Records open_camera_path(Source<std::string> bytes, const InputOptions& options)
   };
   return records;
 }
+
+}  // namespace
+
+extern const InputFormat camera_path_input{.open = open_camera_path,
+                                           .options = options_of_camera_path,
+                                           .fit = fit_of_camera_path,
+                                           .takes_delimiters = false,
+                                           .has_own_columns = true,
+                                           .has_frames = true};
 
 }  // namespace tcb

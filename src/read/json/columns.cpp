@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <unordered_set>
 #include <utility>
 
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
 #include "option_names.hpp"
+#include "schema/doubts.hpp"
 #include "schema/key_rules.hpp"
-#include "schema/near_misses.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
@@ -531,17 +532,6 @@ void require_shape(const Found& member, const ColumnOptions& options) {
   throw member.at(fault);
 }
 
-/// Throws: Error (data) for a number whose name is a near miss of a role's.
-void require_no_near_miss(const Found& member, const Columns& columns, const ColumnOptions& options) {
-  if (member.array || member.text || member.numbers == 0) return;
-  const auto near = near_miss(member.name, columns, options.roles, options.timeless);
-  if (!near) return;
-  throw member.at(data_error(
-      "this name is close to \"{0}\", but makes the member a channel; expected \"{0}\" or a name unlike it; rename it, "
-      "or give {1} {0}={2} or position=NAME:NAME",
-      *near, option::columns, member.name));
-}
-
 /// Throws: Error (data) where an array or an object is not used and may be the position, for single numbers are, or the
 /// time.
 void require_no_lost_arrays(const std::vector<Found>& members, const Arrays& arrays, const ColumnOptions& options) {
@@ -665,9 +655,62 @@ void complete(const JsonColumns& columns, std::vector<Member>& members, std::siz
   }
 }
 
+/// Takes a member of a record, and what is in it, as texts in a row of cells.
+void take_cells(std::vector<std::string_view>& row, const JsonTape& tape, const std::vector<Member>& members,
+                std::string_view name, std::size_t value) {
+  const auto member = std::ranges::find(members, name, &Member::name);
+  if (member == members.end() || value == JsonCell::missing) return;
+  const auto text = [&](std::size_t scalar) {
+    const Kind kind = tape.kind(scalar);
+    return kind == Kind::string ? tape.text(scalar) : kind == Kind::null ? "" : tape.written(scalar);
+  };
+  std::size_t index = 0;
+  switch (tape.kind(value)) {
+    case Kind::object:
+      tape.for_each_member(value, [&](std::size_t inner, std::size_t of_inner) {
+        take_cells(row, tape, member->inner, tape.text(inner), of_inner);
+        return true;
+      });
+      break;
+    case Kind::array:
+      tape.for_each_element(value, [&](std::size_t element) {
+        if (member->is_nested()) {
+          take_cells(row, tape, member->inner, fmt::format("[{}]", index++), element);
+        } else if (index < member->cells && !tape[element].is_nested()) {
+          row[member->cell + index++] = text(element);
+        }
+        return true;
+      });
+      break;
+    default:
+      if (member->cells > 0) row[member->cell] = text(value);
+  }
+}
+
+/// The notes of the doubts about the columns. Throws: Error (data) for one that the request has to decide.
+std::vector<std::string> doubts_of(const JsonColumns& columns, const std::vector<std::string>& header,
+                                   const std::vector<bool>& numeric, std::vector<std::string> meant,
+                                   const JsonTape& tape, const FirstRecords& records, const InputOptions& options) {
+  constexpr std::size_t most = 50;
+  std::vector<std::vector<std::string_view>> rows(std::min(records.count, most));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].resize(header.size());
+    for (const JsonCell& cell : records.cells(i)) take_cells(rows[i], tape, columns.members, cell.name, cell.value);
+  }
+  return doubts_of_columns({.names = header,
+                            .rows = rows,
+                            .numeric = numeric,
+                            .columns = columns.columns,
+                            .requested = options.columns,
+                            .has_rotations = options.rotation.none || !options.rotation.requests.empty(),
+                            .has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown || options.has_shown_tcb_scale,
+                            .has_header = true,
+                            .meant = std::move(meant)});
+}
+
 /// What the members of the first key mean.
-JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& options,
-                       const std::vector<std::string>& channels) {
+JsonColumns columns_of(const std::vector<Found>& members, const JsonTape& tape, const FirstRecords& records,
+                       const InputOptions& options, const std::vector<std::string>& channels) {
   const ColumnOptions& requested = options.columns;
   const Arrays arrays = arrays_of(members, options, channels);
   const bool has_array = std::ranges::any_of(members, [&](const auto& member) { return arrays.has(member); });
@@ -693,12 +736,21 @@ JsonColumns columns_of(const std::vector<Found>& members, const InputOptions& op
   for (const auto& found : members) {
     if (requested.samples) break;  // their names may be any
     require_shape(found, requested);
-    require_no_near_miss(found, result.columns, requested);
   }
   const bool lacks_time = !result.columns.has(Role::time) && !requested.timeless && !requested.samples;
   if (has_array && lacks_time) require_no_lost_time(members, result.columns);
   result.columns.ignored.insert(result.columns.ignored.end(), unused.begin(), unused.end());
   result.found = result.columns.cells.size();
+  if (!requested.samples) {
+    std::vector<bool> are_numbers;
+    std::vector<std::string> meant;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      are_numbers.resize(cells[i].cell + cells[i].cells, !members[i].text);
+      const auto names = std::span(header).subspan(cells[i].cell, cells[i].cells);
+      if (members[i].array) meant.insert(meant.end(), names.begin(), names.end());
+    }
+    result.columns.doubts = doubts_of(result, header, are_numbers, std::move(meant), tape, records, options);
+  }
   add_optional_members(result);
   complete(result, result.members, result.all_members);
   result.rules = options.keys;
@@ -727,7 +779,7 @@ JsonColumns find_members(const JsonTape& tape, const FirstRecords& records, cons
   std::vector<Found> members = FirstRecord(tape, records, options).read();
   return at_position(tape.position(records.value), [&] {
     spread(members, options.columns);
-    return columns_of(members, options, channels);
+    return columns_of(members, tape, records, options, channels);
   });
 }
 

@@ -1,6 +1,7 @@
-// Shapes of JSON inputs: lists of keys, objects with keys, objects with curves, JSON Lines, tables, and any others.
-#include "read/json/shapes.hpp"
-
+// JSON inputs: an array of keys, an object with "keys", one with "curves", JSON Lines, a table, or a list in another
+// shape. Keys of an object are held until its settings are known.
+//
+// Source: RFC 8259.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "option_names.hpp"
+#include "read/input_format.hpp"
 #include "read/json/columns.hpp"
 #include "read/json/keys.hpp"
 #include "read/json/settings.hpp"
@@ -46,19 +48,15 @@ Parsed parse_part(const Task& task) {
   return {parse_json(task.part, *task.columns), {}, task.columns};
 }
 
-/// The values on the tape that are in the place of keys, in the first part of a list or of several values, up to a
-/// number that is enough for their columns.
+/// The values on the tape that are in the place of keys, in the first part of a list or of several values.
 std::vector<std::size_t> first_values(JsonTape& tape) {
-  constexpr std::size_t enough = 1000;
   std::vector<std::size_t> values;
   if (tape.part().kind == JsonPart::Kind::list) {
-    tape.for_each_element(0, [&](std::size_t value) { return values.push_back(value), values.size() < enough; });
+    tape.for_each_element(0, [&](std::size_t value) { return values.push_back(value), true; });
     return values;
   }
   try {
-    for (std::size_t next = 0; values.size() < enough && tape.read_next(true); next = tape.size()) {
-      values.push_back(next);
-    }
+    for (std::size_t next = 0; tape.read_next(true); next = tape.size()) values.push_back(next);
   } catch (const Error&) {
     if (values.empty()) throw;  // others are thrown again when the keys are read
   }
@@ -81,7 +79,8 @@ JsonColumns columns_of(const JsonPart& part, bool are_rows, const InputOptions& 
   if (keys.empty())
     throw data_error("no key before or after a comma; expected an object; remove the comma").at(tape.position_at(1));
   const auto first = static_cast<std::size_t>(std::ranges::find(values, keys[0]) - values.begin());
-  const std::vector<std::string> names = are_rows ? usual_names(tape.count(keys[0])) : std::vector<std::string>{};
+  const std::vector<std::string> names =
+      are_rows ? usual_names(tape.count(keys[0]), options.columns.timeless) : std::vector<std::string>{};
   const auto cells = [&](std::size_t key) {
     if (!are_rows) return members_of(tape, keys[key]);
     JsonCells row;
@@ -236,6 +235,7 @@ Records records_of(const JsonColumns& meaning, JsonShape shape) {
   records.columns.cells.resize(meaning.found);
   records.columns.named = true;
   records.facts.shape = shape;
+  records.facts.doubts = meaning.columns.doubts;
   records.keys.traits.may_break = true;  // also at null in place of a key
   return records;
 }
@@ -356,16 +356,16 @@ std::optional<Records> open_one_key(const std::shared_ptr<const WholeJson>& text
 /// A text of any shape: a table, one key, or the lists in it.
 Records open_whole(JsonPart part, const InputOptions& options) {
   const auto text = std::make_shared<const WholeJson>(std::move(part), options.max_memory);
-  if (!options.records.empty()) return open_tables(find_tables(text, options.records), options);
+  if (!options.records.empty()) return open_tables(find_tables(text, options), options);
   std::optional<Error> reason;
   std::optional<Records> key;
   if (text->tape.kind(0) == Kind::object) {
-    auto table = JsonTable::find(text, 0, "", true);
+    auto table = JsonTable::find(text, 0, "", true, options.columns.timeless);
     if (table && table->size() > 0) return open_table(*std::move(table), options, true);
     key = open_one_key(text, options, reason);
     if (key && (key->columns.has(Role::time) || options.columns.timeless)) return *std::move(key);
   }
-  std::vector<JsonTable> tables = find_tables(text, "");
+  std::vector<JsonTable> tables = find_tables(text, options);
   if (!tables.empty()) return open_tables(std::move(tables), options);
   if (key) return *std::move(key);
   if (reason) throw *reason;
@@ -390,19 +390,7 @@ JsonPart whole_text(Source<std::string> bytes, std::uint64_t max_memory) {
   return splitter.whole({JsonPart::Kind::list, {"]"}});
 }
 
-}  // namespace
-
-void refuse_options_of_text(const InputOptions& options) {
-  if (options.delimited == DelimitedOptions{}) return;
-  throw usage_error(
-      "{}, {}, {}, {}, {} and {} have no effect on JSON; remove them, or, if the input is not JSON, give its format "
-      "with {}",
-      option::delimiter, option::header, option::no_header, option::comment, option::decimal, option::thousands,
-      option::input_format);
-}
-
-Records open_json(Source<std::string> bytes, const InputOptions& options) {
-  refuse_options_of_text(options);
+Records open_json(const Format&, Source<std::string> bytes, InputOptions options) {
   if (!options.records.empty()) return open_whole(whole_text(std::move(bytes), options.max_memory), options);
   const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes), options.max_memory);
   std::optional<JsonPart> first = splitter->next();
@@ -414,6 +402,7 @@ Records open_json(Source<std::string> bytes, const InputOptions& options) {
     try {
       columns = std::make_shared<const JsonColumns>(columns_of(*first, false, options, {}));
     } catch (const Error&) {
+      if (!options.columns.timeless) refuse_other_json(JsonTape(*first));
       if (!holds_table_in_first(*first)) throw;
       return open_whole(splitter->whole(*std::move(first)), options);
     }
@@ -423,5 +412,14 @@ Records open_json(Source<std::string> bytes, const InputOptions& options) {
   return is_object ? open_objects(std::move(source), shape, options)
                    : open_list(std::move(source), shape, options.threads);
 }
+
+std::optional<int> fit_of_json(std::string_view beginning) {
+  const std::size_t at = beginning.find_first_not_of(" \t\r\n");
+  return at != std::string_view::npos && (beginning[at] == '[' || beginning[at] == '{') ? 2 : 0;
+}
+
+}  // namespace
+
+extern const InputFormat json_input{.open = open_json, .fit = fit_of_json, .takes_delimiters = false};
 
 }  // namespace tcb

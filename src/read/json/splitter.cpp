@@ -22,9 +22,7 @@ constexpr std::array<bool, 256> is_structure = [] {
   return found;
 }();
 
-bool is_json_blank(std::string_view text) {
-  return std::ranges::all_of(text, [](char c) { return tcb::is_json_blank(c); });
-}
+bool holds_blanks_only(std::string_view text) { return std::ranges::all_of(text, is_json_blank); }
 
 /// The closing quote of the string that `at` is in, or `end`. `escaped`: a backslash precedes `at`; on return at `end`,
 /// whether one precedes what follows.
@@ -75,7 +73,7 @@ bool JsonSplitter::skip_string() {
 
 /// False if the text ends in the blanks.
 bool JsonSplitter::skip_blanks() {
-  while (!at_end() && tcb::is_json_blank(text_[at_])) ++at_;
+  while (!at_end() && is_json_blank(text_[at_])) ++at_;
   return !at_end();
 }
 
@@ -260,7 +258,7 @@ bool JsonSplitter::scan_records() {
       case ',':
         if (!is_list || depth_ != 0) break;
         boundary_ = at_;
-        ++records_;
+        if (++records_ == most_first_records && is_first_cut_) return true;
         break;
       case ']':
         if (is_list && depth_ == 0) {
@@ -274,7 +272,7 @@ bool JsonSplitter::scan_records() {
         if (depth_ > 0) --depth_;
         if (is_list || depth_ != 0) break;
         boundary_ = at_ + 1;
-        ++records_;
+        if (++records_ == most_first_records && is_first_cut_) return true;
         break;
       default: break;
     }
@@ -348,6 +346,7 @@ JsonPart JsonSplitter::cut_object(std::size_t end) {
 
 JsonPart JsonSplitter::cut_values(std::size_t end) {
   JsonPart part{JsonPart::Kind::values, take(end)};
+  is_first_cut_ = false;
   part.chunk.first = std::exchange(records_cut_, records_);
   part.chunk.path = path("keys");
   return part;
@@ -357,7 +356,7 @@ JsonPart JsonSplitter::cut_values(std::size_t end) {
 std::optional<JsonPart> JsonSplitter::cut_list(std::size_t end) {
   JsonPart part{JsonPart::Kind::list, take(end)};
   const bool is_empty_list = std::exchange(is_first_cut_, false) && is_list_closed_ &&
-                             is_json_blank(std::string_view(part.chunk.text).substr(1));
+                             holds_blanks_only(std::string_view(part.chunk.text).substr(1));
   part.chunk.text += ']';
   part.chunk.first = std::exchange(records_cut_, records_);
   part.chunk.path = path("keys");
@@ -388,7 +387,7 @@ std::optional<JsonPart> JsonSplitter::cut() {
 std::optional<JsonPart> JsonSplitter::cut_rest() {
   if (stage_ == Stage::list) {
     stage_ = Stage::unclosed;
-    if (!is_json_blank(std::string_view(text_).substr(1))) return cut_list(text_.size());
+    if (!holds_blanks_only(std::string_view(text_).substr(1))) return cut_list(text_.size());
     (void)take(text_.size());
     throw here(text_ends_early());
   }
@@ -396,7 +395,7 @@ std::optional<JsonPart> JsonSplitter::cut_rest() {
   const Stage stage = std::exchange(stage_, Stage::end);
   const bool is_object = stage == Stage::object || stage == Stage::rest;
   if (is_object && shape_ && shape_ != JsonShape::any) return cut_object(text_.size());
-  if (is_json_blank(text_)) return std::nullopt;
+  if (holds_blanks_only(text_)) return std::nullopt;
   if (stage == Stage::values) return cut_values(text_.size());
   shape_ = JsonShape::any;
   return JsonPart{JsonPart::Kind::whole, take(text_.size())};

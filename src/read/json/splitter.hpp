@@ -26,6 +26,9 @@ inline bool is_json_blank(char c) { return c == ' ' || c == '\n' || c == '\r' ||
 /// Where the value that begins at `at` ends, by its strings and brackets, or the end of the text.
 std::size_t end_of_json_value(std::string_view text, std::size_t at);
 
+/// At most, of the first part of a list, by which the meaning of their members is found.
+inline constexpr std::uint64_t most_first_records = 100;
+
 /// A part of a JSON text.
 struct JsonPart {
   enum class Kind {
@@ -103,7 +106,7 @@ class JsonSplitter {
   std::optional<std::size_t> boundary_;          ///< the end of the last whole record
   std::uint64_t records_ = 0, records_cut_ = 0;  ///< whole records of the list that were scanned, and cut off
   std::size_t depth_ = 0;                        ///< of open brackets in the current object, list or value
-  bool is_first_cut_ = true;                     ///< of the list
+  bool is_first_cut_ = true;                     ///< of the list, or of the values
   bool is_list_closed_ = false;
   bool has_list_ = false;                      ///< the list of the current object was found
   bool has_comma_ = true;                      ///< a curve may follow

@@ -77,15 +77,16 @@ Error row_of_other_size(std::size_t row, std::size_t cells, std::size_t columns)
 
 }  // namespace
 
-std::vector<std::string> usual_names(std::size_t columns) {
-  std::vector<std::string> names = default_channel_names(columns == 0 ? 0 : columns - 1);
+std::vector<std::string> usual_names(std::size_t columns, bool is_timeless) {
+  if (is_timeless || columns == 0) return default_channel_names(columns);
+  std::vector<std::string> names = default_channel_names(columns - 1);
   names.insert(names.begin(), "t");
   return names;
 }
 
 std::optional<JsonTable> JsonTable::find(std::shared_ptr<const WholeJson> text, std::size_t value, std::string path,
-                                         bool is_root) {
-  JsonTable table(std::move(text), value, std::move(path));
+                                         bool is_root, bool is_timeless) {
+  JsonTable table(std::move(text), value, std::move(path), is_timeless);
   if (!table.find_layout(is_root)) return std::nullopt;
   table.decide_index();
   return table;
@@ -99,7 +100,7 @@ bool JsonTable::find_layout(bool is_root) {
     rows_ = tape.elements(value_);
     size_ = rows_.size();
     if (!is_list) read_rows(tape.count(rows_[0]));
-    if (!is_list && names_.empty()) names_ = usual_names(tape.count(rows_[0]));
+    if (!is_list && names_.empty()) names_ = usual_names(tape.count(rows_[0]), is_timeless_);
     return true;
   }
   if (tape.kind(value_) != Kind::object || tape[value_].next == value_ + 1) return false;
@@ -466,18 +467,10 @@ constexpr std::array other_json{
     OtherJson{{"type", "coordinates", ""},
               "GeoJSON, whose places have no times",
               "give --records with the path of \"coordinates\" and --parameter uniform --columns position=1:2"},
+    OtherJson{{"img_name", "position", "rotation"},
+              "a cameras.json of Gaussian splatting, whose cameras have no times",
+              "give --parameter uniform --columns position=position"},
 };
-
-const OtherJson* find_other(const JsonTape& tape) {
-  std::unordered_set<std::string_view> names;
-  for (std::size_t at = 0; at < tape.size(); ++at) {
-    if (tape.kind(at) == Kind::name) names.insert(tape.text(at));
-  }
-  const auto found = std::ranges::find_if(other_json, [&](const OtherJson& other) {
-    return std::ranges::all_of(other.members, [&](auto name) { return name.empty() || names.contains(name); });
-  });
-  return found == other_json.end() ? nullptr : &*found;
-}
 
 std::string listed_paths(const std::vector<Place>& places) {
   std::vector<std::string> paths;
@@ -487,13 +480,26 @@ std::string listed_paths(const std::vector<Place>& places) {
 
 }  // namespace
 
+void refuse_other_json(const JsonTape& tape) {
+  std::unordered_set<std::string_view> names;
+  for (std::size_t at = 0; at < tape.size(); ++at) {
+    if (tape.kind(at) == Kind::name) names.insert(tape.text(at));
+  }
+  const auto* const other = std::ranges::find_if(other_json, [&](const OtherJson& known) {
+    return std::ranges::all_of(known.members, [&](auto name) { return name.empty() || names.contains(name); });
+  });
+  if (other == other_json.end()) return;
+  throw data_error("this is {}; expected a list of keys; {}", other->name, other->remedy).at({"", 1, 1});
+}
+
 bool holds_table(const JsonTape& tape, std::size_t value) {
   bool found = false;
   find_fits(tape, {value, ""}, [&](const Place&, Fit fit) { found = found || fit != Fit::none; });
   return found;
 }
 
-std::vector<JsonTable> find_tables(const std::shared_ptr<const WholeJson>& text, std::string_view path) {
+std::vector<JsonTable> find_tables(const std::shared_ptr<const WholeJson>& text, const InputOptions& options) {
+  const std::string_view path = options.records;
   const JsonTape& tape = text->tape;
   std::vector<Place> with_times, others, requested;
   find_fits(tape, {0, ""},
@@ -505,16 +511,19 @@ std::vector<JsonTable> find_tables(const std::shared_ptr<const WholeJson>& text,
       throw usage_error("{} {}: there is no such value; expected the path of a list of records{}{}; correct it",
                         option::records, path, fitting.empty() ? "" : ", such as ", listed_paths(fitting));
     }
-  } else if (const OtherJson* const other = find_other(tape); other != nullptr && with_times.size() != 1) {
-    throw data_error("this is {}; expected a list of keys; {}", other->name, other->remedy).at({"", 1, 1});
-  } else if (fitting.size() > 1) {
+  } else {
+    // Numbers without names may be times as they rise, or anything else.
+    const bool are_named = with_times.size() == 1 && !has_only(tape, with_times[0].value, Kind::array);
+    if (!are_named && !options.columns.timeless) refuse_other_json(tape);
+  }
+  if (path.empty() && fitting.size() > 1) {
     throw data_error("{} lists may be the keys: {}; expected one; give {} {}, or another one of these", fitting.size(),
                      listed_paths(fitting), option::records, fitting[0].path)
         .at({"", 1, 1});
   }
   std::vector<JsonTable> tables;
   for (const Place& place : path.empty() ? fitting : requested) {
-    auto table = JsonTable::find(text, place.value, place.path, false);
+    auto table = JsonTable::find(text, place.value, place.path, false, options.columns.timeless);
     if (table && table->size() > 0) {
       tables.push_back(*std::move(table));
     } else if (!path.empty()) {

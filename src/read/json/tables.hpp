@@ -32,7 +32,7 @@ class JsonTable {
   /// The table that a value is by its layout; nothing for other values. `is_root`: it is the whole text, so names of
   /// pandas count. Throws: Error (data) for a table whose rows, columns or index differ in length.
   static std::optional<JsonTable> find(std::shared_ptr<const WholeJson> text, std::size_t value, std::string path,
-                                       bool is_root);
+                                       bool is_root, bool is_timeless);
 
   const JsonTape& tape() const { return text_->tape; }
   /// As in "trajectory.points"; empty for the whole text.
@@ -62,8 +62,8 @@ class JsonTable {
     std::uint32_t row, column, value;
   };
 
-  JsonTable(std::shared_ptr<const WholeJson> text, std::size_t value, std::string path)
-      : text_(std::move(text)), path_(std::move(path)), value_(value) {}
+  JsonTable(std::shared_ptr<const WholeJson> text, std::size_t value, std::string path, bool is_timeless)
+      : text_(std::move(text)), path_(std::move(path)), value_(value), is_timeless_(is_timeless) {}
 
   bool find_layout(bool is_root);
   bool is_array_of(std::size_t value, JsonNode::Kind kind) const;
@@ -78,6 +78,7 @@ class JsonTable {
   std::shared_ptr<const WholeJson> text_;
   std::string path_;
   std::size_t value_ = 0;
+  bool is_timeless_ = false;
   std::size_t size_ = 0;
   Layout layout_ = Layout::objects;
   bool takes_index_ = false;                       ///< the index is the time
@@ -90,12 +91,15 @@ class JsonTable {
   std::vector<std::uint32_t> row_begins_;          ///< among the cells; and the end
 };
 
-/// The lists of records in a text that can be keys: those at `path`, or all where it is empty. An asterisk in a path
-/// stands for any name or number. Throws: Error (data).
-std::vector<JsonTable> find_tables(const std::shared_ptr<const WholeJson>& text, std::string_view path);
+/// The lists of records in a text that can be keys: those at the path that is requested, or all where none is. An
+/// asterisk in a path stands for any name or number. Throws: Error (data).
+std::vector<JsonTable> find_tables(const std::shared_ptr<const WholeJson>& text, const InputOptions& options);
 
 /// The names of columns of which none is given, as of text without a header.
-std::vector<std::string> usual_names(std::size_t columns);
+std::vector<std::string> usual_names(std::size_t columns, bool is_timeless);
+
+/// Throws: Error (data) for a file of another product, by its members.
+void refuse_other_json(const JsonTape& tape);
 
 /// Whether a value holds a list of records.
 bool holds_table(const JsonTape& tape, std::size_t value);

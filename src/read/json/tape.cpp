@@ -14,31 +14,55 @@
 namespace tcb {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr std::size_t most_levels = 100;
 
-/// The token for which NaN is exchanged, as the grammar of JSON has none of that size.
-constexpr std::string_view nan_token = "NaN", number_for_nan = "0e0";
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_'; }
 
-bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
+/// The characters of a text as nlohmann-json gets them. It would convert each number, but numbers are converted where
+/// they are used, and a zero in the place of digits has their syntax. NaN, which JSON does not have, is a zero, too.
+class Characters {
+ public:
+  using iterator_category = std::forward_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = char;
 
-bool begins_with_nan(std::string_view text) {
-  return text.starts_with(nan_token) && (text.size() == nan_token.size() || !is_word(text[nan_token.size()]));
-}
+  /// Requires: the text ends with a NUL.
+  explicit Characters(const char* at) : at_(at) {}
 
-/// The text with a number in the place of each NaN outside of strings.
-std::string without_nan(std::string_view text) {
-  std::string changed(text);
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    if (text[at] == '"') {
-      for (++at; at < text.size() && text[at] != '"'; ++at) at += text[at] == '\\' ? 1 : 0;
-    } else if (text[at] == 'N' && begins_with_nan(text.substr(at)) && (at == 0 || !is_word(text[at - 1]))) {
-      changed.replace(at, nan_token.size(), number_for_nan);
+  char operator*() const { return begins_digits() || is_nan() ? '0' : *at_; }
+  Characters& operator++() {
+    if (in_string_) {
+      in_string_ = *at_ != '"' || is_escaped_;
+      is_escaped_ = *at_ == '\\' && !is_escaped_;
+    } else if (*at_ == '"') {
+      in_string_ = true;
+    } else if (begins_digits()) {
+      while (is_digit(at_[1])) ++at_;
+    } else if (is_nan()) {
+      at_ += 2;
     }
+    before_ = *at_++;
+    return *this;
   }
-  return changed;
-}
+  bool operator==(const Characters& other) const { return at_ == other.at_; }
+
+  const char* place() const { return at_; }
+
+ private:
+  /// A zero is given by itself, as another digit may not follow one that begins a number.
+  bool begins_digits() const { return *at_ >= '1' && *at_ <= '9' && !in_string_; }
+  bool is_nan() const {
+    return *at_ == 'N' && !in_string_ && std::strncmp(at_, "NaN", 3) == 0 && !is_word(at_[3]) &&
+           (before_ == ',' || before_ == ':' || before_ == '[' || is_json_blank(before_));
+  }
+
+  const char* at_;
+  char before_ = ' ';
+  bool in_string_ = false, is_escaped_ = false;
+};
 
 }  // namespace
 
@@ -46,6 +70,8 @@ std::string without_nan(std::string_view text) {
 /// ends the parsing.
 class JsonTape::Events {
  public:
+  using Json = nlohmann::json;
+
   Events(JsonTape& tape, std::size_t begin)
       : tape_(tape),
         text_(tape.part_.chunk.text),
@@ -54,12 +80,9 @@ class JsonTape::Events {
 
   bool null() { return add(Kind::null, 4); }
   bool boolean(bool value) { return add(Kind::boolean, value ? 4 : 5); }
-  bool number_integer(Json::number_integer_t) { return add_whole_number(); }
-  bool number_unsigned(Json::number_unsigned_t) { return add_whole_number(); }
-  bool number_float(Json::number_float_t, const std::string& written) {
-    const bool is_nan = *begin() == 'N';
-    return add(is_nan ? Kind::null : Kind::number, written.size());
-  }
+  bool number_integer(Json::number_integer_t) { return add_number(); }
+  bool number_unsigned(Json::number_unsigned_t) { return add_number(); }
+  bool number_float(Json::number_float_t, const std::string&) { return add_number(); }
   bool string(const std::string& text) { return add_text(Kind::string, text); }
   bool key(const std::string& text) { return add_text(Kind::name, text); }
   bool binary(const Json::binary_t&) { return false; }
@@ -67,15 +90,8 @@ class JsonTape::Events {
   bool start_array(std::size_t) { return open(Kind::array); }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
-  bool parse_error(std::size_t bytes, const std::string&, const Json::exception& error) {
-    constexpr int number_overflow = 406;
-    if (error.id == number_overflow) refuse_number(byte(bytes));
-    refuse_syntax(bytes);
-    return false;
-  }
+  bool parse_error(std::size_t count, const std::string&, const Json::exception&) { refuse_syntax(count); }
 
-  /// A NaN ended the parsing.
-  bool at_nan() const { return at_nan_; }
   const char* now() const { return now_; }
 
  private:
@@ -98,11 +114,26 @@ class JsonTape::Events {
     return true;
   }
 
-  bool add_whole_number() {
-    const char* end = begin() + (*begin() == '-' ? 1 : 0);
-    if (*end++ == '0') return add(Kind::number, static_cast<std::size_t>(end - now_));
-    while (end != text_.data() + text_.size() && *end >= '0' && *end <= '9') ++end;
-    return add(Kind::number, static_cast<std::size_t>(end - now_));
+  bool add_number() {
+    if (*begin() == 'N') return add(Kind::null, 3);
+    const char* end = now_ + (*now_ == '-' ? 1 : 0);
+    if (*end == '0' && is_digit(end[1])) return add(Kind::number, static_cast<std::size_t>(end + 1 - now_));
+    bool has_exponent = false;
+    for (;; ++end) {
+      while (is_digit(*end)) ++end;
+      const bool is_exponent = *end == 'e' || *end == 'E';
+      if (!is_exponent && *end != '.' && *end != '-' && *end != '+') break;
+      has_exponent = has_exponent || is_exponent;
+    }
+    add(Kind::number, static_cast<std::size_t>(end - now_));
+    constexpr std::size_t most_digits = 308;  // of a number that is no double only by its exponent
+    const std::string_view number = tape_.written(tape_.size() - 1);
+    if ((has_exponent || number.size() > most_digits) && !parse_number(number)) {
+      throw data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
+                       in_quotes(number))
+          .at(tape_.position(tape_.size() - 1));
+    }
+    return true;
   }
 
   /// A text without escapes is as it is written.
@@ -145,9 +176,11 @@ class JsonTape::Events {
     return true;
   }
 
-  /// The place of the byte that the parser has read last.
-  std::size_t byte(std::size_t bytes) const {
-    return std::min(static_cast<std::size_t>(parsed_ - text_.data()) + bytes - 1, text_.size());
+  /// The place of the last one of the characters that the parser has read.
+  std::size_t last_place(std::size_t count) const {
+    Characters next(parsed_);
+    for (; count > 0 && next.place() < text_.data() + text_.size(); --count) ++next;
+    return static_cast<std::size_t>(next.place() - text_.data()) - (count > 0 ? 0 : 1);
   }
   std::size_t skip(std::size_t at) const { return std::min(text_.find_first_not_of(" \t\r\n", at), text_.size()); }
 
@@ -158,26 +191,14 @@ class JsonTape::Events {
     return is_separated ? skip(at + 1) : at;
   }
 
-  [[noreturn]] void refuse_number(std::size_t last) const {
-    bool is_separated = false;
-    const std::size_t first = next_token(last, is_separated);
-    throw data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
-                     in_quotes(text_.substr(first, last + 1 - first)))
-        .at(tape_.position_at(first));
-  }
-
-  /// Throws: Error (data) for the last one of the bytes that the parser has read, which breaks the grammar of JSON;
-  /// returns at a NaN.
-  void refuse_syntax(std::size_t bytes) {
-    const std::size_t last = byte(bytes);
+  /// Throws: Error (data) for the last one of the characters that the parser has read, which breaks the grammar of
+  /// JSON.
+  [[noreturn]] void refuse_syntax(std::size_t count) const {
+    const std::size_t last = last_place(count);
     const bool is_end = last + (is_list_ ? 1 : 0) >= text_.size();
     bool is_separated = false;
     const std::size_t begin = next_token(last, is_separated);
     const std::string_view found = text_.substr(begin);
-    if (begins_with_nan(found) && tape_.without_nan_.empty()) {
-      at_nan_ = true;
-      return;
-    }
     const auto at = [&](std::size_t place, const Error& error) { return error.at(tape_.position_at(place)); };
     const bool may_be_string = is_separated || last_ == Last::nothing || last_ == Last::opening;
     if (found.starts_with('"') && is_end) {
@@ -223,7 +244,6 @@ class JsonTape::Events {
   const char* now_;            ///< the end of the last token
   const char* parsed_ = now_;  ///< where the parsing began
   bool is_list_;
-  bool at_nan_ = false;
   Last last_ = Last::nothing;
   std::vector<std::size_t> open_;  ///< the arrays and objects around the next value
 };
@@ -236,17 +256,10 @@ JsonTape::JsonTape(const JsonPart& part, std::uint64_t max_memory) : part_(part)
 void JsonTape::parse(std::size_t first, bool is_one) {
   nodes_.resize(first);
   Events events(*this, end_);
-  const std::string_view text = without_nan_.empty() ? part_.chunk.text : std::string_view(without_nan_);
-  const std::string_view left = text.substr(end_);
-  const bool is_read =
-      Json::sax_parse(left.data(), left.data() + left.size(), &events, Json::input_format_t::json, is_one);
-  if (is_read) {
-    end_ = static_cast<std::size_t>(events.now() - part_.chunk.text.data());
-    return;
-  }
-  if (!events.at_nan()) return;
-  without_nan_ = without_nan(part_.chunk.text);
-  parse(first, is_one);
+  const char* const text = part_.chunk.text.c_str();
+  nlohmann::json::sax_parse(Characters(text + end_), Characters(text + part_.chunk.text.size()), &events,
+                            nlohmann::json::input_format_t::json, is_one);
+  end_ = static_cast<std::size_t>(events.now() - text);
 }
 
 /// Throws: Error (data) if the text and twice as many nodes need more memory than is allowed.

@@ -99,7 +99,6 @@ class JsonTape {
   std::vector<JsonNode> nodes_;
   std::unordered_map<std::uint32_t, std::string> unescaped_;  ///< by the places of strings with escapes
   std::size_t end_ = 0;                                       ///< of the last value that was read
-  std::string without_nan_;  ///< the text with valid tokens in place of NaN; empty where it has none
 };
 
 /// A number as the program prints it, whole below 2^64; its decimal is valid.

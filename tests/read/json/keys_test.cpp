@@ -14,7 +14,7 @@ using testing::HasSubstr;
 std::string second(const std::string& first, const std::string& key) { return read("[" + first + ",\n" + key + "]"); }
 
 TEST(JsonKeys, tension_continuity_and_bias_are_members_or_one_array) {
-  EXPECT_EQ(read(R"([{"t":0,"x":1,"tension":1,"Continuity":2,"BIAS":3}])"), "t x\n1: 0 1 [1 2 3]\n");
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tension":0.1,"Continuity":0.2,"BIAS":3}])"), "t x\n1: 0 1 [0.1 0.2 3]\n");
   EXPECT_EQ(read(R"([{"t":0,"x":1,"tcb":[1,2,3]}])"), "t x\n1: 0 1 [1 2 3]\n");
 }
 

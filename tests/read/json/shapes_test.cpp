@@ -1,6 +1,4 @@
 // Shapes of JSON inputs: the same keys in every shape, in pieces of any size.
-#include "read/json/shapes.hpp"
-
 #include <gmock/gmock.h>
 
 #include <random>

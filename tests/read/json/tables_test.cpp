@@ -27,7 +27,7 @@ std::string rows_of(const JsonTable& table) {
 }
 
 std::string table_of(const std::string& text) {
-  const auto table = JsonTable::find(whole(text), 0, "", true);
+  const auto table = JsonTable::find(whole(text), 0, "", true, false);
   return table ? rows_of(*table) : "none";
 }
 
@@ -35,7 +35,8 @@ std::string table_of(const std::string& text) {
 std::string paths(const std::string& text, std::string_view records = "") {
   std::string shown;
   const std::string error = error_of([&] {
-    for (const JsonTable& table : find_tables(whole(text), records)) shown += table.path() + " ";
+    for (const JsonTable& table : find_tables(whole(text), {.records = std::string(records)}))
+      shown += table.path() + " ";
   });
   return error == "no error" ? shown : error;
 }
