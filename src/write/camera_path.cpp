@@ -1,13 +1,18 @@
 // Camera path: the texts around the cameras of nerfstudio, and the rate of its frames.
-#include "write/camera_path.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "numbers/decimal_time.hpp"
 #include "numbers/rational.hpp"
+#include "sample/table.hpp"
 #include "write/output_format.hpp"
 
 namespace tcb {
@@ -18,7 +23,32 @@ constexpr const char* usual_members =
     R"({"keyframes":[],"camera_type":"perspective","render_height":1080,"render_width":1920,"is_cycle":false,)"
     R"("smoothness_value":0})";
 
-}  // namespace
+/// One row after the other is a camera, {"camera_to_world": 16 numbers, "fov", "aspect"}. The cameras are played in
+/// seconds n h, with n their number and h the mean duration between them, as nerfstudio plays n frames at times i h.
+/// Source: the viewer of nerfstudio, which reads and writes such files.
+class CameraPath : public RowKeeper {
+ public:
+  /// `members`: those of a camera path that was read, as in Schema; empty: one without keyframes.
+  explicit CameraPath(const std::string& members);
+
+  void complete(Layout& layout) const override;
+
+  /// Requires: the first cell of each row is its time.
+  void observe(const Table& rows, std::size_t cells_per_row) override;
+
+  /// Instead of frames at the mean duration between rows.
+  void set_frames(const PlayedFrames& frames) override { frames_ = frames; }
+
+  std::string tail(const Rational& unit) override;
+
+ private:
+  std::string members_;
+  double aspect_ = 0;
+  std::mutex mutex_;
+  std::uint64_t rows_ = 0;
+  Cell first_{}, last_{};  ///< times
+  std::optional<PlayedFrames> frames_;
+};
 
 CameraPath::CameraPath(const std::string& members) {
   auto all = nlohmann::ordered_json::parse(members.empty() ? usual_members : members);
@@ -37,7 +67,7 @@ void CameraPath::complete(Layout& layout) const {
   layout.row_end = fmt::format(",\"aspect\":{}}}", aspect_);
 }
 
-void CameraPath::add(const Table& rows, std::size_t cells_per_row) {
+void CameraPath::observe(const Table& rows, std::size_t cells_per_row) {
   if (rows.cells.empty()) return;
   const Cell first = rows.cells.front(), last = rows.cells[rows.cells.size() - cells_per_row];
   const std::lock_guard lock(mutex_);
@@ -46,15 +76,13 @@ void CameraPath::add(const Table& rows, std::size_t cells_per_row) {
   rows_ += rows.cells.size() / cells_per_row;
 }
 
-std::string CameraPath::tail(const Rational& unit) const {
+std::string CameraPath::tail(const Rational& unit) {
   const Rational duration = (exact_time(last_) - exact_time(first_)) * unit;
   const Rational mean = rows_ > 1 && duration > 0 ? Rational(rows_ - 1) / duration : Rational(1);
   const PlayedFrames frames = frames_.value_or(PlayedFrames{mean});
   return fmt::format(",\"fps\":{},\"seconds\":{}}}\n", nearest_double(frames.rate),
                      nearest_double(frames.seconds.value_or(Rational(rows_) / frames.rate)));
 }
-
-namespace {
 
 /// The rows, each the 12 numbers of the first three rows of the matrix, and the field of view.
 Layout camera_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
@@ -76,6 +104,11 @@ Layout camera_layout(const std::vector<OutputColumn>& columns, const TextMarks&,
 }  // namespace
 
 extern const OutputFormat camera_path_output{
-    .layout = camera_layout, .has_groups = false, .has_labels = false, .has_cameras = true};
+    .layout = camera_layout,
+    .keeper = [](const Schema& schema, std::span<const std::size_t>) -> std::unique_ptr<RowKeeper> {
+      return std::make_unique<CameraPath>(schema.camera_path);
+    },
+    .has_groups = false,
+    .has_labels = false};
 
 }  // namespace tcb

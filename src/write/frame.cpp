@@ -54,9 +54,9 @@ Frame::Frame(const OutputColumns& columns, const FrameOptions& options)
   for (const std::string& name : columns.names()) all.push_back({name});
   const auto layout = format.output->layout;
   all_ = layout(all, marks_, options.header);
-  if (options.cameras != nullptr) options.cameras->complete(all_);
+  if (options.keeper != nullptr) options.keeper->complete(all_);
   head_ = nested_ ? "{\"curves\":[\n" : (options.has_member ? "{\"rows\":" : "") + all_.head;
-  if (format.poses != nullptr && !format.output->has_cameras) head_ = format.poses->head;
+  if (format.poses != nullptr && options.keeper == nullptr) head_ = format.poses->head;
   rows_ = nested_ ? layout({all.begin() + signed_size(groups_), all.end()}, marks_, options.header) : all_;
   const auto labels_begin = rows_.before.begin() + signed_size(numbers_ + (nested_ ? 0 : groups_));
   rows_.before.assign(rows_.before.begin() + signed_size(nested_ ? 0 : groups_), labels_begin);

@@ -12,10 +12,11 @@
 #include "numbers/print_number.hpp"
 #include "sample/table.hpp"
 #include "schema/format.hpp"
-#include "write/camera_path.hpp"
 #include "write/layout.hpp"
 
 namespace tcb {
+
+class RowKeeper;
 
 /// The columns of an output: texts that identify curves, numbers, and labels.
 struct OutputColumns {
@@ -32,9 +33,9 @@ struct FrameOptions {
   const Format* format = nullptr;
   bool header = true;
   Notation notation = {};
-  bool has_member = false;              ///< in JSON: the output is an object, with another member after the rows
-  TextMarks marks = {};                 ///< of delimited text
-  const CameraPath* cameras = nullptr;  ///< of a camera path
+  bool has_member = false;            ///< in JSON: the output is an object, with another member after the rows
+  TextMarks marks = {};               ///< of delimited text
+  const RowKeeper* keeper = nullptr;  ///< that completes the texts
 };
 
 /// Everything around the numbers of the rows. The group of a curve is in cells of each of its rows, or in JSON in an

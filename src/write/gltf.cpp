@@ -1,6 +1,14 @@
 // glTF: an animation whose nodes move along curves.
-#include "write/gltf.hpp"
-
+//
+// Rows of samples are LINEAR keyframes, rows of pieces exact CUBICSPLINE keyframes with tangents on both sides. A curve
+// is a node, with these targets:
+//   translation  three channels, the first that are nothing else; of a track, those of "position" and "target"
+//   rotation     a rotation, as a quaternion; of a track, also angles with keys of their own, of which rows of pieces
+//                become as many keyframes as keep the rotation within 0.01 degrees
+//   scale        channels sx, sy, sz or scale_x, scale_y, scale_z; of a track, those of "scale"
+// Numbers of all other channels are in the "extras" of the animation. Arrays have single precision, as the format
+// requires; of two times that it does not distinguish, as at a step, the second is the next number.
+// Source: Khronos Group, "glTF 2.0 Specification".
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,15 +18,25 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
 #include <span>
+#include <string>
+#include <string_view>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 #include "error.hpp"
 #include "io/digest.hpp"
 #include "option_names.hpp"
+#include "sample/table.hpp"
+#include "schema/curve_channels.hpp"
+#include "schema/schema.hpp"
 #include "schema/texts.hpp"
+#include "schema/units.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 #include "text/suggest.hpp"
@@ -209,9 +227,66 @@ class Buffer {
   Json accessors_ = Json::array(), views_ = Json::array();
 };
 
-}  // namespace
+/// Gathers the rows of curves, some 32 bytes for each sample of a pose, and three times as many for a piece.
+class GltfScene : public RowKeeper {
+ public:
+  /// `are_pieces`: rows are a start, a duration, and four numbers for each channel; else a time and a position.
+  explicit GltfScene(bool are_pieces) : are_pieces_(are_pieces) {}
+
+  /// Throws: Error (data) for channels that are no target.
+  void begin(const Schema& schema) override;
+
+  /// Throws: Error (data) for a second curve of the same group, and for a track that is no target.
+  void begin_curve(const std::vector<std::string>& group, const std::optional<EulerTrack>& euler) override;
+
+  /// Adds rows, as the bytes of doubles, the lowest first. Throws: Error (data) for times before 0, for those that
+  /// single precision does not distinguish, and for numbers beyond it.
+  void add(std::string_view rows) override;
+
+  /// Ends the rows of a curve. Throws: as add().
+  void end_curve() override;
+
+  /// Those of channels that have no target.
+  std::vector<std::string> channels_in_extras() const override { return others_; }
+
+  /// The file. Throws: Error (data) where there is no row.
+  std::string tail(const Rational& unit) override;
+
+ private:
+  /// What moves a node: the path of a property, and its channels in order.
+  struct Target {
+    std::string_view path;
+    std::vector<std::size_t> channels;
+    std::vector<float> values = {};  ///< keyframe after keyframe; of pieces incoming tangents, positions, outgoing ones
+  };
+  struct Node {
+    std::string name;
+    std::vector<float> times = {};
+    std::vector<Target> targets = {};
+    std::vector<std::vector<double>> others = {};  ///< of each other channel, a number for each keyframe
+    std::optional<EulerTrack> euler = {};          ///< angles of the rotation that is its target
+  };
+
+  std::vector<Target> targets_of_track(const std::string& track, bool has_angles) const;
+  void add_sample(const std::vector<double>& row);
+  void end_curve_of_angles(const std::vector<double>& rows);
+  void add_time(double time);
+  static void add_number(Target& target, double number);
+
+  bool are_pieces_;
+  Schema schema_;
+  double seconds_ = 1;           ///< of a unit of time
+  std::vector<Target> targets_;  ///< of nodes that are no tracks
+  std::vector<std::size_t> other_channels_;
+  std::vector<std::string> others_;
+  std::vector<double> pieces_;             ///< of the current curve, row after row
+  double first_time_ = 0, last_time_ = 0;  ///< of its keyframes
+  std::vector<Node> nodes_;
+  std::set<std::pair<std::string, std::string_view>> known_;  ///< names of nodes, with the path of their first target
+};
 
 void GltfScene::begin(const Schema& schema) {
+  if (schema.time.unit == TimeUnit::frames) throw times_without_rate(schema.time.name);
   schema_ = schema;
   if (schema.time.unit) seconds_ = nearest_double(Rational(1) / units_per_second(*schema.time.unit));
   const std::vector<RotationColumns> rotations = rotation_columns(schema);
@@ -413,7 +488,7 @@ void GltfScene::end_curve_of_angles(const std::vector<double>& rows) {
   }
 }
 
-std::string GltfScene::text() {
+std::string GltfScene::tail(const Rational&) {
   Buffer buffer;
   Json nodes = Json::array(), numbers = Json::array(), channels = Json::array(), samplers = Json::array(), extras;
   std::unordered_map<std::string_view, std::size_t> numbers_of_names;
@@ -452,6 +527,8 @@ std::string GltfScene::text() {
   return file.dump() + "\n";
 }
 
+}  // namespace
+
 /// Rows come as the bytes of doubles.
 extern const OutputFormat gltf_output{
     .layout =
@@ -460,6 +537,11 @@ extern const OutputFormat gltf_output{
           layout.head.clear();
           return layout;
         },
-    .has_labels = false};
+    .keeper = [](const Schema&, std::span<const std::size_t> fields) -> std::unique_ptr<RowKeeper> {
+      const bool are_pieces = std::ranges::count(fields, field_of("time")) == 0;
+      return std::make_unique<GltfScene>(are_pieces);
+    },
+    .has_labels = false,
+    .gathers_rows = true};
 
 }  // namespace tcb

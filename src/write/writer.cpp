@@ -138,15 +138,11 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     file_ = '"' + file;
   }
   const Format& format = *options_.format;
-  if (format.has_nodes) {
-    if (schema.time.unit == TimeUnit::frames) throw times_without_rate(schema.time.name);
-    if (scene_ == nullptr) {
-      scene_ = std::make_unique<GltfScene>(std::ranges::count(options_.fields, field_of("time")) == 0);
-    }
-    scene_->begin(schema);
-    columns.groups.clear();
-  }
-  if (format.output->require != nullptr) format.output->require(schema);
+  const OutputFormat& output = *format.output;
+  if (output.keeper != nullptr && keeper_ == nullptr) keeper_ = output.keeper(schema, options_.fields);
+  if (keeper_ != nullptr) keeper_->begin(schema);
+  if (output.gathers_rows) columns.groups.clear();
+  if (output.require != nullptr) output.require(schema);
   const bool is_pose = format.poses != nullptr;
   cells_ = columns.numbers.size();
   if (is_pose) {
@@ -159,9 +155,8 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     columns_ = std::move(columns);
     marks_ = marks_for(schema);
     set_times(schema);
-    if (format.output->has_cameras) cameras_ = std::make_unique<CameraPath>(schema.camera_path);
     frame_ = Frame(columns_, {&format, !is_pose && options_.header.value_or(schema.named), options_.notation,
-                              format.nests && options_.provenance.has_value(), marks_, cameras_.get()});
+                              format.nests && options_.provenance.has_value(), marks_, keeper_.get()});
     recorder_.set_rules(std::move(rules));
     const std::string provenance = recorder_.before_rows(format);
     output_.write((marks_.crlf ? with_crlf(provenance) : provenance) + frame_.head());
@@ -174,7 +169,8 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
 }
 
 void Writer::begin_curve(std::vector<std::string> group, const std::optional<EulerTrack>& euler) {
-  if (scene_ != nullptr) return scene_->begin_curve(group, euler);
+  if (keeper_ != nullptr) keeper_->begin_curve(group, euler);
+  if (options_.format->output->gathers_rows) return;
   if (options_.file_column) group.insert(group.begin(), file_);
   const std::string text = frame_.begin(group, group_ == group);
   if (!text.empty()) output_.write(text);
@@ -208,7 +204,7 @@ void Writer::set_times(const Schema& schema) {
 /// The times of poses are numbers in the unit of their format. Those without a known unit are taken as seconds.
 void Writer::set_times_of_poses(const TimeSchema& time) {
   const PoseFormat& format = *options_.format->poses;
-  if (!format.unit && cameras_ == nullptr) return;
+  if (!format.unit && keeper_ == nullptr) return;
   if (time.unit == TimeUnit::frames) throw times_without_rate(time.name);
   whole_times_ = format.unit == TimeUnit::ns;
   if (!time.unit && time.notation == TimeNotation::seconds && whole_times_) {
@@ -226,7 +222,7 @@ std::vector<std::string> Writer::texts(const Table& table) const {
   if (marks_.decimal != '.') {
     for (std::string& text : texts) text = with_decimal(std::move(text), marks_.decimal);
   }
-  if ((notation_ == TimeNotation::seconds && unit_ == 1) || cameras_ != nullptr) return texts;
+  if ((notation_ == TimeNotation::seconds && unit_ == 1) || keeper_ != nullptr) return texts;
   texts.resize(table.cells.size());
   const bool is_fixed = options_.notation.kind == Notation::Kind::fixed;
   const auto decimals = is_fixed ? std::optional(options_.notation.count) : std::nullopt;
@@ -276,7 +272,7 @@ void Writer::set_first_time(const Time& first) {
 }
 
 void Writer::set_frames(const PlayedFrames& frames) {
-  if (cameras_ != nullptr) cameras_->set_frames(frames);
+  if (keeper_ != nullptr) keeper_->set_frames(frames);
 }
 
 /// A time of a golden row is its text. Decimals stay decimals.
@@ -299,7 +295,7 @@ void Writer::append(std::string& out, const Layout& layout, const Table& table, 
     return append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), is_first);
   }
   if (order_.empty()) return append_rows(out, layout, columns_.numbers, table.cells, texts(table), is_first);
-  if (cameras_ != nullptr) cameras_->add(table, cells_);
+  if (keeper_ != nullptr) keeper_->observe(table, cells_);
   const Table rows = zero_ ? from_zero(ordered(table)) : ordered(table);
   append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), is_first);
 }
@@ -322,8 +318,8 @@ std::string Writer::print(const LabelledBlock& block, const Evaluate& evaluate) 
 void Writer::write(const Source<std::string>& rows) {
   bool any = false;
   while (const std::optional<std::string> text = rows()) {
-    if (scene_ != nullptr) {
-      scene_->add(*text);
+    if (options_.format->output->gathers_rows) {
+      keeper_->add(*text);
     } else {
       output_.write(*text);
     }
@@ -331,19 +327,18 @@ void Writer::write(const Source<std::string>& rows) {
     any = any || !text->empty();
   }
   if (any) frame_.set_written();
-  if (scene_ != nullptr) scene_->end_curve();
+  if (keeper_ != nullptr) keeper_->end_curve();
 }
 
 std::vector<std::string> Writer::channels_in_extras() const {
-  return scene_ == nullptr ? std::vector<std::string>{} : scene_->other_channels();
+  return keeper_ == nullptr ? std::vector<std::string>{} : keeper_->channels_in_extras();
 }
 
 void Writer::commit() {
-  if (scene_ != nullptr) output_.write(scene_->text());
   const std::string provenance = recorder_.after_rows(*options_.format);
   const bool is_member = options_.format->nests;
   output_.write(is_member ? frame_.tail(provenance)
-                          : frame_.tail() + (cameras_ == nullptr ? "" : cameras_->tail(unit_)) +
+                          : frame_.tail() + (keeper_ == nullptr ? "" : keeper_->tail(unit_)) +
                                 (marks_.crlf ? with_crlf(provenance) : provenance));
   if (const std::string head = frame_.counted_head(bytes_); !head.empty()) output_.write_beginning(head);
   output_.commit();

@@ -14,7 +14,7 @@
 #include "schema/schema.hpp"
 #include "stream/source.hpp"
 #include "write/frame.hpp"
-#include "write/gltf.hpp"
+#include "write/output_format.hpp"
 #include "write/provenance.hpp"
 #include "write/writer_options.hpp"
 
@@ -88,10 +88,9 @@ class Writer {
   const WriterOptions& options_;
   Output output_;
   OutputColumns columns_;
-  std::size_t cells_ = 0;                ///< of a row, before they are ordered
-  std::vector<std::size_t> order_;       ///< of the cells of rows, by the columns of poses; empty: as they are
-  std::unique_ptr<CameraPath> cameras_;  ///< of a camera path
-  std::unique_ptr<GltfScene> scene_;     ///< of an animation
+  std::size_t cells_ = 0;              ///< of a row, before they are ordered
+  std::vector<std::size_t> order_;     ///< of the cells of rows, by the columns of poses; empty: as they are
+  std::unique_ptr<RowKeeper> keeper_;  ///< of the format; null: rows are only printed
   TimeNotation notation_ = TimeNotation::seconds;
   DateFormat dates_;
   TextMarks marks_;
