@@ -11,7 +11,7 @@
 #include "fit/recording.hpp"
 #include "keys/curves.hpp"
 #include "read/input.hpp"
-#include "run/notes.hpp"
+#include "run/progress.hpp"
 #include "sample/rows.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"

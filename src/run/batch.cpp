@@ -1,6 +1,8 @@
 // Batches: the files of a job into one output or each into its own, files that fail, and threads for large files.
 #include "run/batch.hpp"
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <new>
 #include <optional>
@@ -11,6 +13,7 @@
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "io/system.hpp"
+#include "option_names.hpp"
 #include "stream/ordered_map.hpp"
 
 namespace tcb {
@@ -106,7 +109,11 @@ Exit convert_each(const Inputs& inputs, const InputListOptions& files, bool fail
     output->commit();
     if (const FileChange change = input.change(); change != FileChange::none) {
       system::make_older(path, file.path);
-      report.warning(file.path, changed_after_reading(change == FileChange::contents));
+      const bool is_certain = change == FileChange::contents;  // else only its links, name or mode may have changed
+      report.warning(
+          file.path,
+          {fmt::format("the file {} after it was read; its output has the earlier keys, and {} makes it again",
+                       is_certain ? "changed" : "may have changed", option::update)});
     }
     return rows;
   };

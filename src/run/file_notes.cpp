@@ -10,6 +10,7 @@
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "numbers/decimal_time.hpp"
+#include "option_names.hpp"
 #include "read/input.hpp"
 #include "read/input_format.hpp"
 #include "run/curve_pipeline.hpp"
@@ -18,16 +19,24 @@
 #include "schema/doubts.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 #include "write/provenance.hpp"
 
 namespace tcb {
 namespace {
 
+template <class... Args>
+Note important(fmt::format_string<Args...> text, Args&&... args) {
+  return {fmt::format(text, std::forward<Args>(args)...), true};
+}
+
+/// A frame rate was given as a decimal such as 29.97, which stands for a ratio.
 Note broadcast_note(const std::string& decimal, const Rational& rate) {
   const auto ratio = [](const Rational& value) {
     return whole_text(numerator(value)) + "/" + whole_text(denominator(value));
   };
-  return rate_of_broadcast(decimal, ratio(rate), ratio(parse_rational(decimal).value_or(rate)));
+  return important("the frame rate {} is taken as {}; give {} for exactly {}", decimal, ratio(rate),
+                   ratio(parse_rational(decimal).value_or(rate)), decimal);
 }
 
 Note angles_note(const std::vector<NamedAngle>& angles) {
@@ -39,7 +48,10 @@ Note angles_note(const std::vector<NamedAngle>& angles) {
   }
   const bool may_be_euler = std::ranges::all_of(
       std::array{"yaw", "pitch", "roll"}, [&](std::string_view name) { return std::ranges::count(names, name) > 0; });
-  return angles_jump(in_shell(list), may_be_euler);
+  const std::string euler =
+      may_be_euler ? fmt::format(", or {} euler=yaw:pitch:roll,order=ZYX as a rotation", option::rotation) : "";
+  return important("angles seem to jump by more than half a turn; {} {} turns them the shorter way{}", option::angle,
+                   in_shell(list), euler);
 }
 
 /// The columns of positions where they follow from their names, and these tell little; else nothing. A format that has
@@ -76,7 +88,7 @@ RequestNeeds needs_of(const Input& input, const KeyOptions& options, const Sampl
 }  // namespace
 
 FileNotes::FileNotes(Report& report, const std::string& path) : report_(report), path_(path) {
-  if (is_terminal(path)) add(reads_terminal());
+  if (is_terminal(path)) add({"keys are read from the terminal; end them with Ctrl-D, or name a file"});
 }
 
 void FileNotes::add_input(const Input& input, const KeyOptions& options, const SamplingRequest& request,
@@ -88,13 +100,25 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   if (!input.facts.encoding.empty()) {
     const bool is_all = input.facts.encoding != name_of(Encoding::windows_1252);
     const std::string_view named = input.keys.traits.has_whole_curves ? "objects and tracks" : "columns";
-    add(is_all ? text_converted(input.facts.encoding) : names_converted(named, input.facts.encoding));
+    add(is_all ? important("the text is in {}, and was converted to UTF-8", input.facts.encoding)
+               : important("names of {} are not in UTF-8; they are taken as {}", named, input.facts.encoding));
   }
-  if (input.facts.shape == JsonShape::table_by_index) add(index_is_time());
-  if (options.input.records.empty() && !input.facts.records.empty()) add(keys_at(input.facts.records));
-  if (input.facts.names_quaternion) add(names_of_quaternion());
-  if (!input.schema.time.is_given && !options.rules.parameter) add(no_time_column());
-  if (input.schema.time.notation == TimeNotation::date) add(dates_in_utc(input.schema.time.name));
+  if (input.facts.shape == JsonShape::table_by_index) add(important("the index of the table is taken as the time"));
+  if (options.input.records.empty() && !input.facts.records.empty()) {
+    add(important("the keys are the list {}; {} takes another one", in_quotes(input.facts.records), option::records));
+  }
+  if (input.facts.names_quaternion) {
+    add(
+        important("columns x, y, z and w after x, y and z are taken as the quaternion qx, qy, qz, qw; {} "
+                  "none takes them as positions",
+                  option::rotation));
+  }
+  if (!input.schema.time.is_given && !options.rules.parameter) {
+    add({"there is no time column; the times of the keys are 0, 1, 2, ..."});
+  }
+  if (input.schema.time.notation == TimeNotation::date) {
+    add(important("the dates in column \"{}\" have no zone; they are taken as UTC", input.schema.time.name));
+  }
   const UnitOptions& units = options.input.units;
   if (!units.rate_as_decimal.empty()) add(broadcast_note(units.rate_as_decimal, *units.frame_rate));
   if (!request.rate_as_decimal.empty() && request.rate_as_decimal != units.rate_as_decimal) {
@@ -105,22 +129,49 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   const auto& period = options.rules.period;
   const bool has_duration = request.in_seconds.has_duration || (period && read_duration(period->value));
   if (time.epoch_unit) {
-    add(times_since_1970(time.name, row_of(*time.epoch_unit).name));
+    add(
+        important("the times in column \"{0}\" may be {1} since 1970; {2} {1} says so, and rates and "
+                  "durations are then in seconds",
+                  time.name, row_of(*time.epoch_unit).name, option::time_unit));
   } else if (has_duration && !time.unit) {
-    add(times_as_seconds(time.name));
+    add(important("the unit of the times in column \"{}\" is unknown; they are taken as seconds; {} gives another one",
+                  time.name, option::time_unit));
   }
-  if (request.is_rate && input.schema.time.unit == TimeUnit::frames) add(rate_of_frames(input.schema.time.name));
+  if (request.is_rate && input.schema.time.unit == TimeUnit::frames) {
+    add(important("the times in column \"{}\" count frames, so {} is per frame; {} HZ converts them to seconds",
+                  time.name, option::rate, option::input_fps));
+  }
   const bool chosen = std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
   if (!chosen && options.input.renamings.empty()) {
     const std::vector<std::string> names = found_by_elimination(input);
-    if (!names.empty()) add(positions_by_elimination(names));
+    if (!names.empty()) {
+      add(important("positions: {}; {} gives other roles, as in ignore=NAME or tension=NAME", listed(names),
+                    option::columns));
+    }
   }
-  if (!input.facts.other_objects.empty()) add(other_objects_left_out(input.facts.other_objects));
-  if (!input.facts.other_tracks.empty()) add(other_tracks_left_out(input.facts.other_tracks));
-  if (!input.facts.constant_tracks.empty()) add(constant_tracks_left_out(input.facts.constant_tracks));
+  if (!input.facts.other_objects.empty()) {
+    add(important("left out, as they do not move the first object: {}; {} reads them, as in {} '*/position'",
+                  listed(input.facts.other_objects), option::only, option::only));
+  }
+  if (!input.facts.other_tracks.empty()) {
+    add(important("left out, as they have other channels: {}; {} reads them", listed(input.facts.other_tracks),
+                  option::only));
+  }
+  if (!input.facts.constant_tracks.empty()) {
+    add(important("left out, as they have a single key: {}; {} reads them", listed(input.facts.constant_tracks),
+                  option::only));
+  }
   if (!input.facts.ignored.empty()) {
-    add(chosen ? unchosen_columns(input.facts.ignored) : ignored_columns(input.facts.ignored));
+    const std::string ignored = listed(input.facts.ignored);
+    add(chosen ? Note{fmt::format("ignored, as {} chooses others: {}", option::columns, ignored)}
+               : important("ignored: {}; {} gives them roles, as in carry=NAME or position=NAME:NAME", ignored,
+                           option::columns));
   }
+}
+
+Note remainder_note(double distance, bool at_key) {
+  return important("{0} is {1} after the last row; {2} keep or {2} fit includes it",
+                   at_key ? "the last key" : "the end of the range", distance, option::end);
 }
 
 void FileNotes::add_samples(const CurveSamples& samples, const SamplingRequest& request, bool is_closed) {
@@ -131,22 +182,38 @@ void FileNotes::add_samples(const CurveSamples& samples, const SamplingRequest& 
     rows_ += *samples.facts.rows;
     least_rows_ += *samples.facts.least_rows;
   }
-  if (samples.facts.step && request.end != EndPolicy::drop) add(step_is(time_text(*samples.facts.step)));
+  if (samples.facts.step && request.end != EndPolicy::drop) {
+    add({fmt::format("the step is {}", time_text(*samples.facts.step))});
+  }
 }
 
 void FileNotes::end(const Curves& curves) {
-  if (remainders_ > 1) add(more_remainders(remainders_ - 1));
-  if (rows_ > 0) add(rows_within(rows_, least_rows_));
-  if (curves.skipped() > 0) add(skipped_rows(curves.skipped()));
-  if (curves.gaps() > 0) add(gaps_divide(curves.gaps(), curves.largest_gap()));
-  if (curves.midnights() > 0) add(midnights_passed(time_name_));
+  if (remainders_ > 1) {
+    add(important("a remainder is also left in {} more curves", remainders_ - 1));
+  }
+  if (rows_ > 0) {
+    add(important("{} rows; any polyline within the tolerance has at least {}", rows_, least_rows_));
+  }
+  if (curves.skipped() > 0) {
+    add({fmt::format("rows skipped for missing numbers: {}", curves.skipped())});
+  }
+  if (const std::uint64_t gaps = curves.gaps(); gaps > 0) {
+    add(important("{} between keys {} a new curve; the largest is {}",
+                  gaps == 1 ? "1 gap" : fmt::format("{} gaps", gaps), gaps == 1 ? "begins" : "begin",
+                  curves.largest_gap()));
+  }
+  if (curves.midnights() > 0) {
+    add(important("the times in column \"{}\" pass midnight, and count on from 24:00:00", time_name_));
+  }
   if (const auto angles = curves.likely_angles(); !angles.empty()) add(angles_note(angles));
 }
 
 void warn_of_other_program(Report& report, const std::optional<ProvenanceRequest>& request) {
   if (!request || request->from.empty()) return;
   const std::string &earlier = request->earlier.program, &current = request->meta.program;
-  if (earlier != current) report.warning(request->from, other_program(earlier, current));
+  if (earlier != current) {
+    report.warning(request->from, {fmt::format("{} made this file; last digits may differ in {}", earlier, current)});
+  }
 }
 
 }  // namespace tcb

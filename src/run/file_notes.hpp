@@ -7,7 +7,6 @@
 #include <string>
 
 #include "run/job.hpp"
-#include "run/notes.hpp"
 #include "run/progress.hpp"
 #include "sample/request.hpp"
 
@@ -45,6 +44,9 @@ class FileNotes {
   std::uint64_t rows_ = 0;        ///< within a distance
   std::uint64_t least_rows_ = 0;  ///< of any polylines within it
 };
+
+/// The range ends between rows; `at_key`: at the last key.
+Note remainder_note(double distance, bool at_key);
 
 /// Warns if another version made the output to reproduce, as its last digits may differ.
 void warn_of_other_program(Report& report, const std::optional<ProvenanceRequest>& request);

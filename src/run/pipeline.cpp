@@ -4,6 +4,8 @@
 #include "read/input.hpp"
 #include "read/input_options.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 #include <utility>
@@ -14,10 +16,10 @@
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
 #include "run/in_words.hpp"
-#include "run/notes.hpp"
 #include "run/progress.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"
+#include "text/suggest.hpp"
 #include "write/labels.hpp"
 #include "write/writer.hpp"
 
@@ -86,7 +88,11 @@ class FileRun {
     }
     if (curve_info_ == nullptr) {
       writer_.begin(input.schema, live_, preset_in_words(pipeline_->facts()), shown_name(path_));
-      if (const auto others = writer_.channels_in_extras(); !others.empty()) notes_.add(channels_in_extras(others));
+      if (const auto others = writer_.channels_in_extras(); !others.empty()) {
+        notes_.add({fmt::format("in the extras of the animation, as they are no translation, rotation or scale: {}",
+                                listed(others)),
+                    true});
+      }
       if (const auto frames = played_frames(input, *curve.curve_info)) writer_.set_frames(*frames);
     }
     curve_info_ = curve.curve_info;

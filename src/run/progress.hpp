@@ -16,12 +16,17 @@
 
 #include "error.hpp"
 #include "run/job.hpp"
-#include "run/notes.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
 
 struct SampleBlock;
+
+/// A fact about an input or its curves that a user may not expect.
+struct Note {
+  std::string text;
+  bool is_important = false;  ///< printed unless it is quiet; other notes only on a terminal
+};
 
 /// Counts of the files of a batch.
 struct Summary {

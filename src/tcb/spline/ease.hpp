@@ -90,7 +90,9 @@ class Warp {
     if (is_within(passed, first_, Side::left)) return EasePart::first;
     return is_within(left, last_, Side::right) ? EasePart::last : EasePart::middle;
   }
-  EasePart part(const S& u, Side side = Side::right) const { return part(W(u), W(1) - W(u), W(1), side); }
+  EasePart part(const S& u, Side side = Side::right) const {
+    return has_ease() ? part(W(u), W(1) - W(u), W(1), side) : EasePart::middle;
+  }
   /// The part at a local parameter.
   EasePart part(const LocalParameter<S>& place, Side side) const {
     if (!has_ease()) return EasePart::middle;
