@@ -12,6 +12,7 @@
 #include "run/sample_options.hpp"
 #include "schema/columns.hpp"
 #include "schema/curve_settings.hpp"
+#include "write/writer_options.hpp"
 
 namespace tcb {
 
@@ -22,6 +23,7 @@ struct ExpectedSamples {
   SampleOptions samples;
   std::optional<TextSetting> metric = {};  ///< over which they are placed, if the keys have none
   Notation notation = {};                  ///< of the numbers in the file
+  std::optional<TimeZero> time_zero = {};  ///< from which the times in the file count
 };
 
 /// A request to compare the samples in a file with the curves of keys.
@@ -34,6 +36,7 @@ struct Comparison {
   std::vector<std::size_t> fields;  ///< that are compared, as indices into fields(); none: all that the samples have
   bool from_left = true;            ///< a sample at a key is on the segment before it, not on the one after
   ThreadOptions threads;
+  std::optional<TimeZero> time_zero = {};  ///< from which the times of samples count; nothing: that of the provenance
   std::optional<ExpectedSamples> expected = {};  ///< nothing: those of the provenance, if the file has one
   /// The samples that provenance records; nothing if they cannot be known. Null: provenance is not read.
   std::function<std::optional<ExpectedSamples>(const EarlierOutput&)> recorded = {};

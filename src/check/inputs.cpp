@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
+#include "numbers/decimal_time.hpp"
 #include "option_names.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
@@ -315,6 +317,34 @@ KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes) {
   return kept;
 }
 
+namespace {
+
+/// The time from which those of the samples count: that of the job, or of the provenance of the samples.
+std::optional<Rational> time_zero_of(const Comparison& comparison, const ComparisonInputs& inputs) {
+  std::optional<TimeZero> zero = comparison.time_zero;
+  if (!zero && inputs.table.provenance) {
+    if (const auto recorded = comparison.recorded(*inputs.table.provenance)) zero = recorded->time_zero;
+  }
+  if (!zero || zero->time) return zero ? zero->time : std::nullopt;
+  const bool has_key = !inputs.kept.curves.empty() && !inputs.kept.curves.front().blocks.empty();
+  if (!has_key || !inputs.kept.schema.time.is_given) return std::nullopt;
+  return exact_time(inputs.kept.curves.front().blocks.front().keys.times.front());
+}
+
+/// Adds a time to those of all samples, exactly where that is a decimal.
+void add_to_times(SampleTable& table, const Rational& zero) {
+  for (SampleRows& rows : table.curves) {
+    for (Time& time : rows.times) {
+      if (std::isnan(time.hi)) continue;
+      const Rational sum = exact_time(time) + zero;
+      const Time decimal = nearest_time(sum, digits_of_time);
+      time = exact_time(decimal) == sum ? decimal : nearest_time(sum);
+    }
+  }
+}
+
+}  // namespace
+
 ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std::size_t>& chosen,
                              FileProgress* progress) {
   ComparisonInputs inputs;
@@ -329,6 +359,7 @@ ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std
   in_file(inputs.file, [&] {
     const auto before_time = columns_before_time(chosen, inputs.kept.schema);
     inputs.table = read_samples(comparison, bytes_of(comparison.file), inputs.kept.schema, before_time);
+    if (const auto zero = time_zero_of(comparison, inputs)) add_to_times(inputs.table, *zero);
     inputs.columns = match_columns(inputs.table, inputs.kept.schema, chosen);
   });
   return inputs;

@@ -107,8 +107,7 @@ constexpr Options options_of_rows{option::output_dir,
                                   option::output_decimal,
                                   option::like_input,
                                   option::file_column,
-                                  option::time_format,
-                                  option::time_zero};
+                                  option::time_format};
 constexpr Options options_without_picture{option::rotation_output,
                                           option::emit,
                                           option::fields,

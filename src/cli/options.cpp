@@ -486,7 +486,7 @@ constexpr OptionRow option_rows[] = {
      names_in<time_notations>},
     {option::time_zero, "", "T", output_group,
      "Subtracts T, a time in the unit of the keys, exactly from all times in the output; first is the time of the "
-     "first key",
+     "first key; with --check or --identify, adds it to those of the samples",
      "", other, recorded,
      [](Typed& to, Text text) {
        to.output.time_zero.emplace();

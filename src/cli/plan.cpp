@@ -336,7 +336,7 @@ std::optional<ExpectedSamples> recorded_samples(const EarlierOutput& earlier) {
   }
   if (!has_sampling_option(typed) || typed.has(option::emit) || typed.has(option::fit)) return std::nullopt;
   if (measures_all_channels(earlier.program, earlier.options)) typed.keys.rules.metric = {"all", {option::metric}};
-  ExpectedSamples expected{samples_of(typed), typed.keys.rules.metric, typed.output.notation};
+  ExpectedSamples expected{samples_of(typed), typed.keys.rules.metric, typed.output.notation, typed.output.time_zero};
   SamplingRequest& request = expected.samples.request;
   const std::optional<TimeUnit>& unit = typed.keys.input.units.time;
   if (unit && *unit != TimeUnit::frames) request.convert_seconds(units_per_second(*unit));  // keys of a check have none
@@ -359,6 +359,7 @@ CompareJob compare_job(const TypedOptions& typed) {
   comparison.fields = typed.output.fields;
   comparison.from_left = is_from_left(typed, comparison.fields);
   comparison.threads = typed.threads;
+  comparison.time_zero = typed.output.time_zero;
   if (has_sampling_option(typed)) {
     require_forward_range(typed);
     comparison.expected = ExpectedSamples{samples_of(typed)};
