@@ -9,7 +9,6 @@
 
 #include "numbers/print_number.hpp"
 #include "run/job.hpp"
-#include "run/sample_options.hpp"
 #include "schema/columns.hpp"
 #include "schema/curve_settings.hpp"
 #include "write/writer_options.hpp"

@@ -15,7 +15,6 @@
 #include "io/terminal.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
-#include "run/sample_options.hpp"
 #include "write/writer_options.hpp"
 
 namespace tcb {

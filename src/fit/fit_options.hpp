@@ -8,7 +8,6 @@
 
 #include "numbers/rational.hpp"
 #include "run/job.hpp"
-#include "run/sample_options.hpp"
 
 namespace tcb {
 

@@ -5,7 +5,6 @@
 #include "io/input_list.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
-#include "run/sample_options.hpp"
 
 namespace tcb {
 

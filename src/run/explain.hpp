@@ -11,7 +11,6 @@
 #include "error.hpp"
 #include "io/input_list.hpp"
 #include "run/job.hpp"
-#include "run/sample_options.hpp"
 #include "schema/format.hpp"
 
 namespace tcb {

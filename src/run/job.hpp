@@ -1,22 +1,50 @@
 // Parts of jobs: what resampling, pictures, fits and comparisons have in common.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "error.hpp"
 #include "keys/curve_options.hpp"
 #include "numbers/print_number.hpp"
+#include "numbers/rational.hpp"
 #include "read/input_options.hpp"
+#include "sample/request.hpp"
 #include "schema/curve_settings.hpp"
 #include "stream/ordered_map.hpp"
 
 namespace tcb {
+
+struct InputCurve;
+struct Schema;
 
 /// How keys are read, and which curves they make.
 struct KeyOptions {
   InputOptions input;
   CurveOptions curves;
   CurveSettings rules;  ///< completed by the settings in the input
+};
+
+/// Times or arc lengths for each group, by the contents of its texts.
+using GroupedPlaces = std::map<std::vector<std::string>, std::vector<Rational>>;
+
+/// The places of a curve's group, which `option` lists. Throws: Error (data) for a group without places.
+const std::vector<Rational>& places_of_group(const GroupedPlaces& places, std::string_view option,
+                                             const InputCurve& curve, const Schema& schema);
+
+/// The samples that are requested of each curve.
+struct SampleOptions {
+  SamplingRequest request;
+  GroupedPlaces grouped_places;             ///< instead of request.places, if groups have their own
+  std::optional<Error> unless_frames = {};  ///< the samples are the frames of the input; the error where it has none
+
+  bool takes_frames() const { return unless_frames.has_value(); }
+
+  /// The request for one curve. Throws: Error (data) for a group without places.
+  SamplingRequest of(const InputCurve& curve, const Schema& schema) const;
 };
 
 /// The largest accepted distance between two numbers, in one measure.

@@ -6,7 +6,6 @@
 #include "error.hpp"
 #include "io/input_list.hpp"
 #include "run/job.hpp"
-#include "run/sample_options.hpp"
 #include "write/writer_options.hpp"
 
 namespace tcb {

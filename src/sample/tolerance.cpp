@@ -22,7 +22,6 @@
 #include "option_names.hpp"
 #include "sample/chord.hpp"
 #include "sample/grid.hpp"
-#include "sample/turn_chord.hpp"
 #include "tcb/spline/derivatives.hpp"
 
 namespace tcb {

@@ -1,5 +1,5 @@
 // Turn chords: which rotations are near the arc between two rows.
-#include "sample/turn_chord.hpp"
+#include "sample/chord.hpp"
 
 #include <gtest/gtest.h>
 

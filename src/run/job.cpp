@@ -1,5 +1,5 @@
-// Sample options: the samples that are requested of each curve, where groups may have their own places.
-#include "run/sample_options.hpp"
+// Parts of jobs: the samples that are requested of each curve, where groups may have their own places.
+#include "run/job.hpp"
 
 #include <fmt/ranges.h>
 
