@@ -80,7 +80,6 @@ class Report {
   friend class FileProgress;
   using Clock = std::chrono::steady_clock;
 
-  void end_file(const FileProgress& file);
   Progress progress() const;
   void print(const std::string& line);
   void show();

@@ -151,7 +151,7 @@ std::uint64_t Grid::estimate(const Time& t) const {
 }
 
 std::optional<std::uint64_t> Grid::rows_if_clear(const Time& t) const {
-  // Its error in rows, and that of the rows' rounding, is less than five times (|t| + |start|) 2^-53 / step.
+  // The error of `row`, and that of the rounding of rows, is less than five times (|t| + |start|) 2^-53 / step.
   const double row = (t.hi - near_start_.hi) / near_step_.hi;
   const double doubt = (std::abs(t.hi) + std::abs(near_start_.hi)) * 0x1p-50 / near_step_.hi;
   const bool step_has_all_digits = near_step_.hi >= std::numeric_limits<double>::min();

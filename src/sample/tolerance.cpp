@@ -46,7 +46,7 @@ using spline::MetricView;
 /// The longest part of a graph that one chord may cover, where its second derivative is `least` at least.
 double longest_in_graph(double least, double tolerance) { return 4 * std::sqrt(tolerance / least); }
 
-/// The same for a path with |X' ^ X''| >= least, |X'| <= speed and |X''| <= change.
+/// The longest part of a path that one chord may cover, where |X' ^ X''| >= least, |X'| <= speed and |X''| <= change.
 double longest_on_path(double least, double speed, double change, double tolerance) {
   const double linear = 18 * change * tolerance;
   return (linear + std::sqrt(linear * linear + 4 * least * 96 * speed * tolerance)) / (2 * least);

@@ -246,7 +246,7 @@ class GltfScene : public RowKeeper {
   /// Ends the rows of a curve. Throws: as add().
   void end_curve() override;
 
-  /// Those of channels that have no target.
+  /// Names of channels that have no target.
   std::vector<std::string> channels_in_extras() const override { return others_; }
 
   /// The file. Throws: Error (data) where there is no row.
