@@ -30,13 +30,6 @@ TEST(CurveErrors, name_channels_and_lines) {
             "out with --columns");
   EXPECT_EQ(words({.code = period_too_short, .key = 1}),
             "f: error: the period ends before the last key, at time 2; give a longer period");
-  EXPECT_EQ(words({.code = seam_velocity_differs, .key = 1, .channel = 0}),
-            "f:7: error: this key closes the curve at the position of line 4, but the velocity differs; expected the "
-            "same; correct one of the two keys, or leave the incoming velocity of the first key and the outgoing "
-            "velocity of the last key empty");
-  EXPECT_EQ(words({.code = seam_velocity_missing, .channel = 1}),
-            "f: error: a velocity of channel \"y\" is missing where the closed curve returns to its first key; "
-            "expected the incoming velocity of the first key and the outgoing velocity of the last key; fill them in");
 }
 
 }  // namespace
