@@ -201,7 +201,8 @@ class BuildResult {
   BuildResult(BuildError error) : result_(error) {}    // NOLINT(google-explicit-constructor): either converts
 
   /// Whether there is a value.
-  explicit operator bool() const { return std::holds_alternative<T>(result_); }
+  bool has_value() const { return std::holds_alternative<T>(result_); }
+  explicit operator bool() const { return has_value(); }
 
   /// The value. Throws: std::bad_variant_access if there is none.
   const T& operator*() const& { return std::get<T>(result_); }

@@ -61,7 +61,7 @@ std::optional<BuildError> find_repetition_error(const Keys<S>& first, const Keys
 /// signs of the first one. `end`: the end of the period, if it is known.
 template <class S>
 BuildResult<Closing<S>> find_closing(const Keys<S>& first, const Keys<S>& last, std::size_t count,
-                                     std::optional<Time<S>> end) {
+                                     const std::optional<Time<S>>& end) {
   using enum BuildErrorCode;
   const std::size_t number = count - 1;  // of the last key
   if (end && !is_finite(Time<S>(*end - first.times[0]))) return BuildError{.code = period_not_finite};
@@ -69,15 +69,14 @@ BuildResult<Closing<S>> find_closing(const Keys<S>& first, const Keys<S>& last, 
   const bool repeats = count > 1 && is_repeated(first, last);
   if (repeats) {
     if (const auto error = find_repetition_error(first, last, number)) return *error;
-    if (end && *end != last.times[0]) return BuildError{.code = period_contradicted, .key = number};
-    end = last.times[0];
+    if (end.value_or(last.times[0]) != last.times[0]) return BuildError{.code = period_contradicted, .key = number};
   } else if (end && !(*end > last.times[0])) {
     return BuildError{.code = period_too_short, .key = number};
   }
   const std::size_t own = repeats ? number : count;
   if (own < 2) return BuildError{.code = closed_too_few_keys, .found = own};
-  if (!end) return BuildError{.code = period_missing};
-  return Closing<S>{*end, repeats};
+  if (!repeats && !end) return BuildError{.code = period_missing};
+  return Closing<S>{repeats ? last.times[0] : end.value_or(last.times[0]), repeats};
 }
 
 /// Copies to the first key what the repeated last key adds: its incoming velocities and turns.

@@ -61,22 +61,6 @@ std::vector<std::size_t> metric_of(const CurveRules<S>& rules, std::size_t chann
   return metric;
 }
 
-/// The difference between the positions of a key and the next one in a channel; that of angles is less than half a
-/// turn.
-template <class S>
-struct PositionChord {
-  const Keys<S>& keys;
-  const std::vector<AngleChannel>& angles;
-
-  working_t<S> operator()(std::size_t key, std::size_t channel) const {
-    auto chord = exact_difference(keys.position(key + 1)[channel], keys.position(key)[channel]);
-    for (const AngleChannel& angle : angles) {
-      if (angle.channel == channel) return chord - nearest_turns<S>(chord, angle.degrees);
-    }
-    return chord;
-  }
-};
-
 /// The rules of a product, the same end rule for both ends.
 template <class S>
 CurveRules<S> rules_of(Preset preset) {

@@ -78,6 +78,11 @@
 //       keys.times[2] = 10.5;
 //       std::printf("%s\n", Curve<double>::build(keys).error().message().c_str());
 //     }
+//
+// A Curve<double> takes the compiler seconds. Where several sources use it, declare in each of them
+//   extern template class tcb::spline::Curve<double>;
+// and define it in one source:
+//   template class tcb::spline::Curve<double>;
 #pragma once
 
 #include "tcb/spline/angle.hpp"

@@ -18,14 +18,13 @@ Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
   if (!window.has_segments()) return {};
   const Keys<S>& keys = window.keys;
   const Tangents<S> tangents(window, rules);
-  const PositionChord<S> chord{keys, rules.angles};
   const TimeSlopes<S> time_slopes(window);
   Segments<S> result{keys.channels, {}, {}, {}};
   result.cubics.reserve((window.last_key() - window.first_key()) * keys.channels);
   for (std::size_t key = window.first_key(); key < window.last_key(); ++key) {
     result.times.push_back(keys.times[key]);
     for (std::size_t i = 0; i < keys.channels; ++i) {
-      result.cubics.push_back(cubic<S>(keys.position(key)[i], keys.position(key + 1)[i], chord(key, i),
+      result.cubics.push_back(cubic<S>(keys.position(key)[i], keys.position(key + 1)[i], tangents.chord(key)[i],
                                        tangents.outgoing(key)[i], tangents.incoming(key + 1)[i]));
     }
     result.limited_tangents += tangents.limited(key);

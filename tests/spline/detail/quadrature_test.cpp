@@ -16,6 +16,19 @@ TEST(GaussRule, three_nodes_agree_with_the_textbook) {
   EXPECT_DOUBLE_EQ(rule.weight[1], 4.0 / 9);
 }
 
+template <std::size_t N>
+void expect_computed() {
+  const auto &rule = gauss_rule<double, N>(), computed = make_gauss_rule<double, N>();
+  EXPECT_EQ(rule.node, computed.node);
+  EXPECT_EQ(rule.weight, computed.weight);
+}
+
+TEST(GaussRule, tables_have_the_computed_numbers) {
+  expect_computed<8>();
+  expect_computed<12>();
+  expect_computed<16>();
+}
+
 TEST(GaussRule, sixteen_nodes_integrate_powers_up_to_31) {
   const auto& rule = gauss_rule<double, 16>();
   for (int power = 0; power <= 31; ++power) {

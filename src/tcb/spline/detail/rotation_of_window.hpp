@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "tcb/spline/detail/tangents.hpp"
@@ -43,7 +44,9 @@ class RotationOfWindow {
   /// The curves between the keys, segment after segment.
   std::vector<RotationSegment<S>> segments() const {
     const Window<S> turns = window_of_chords();
-    const Tangents tangents(turns, rules_, [&](std::size_t key, std::size_t i) { return W(chords_[key][i]); });
+    std::vector<W> chords;
+    for (const Chord& chord : chords_) chords.insert(chords.end(), chord.begin(), chord.begin() + (is_linear_ ? 4 : 3));
+    const Tangents<S> tangents(turns, rules_, std::move(chords));
     std::vector<RotationSegment<S>> result;
     for (std::size_t key = window_.first_key(); key < window_.last_key(); ++key) {
       result.push_back(segment(key, rounded(tangents.outgoing(key)), rounded(tangents.incoming(key + 1))));
@@ -62,9 +65,11 @@ class RotationOfWindow {
       return std::array{x, y, z, w}[i];
     };
     if constexpr (std::is_same_v<S, double>) keep_given_velocities(turns.keys, number);
-    const Tangents tangents(turns, rules_, [&](std::size_t key, std::size_t i) {
-      return exact_difference(number(key + 1, i), number(key, i));
-    });
+    std::vector<W> chords;
+    for (std::size_t key = 0; key + 1 < keys_.size(); ++key) {
+      for (std::size_t i = 0; i < 4; ++i) chords.push_back(exact_difference(number(key + 1, i), number(key, i)));
+    }
+    const Tangents<S> tangents(turns, rules_, std::move(chords));
     for (std::size_t key = window_.first_key(); key < window_.last_key(); ++key) {
       Cubic<S>* const of_segment = cubics.data() + (key - window_.first_key()) * window_.keys.channels;
       for (std::size_t i = 0; i < rotation_.channels.size(); ++i) {

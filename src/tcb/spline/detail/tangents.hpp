@@ -43,17 +43,35 @@ working_t<S> overshoot_factor(const working_t<S>& in, const working_t<S>& chord_
   return factor;
 }
 
+/// The differences between the positions of each key and the next one, `channels` numbers per key but the last; those
+/// of angles are less than half a turn.
+template <class S>
+std::vector<working_t<S>> chords_of(const Keys<S>& keys, const std::vector<AngleChannel>& angles) {
+  std::vector<working_t<S>> chords;
+  chords.reserve(keys.positions.size());
+  for (std::size_t key = 0; key + 1 < keys.size(); ++key) {
+    const auto from = keys.position(key), to = keys.position(key + 1);
+    for (std::size_t i = 0; i < keys.channels; ++i) chords.push_back(exact_difference(to[i], from[i]));
+    for (const AngleChannel& angle : angles) {
+      auto& chord = chords[key * keys.channels + angle.channel];
+      chord = chord - nearest_turns<S>(chord, angle.degrees);
+    }
+  }
+  return chords;
+}
+
 /// The tangents at the keys of a window, `channels` numbers per key, in local units, from the chords between the keys.
-template <class S, class Chord = PositionChord<S>>
+template <class S>
 class Tangents {
  public:
   using W = working_t<S>;
 
   /// Requires: at least two keys. Context keys are left at zero.
   Tangents(const Window<S>& window, const CurveRules<S>& rules)
-      : Tangents(window, rules, {window.keys, rules.angles}) {}
-  Tangents(const Window<S>& window, const CurveRules<S>& rules, Chord chord)
-      : keys_(window.keys), rules_(rules), chord_(std::move(chord)), metric_(speed_metric()) {
+      : Tangents(window, rules, chords_of(window.keys, rules.angles)) {}
+  /// With other chords than those of the positions, `channels` numbers per key but the last.
+  Tangents(const Window<S>& window, const CurveRules<S>& rules, std::vector<W> chords)
+      : keys_(window.keys), rules_(rules), chords_(std::move(chords)), metric_(speed_metric()) {
     incoming_.assign(keys_.size() * keys_.channels, W(0));
     outgoing_ = incoming_;
     const auto common = factors(keys_.common_tcb);
@@ -74,6 +92,10 @@ class Tangents {
     if (rules.no_overshoot) limit(window);
   }
 
+  /// The chord from a key to the next one.
+  std::span<const W> chord(std::size_t key) const {
+    return std::span(chords_).subspan(key * keys_.channels, keys_.channels);
+  }
   std::span<const W> incoming(std::size_t key) const {
     return std::span(incoming_).subspan(key * keys_.channels, keys_.channels);
   }
@@ -95,8 +117,8 @@ class Tangents {
     const W h1 = keys_.times[key + 1] - keys_.times[key];
     const auto weights = row_of<S>(rules_.tangents).weights({f, W(tcb.continuity), h0, h1});
     for (std::size_t i = first; i < last; ++i) {
-      const W d0 = chord_(key - 1, i);
-      const W d1 = chord_(key, i);
+      const W d0 = chord(key - 1)[i];
+      const W d1 = chord(key)[i];
       incoming_[key * keys_.channels + i] = weights.in0 * d0 + weights.in1 * d1;
       outgoing_[key * keys_.channels + i] = weights.out0 * d0 + weights.out1 * d1;
     }
@@ -118,7 +140,7 @@ class Tangents {
     const auto& others = at_start ? incoming_ : outgoing_;
     for (std::size_t i = 0; i < keys_.channels; ++i) {
       if (differ) weights = weights_of(keys_.tcb(key, i));
-      W tangent = weights.chord * chord_(first, i) + weights.other * others[inner * keys_.channels + i];
+      W tangent = weights.chord * chord(first)[i] + weights.other * others[inner * keys_.channels + i];
       if (!choice.velocity.empty()) tangent = tangent + weights.given * W(choice.velocity[i]);
       tangents[key * keys_.channels + i] = tangent;
     }
@@ -131,8 +153,8 @@ class Tangents {
       const bool has_before = key > 0, has_after = key + 1 < keys_.size();
       for (std::size_t i = 0; i < keys_.channels; ++i) {
         W &in = incoming_[key * keys_.channels + i], &out = outgoing_[key * keys_.channels + i];
-        const W factor = overshoot_factor<S>(has_before ? in : W(0), has_before ? chord_(key - 1, i) : W(0),
-                                             has_after ? out : W(0), has_after ? chord_(key, i) : W(0));
+        const W factor = overshoot_factor<S>(has_before ? in : W(0), has_before ? chord(key - 1)[i] : W(0),
+                                             has_after ? out : W(0), has_after ? chord(key)[i] : W(0));
         if (factor == W(1)) continue;
         limited_[key * keys_.channels + i] = true;
         in = in * factor;
@@ -203,7 +225,7 @@ class Tangents {
 
   const Keys<S>& keys_;
   const CurveRules<S>& rules_;
-  Chord chord_;
+  std::vector<W> chords_;
   std::vector<std::size_t> metric_;  ///< of equal speed; empty: all channels
   std::vector<W> incoming_, outgoing_;
   std::vector<bool> limited_ = {};  ///< of each key and channel; empty: none are

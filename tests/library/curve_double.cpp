@@ -1,0 +1,4 @@
+// Defines the curve that tour.cpp declares.
+#include <tcb/spline/spline.hpp>
+
+template class tcb::spline::Curve<double>;
