@@ -754,6 +754,7 @@ JsonColumns columns_of(const std::vector<Found>& members, const JsonTape& tape, 
   add_optional_members(result);
   complete(result, result.members, result.all_members);
   result.rules = options.keys;
+  result.max_memory = options.max_memory;
   std::string first_time;
   for (std::size_t i = 0; i < members.size(); ++i) {
     const bool is_time = cells[i].cells == 1 && result.columns.cells[cells[i].cell].role == Role::time;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -61,7 +62,11 @@ struct JsonColumns {
   std::size_t found = 0;                    ///< the number of cells of the first key; others may come in any key
   KeyRules rules;
   KeyUnits units;
+  std::uint64_t max_memory = default_max_memory;  ///< of numbers that are missing, in bytes
 };
+
+/// The memory of a number that a record does not have, where it is skipped and all keys are kept.
+inline constexpr std::uint64_t bytes_of_missing_number = 96;
 
 /// The meaning of the members of the first record. A member with a text there holds numbers if one of the first records
 /// has a number, or all have signs of missing ones. `channels` are names for the numbers of "position", if any.

@@ -363,7 +363,10 @@ class KeyReader {
   void miss_member(const Member& member, std::size_t place) {
     const auto begin = columns_.columns.cells.begin() + static_cast<std::ptrdiff_t>(member.cell);
     const auto end = begin + static_cast<std::ptrdiff_t>(member.cells);
-    if (std::all_of(begin, end, [&](const Column& column) { return keys_.miss(column); })) return;
+    if (std::all_of(begin, end, [&](const Column& column) { return keys_.miss(column); })) {
+      if (columns_.rules.missing == Missing::skip_cell) missing_.add(member.cells * bytes_of_missing_number);
+      return;
+    }
     if (is_full()) return;
     add_fault(data_error("the key has no member {}; expected the members of the first key; add it, or give {} "
                          "skip-row{} or break",
@@ -392,6 +395,7 @@ class KeyReader {
   const JsonColumns& columns_;
   const std::vector<std::string>& signs_;
   KeyBuilder keys_;
+  MemoryUse missing_{columns_.max_memory};  ///< of the numbers that no record has
   std::string list_;
   std::uint64_t number_;             ///< of the current or the next record
   std::vector<unsigned char> seen_;  ///< 1 for the members of the current key; bits would take longer

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <memory>
 #include <utility>
@@ -390,7 +391,16 @@ JsonPart whole_text(Source<std::string> bytes, std::uint64_t max_memory) {
   return splitter.whole({JsonPart::Kind::list, {"]"}});
 }
 
-Records open_json(const Format&, Source<std::string> bytes, InputOptions options) {
+/// Where cells may be skipped all keys are kept, and numbers that no record has take memory, too.
+Source<KeyBlock> within_memory(Source<KeyBlock> blocks, std::uint64_t max_memory) {
+  return mapped(std::move(blocks), [memory = MemoryUse(max_memory)](KeyBlock block) mutable {
+    const auto missing = std::ranges::count_if(block.keys.positions, [](double number) { return std::isnan(number); });
+    memory.add(static_cast<std::uint64_t>(missing) * bytes_of_missing_number);
+    return block;
+  });
+}
+
+Records open_any_shape(Source<std::string> bytes, const InputOptions& options) {
   if (!options.records.empty()) return open_whole(whole_text(std::move(bytes), options.max_memory), options);
   const auto splitter = std::make_shared<JsonSplitter>(std::move(bytes), options.max_memory);
   std::optional<JsonPart> first = splitter->next();
@@ -411,6 +421,14 @@ Records open_json(const Format&, Source<std::string> bytes, InputOptions options
   const bool is_object = shape == JsonShape::object || shape == JsonShape::curves;
   return is_object ? open_objects(std::move(source), shape, options)
                    : open_list(std::move(source), shape, options.threads);
+}
+
+Records open_json(const Format&, Source<std::string> bytes, InputOptions options) {
+  Records records = open_any_shape(std::move(bytes), options);
+  if (options.keys.missing == Missing::skip_cell) {
+    records.keys.blocks = within_memory(std::move(records.keys.blocks), options.max_memory);
+  }
+  return records;
 }
 
 std::optional<int> fit_of_json(std::string_view beginning) {
