@@ -231,8 +231,6 @@ void require_path_with_yaw(const Schema& schema) {
 extern const OutputFormat delimited_output{.layout = delimited_layout, .text = delimited_cell};
 extern const OutputFormat json_output{.layout = json_layout, .text = json_cell};
 extern const OutputFormat jsonl_output{.layout = jsonl_layout, .text = json_cell};
-extern const OutputFormat pose_output{
-    .layout = delimited_layout, .text = delimited_cell, .has_groups = false, .has_labels = false};
 extern const OutputFormat piece_output{.layout = piece_layout,
                                        .text = delimited_cell,
                                        .require = require_path_with_yaw,
