@@ -37,7 +37,7 @@ class ComparisonPicture {
     if (picture_.is_full()) return;
     CurvePipeline pipeline = pair.pipeline;
     const StreamedCurve curve = pipeline.streamed(pair.curve.keys());
-    const CurveChannels channels = pipeline.facts().spec.channels();
+    const CurveChannels channels = pipeline.spec().channels();
     picture_.add(curve.keys, with_rotations_as_cubics([curve] { return curve.segments(); }, channels),
                  curve.extent.closed, samples_of(pair));
   }

@@ -75,7 +75,7 @@ class FitRun {
  private:
   void begin(const Input& input) {
     const Schema keys = keys_of_fit(input, job_.keys.rules, job_.options);
-    writer_.begin(keys, live_, preset_in_words(RuleFacts{{}, true}), shown_name(path_));
+    writer_.begin(keys, live_, preset_in_words(CurveSpec()), shown_name(path_));
   }
 
   /// The samples of each recording.
@@ -206,7 +206,7 @@ FitReport add_fits(DifferencePicture& picture, const FitJob& job) {
     request.mode = Mode::at;
     CurvePipeline pipeline({.samples = request, .rules = job.keys.rules, .threads = job.threads.count()}, keys, {}, {});
     const StreamedCurve streamed = pipeline.streamed(blocks());
-    const CurveChannels channels = pipeline.facts().spec.channels();
+    const CurveChannels channels = pipeline.spec().channels();
     picture.add(streamed.keys, with_rotations_as_cubics([streamed] { return streamed.segments(); }, channels),
                 streamed.extent.closed, compared_samples(samples, pipeline.kept(blocks())));
   }

@@ -47,7 +47,7 @@ class Drawing {
 
   /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error if they have other columns
   /// than the previous curves, lack the requested axes, or are too many.
-  void begin(const std::string& path, const Schema& schema, const RuleFacts& rules);
+  void begin(const std::string& path, const Schema& schema, const CurveSpec& spec);
 
   /// Adds a curve with its rules in words, and counts its samples; if they are few, they are evaluated to be drawn.
   void add(const std::vector<std::string>& group, const StreamedCurve& streamed, const CurveSamples& samples,
@@ -115,22 +115,21 @@ void append_samples(std::vector<SceneSample>& samples, const Evaluate& evaluate,
 }
 
 /// The rules of rotations that differ from those of the preset.
-void append_rotation_rules(std::vector<std::string>& words, const RuleFacts& facts,
+void append_rotation_rules(std::vector<std::string>& words, const CurveSpec& spec,
                            const spline::RotationRules& of_preset) {
-  const spline::CurveRules<double>& rules = facts.spec.rules;
+  const spline::CurveRules<double>& rules = spec.rules;
   const auto& [curve, tangents, ends] = rules.rotation_rules;
   if (curve != of_preset.curve) words.push_back(fmt::format("rotation curve {}", name_of(curve)));
   if (tangents != of_preset.tangents) {
     words.push_back(fmt::format("rotation tangents {}", name_of(tangents.value_or(rules.tangents))));
   }
-  if (!facts.spec.closed && ends != of_preset.ends) {
+  if (!spec.closed && ends != of_preset.ends) {
     words.push_back(fmt::format("rotation ends {}", name_of(ends.value_or(rules.start.rule))));
   }
 }
 
 /// The rules of a curve in words: the preset, or its tangents and ends where they differ, and further rules.
-std::string short_rules(const RuleFacts& facts) {
-  const auto& [spec, timed] = facts;
+std::string short_rules(const CurveSpec& spec) {
   const spline::CurveRules<double>& rules = spec.rules;
   const auto preset = std::ranges::find(spline::presets, spec.preset, &spline::PresetRow::id);
   const bool has_ends = spec.closed || (rules.start.rule == preset->ends && rules.end.rule == preset->ends);
@@ -145,19 +144,19 @@ std::string short_rules(const RuleFacts& facts) {
   if (spec.closed) words.emplace_back("closed");
   if (rules.equal_speed) words.emplace_back("equal speed");
   if (rules.no_overshoot) words.emplace_back("no overshoot");
-  if (!rules.rotations.empty()) append_rotation_rules(words, facts, preset->rotations);
-  if (!timed) words.push_back(fmt::format("parameter {}", spec.parameter_name.value_or("uniform")));
+  if (!rules.rotations.empty()) append_rotation_rules(words, spec, preset->rotations);
+  if (!spec.timed) words.push_back(fmt::format("parameter {}", spec.parameter_name.value_or("uniform")));
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-void Drawing::begin(const std::string& path, const Schema& schema, const RuleFacts& rules) {
+void Drawing::begin(const std::string& path, const Schema& schema, const CurveSpec& spec) {
   const std::string name = shown_name(path);
   files_.push_back(name.substr(name.rfind('/') + 1));
   std::vector<std::string> columns{schema.time.name};
   columns.insert(columns.end(), schema.channels.begin(), schema.channels.end());
   if (columns_.empty()) {
     columns_ = std::move(columns);
-    begin_scene(schema, rules.spec);
+    begin_scene(schema, spec);
   } else if (columns != columns_) {
     throw data_error(
         "the columns are {}; expected {}, as in the earlier files; give {} FOLDER to draw a picture of each file",
@@ -272,14 +271,14 @@ class Picture final : public BatchOutput {
     std::uint64_t rows = 0;
     for (bool is_first = true; const std::optional<InputCurve> curve = curves.next(); is_first = false) {
       CurvePipeline pipeline = pipeline_of(input, *curve, options.threads);
-      const RuleFacts rules = pipeline.facts();
-      if (is_first) drawing_.begin(file.path, input.schema, rules);
+      const CurveSpec& spec = pipeline.spec();
+      if (is_first) drawing_.begin(file.path, input.schema, spec);
       const StreamedCurve streamed = pipeline.streamed(curve->keys);  // segments
       const bool has_samples = streamed.keys.size() > 1 || pipeline.needs().single_key;
       CurveSamples samples = has_samples ? pipeline.samples(streamed) : CurveSamples::none();  // measure, place
       samples.blocks = progress->observe_rows(std::move(samples.blocks), samples.expected_rows, rows);
-      drawing_.add(curve->group, streamed, samples, short_rules(rules));  // evaluate, draw
-      notes.add_samples(samples, job_.samples.request, rules.spec.closed);
+      drawing_.add(curve->group, streamed, samples, short_rules(spec));  // evaluate, draw
+      notes.add_samples(samples, job_.samples.request, spec.closed);
     }
     notes.end(curves);
     return rows;

@@ -46,7 +46,9 @@ CurveSpec spec_of(const CurveSettings& settings, CurveSettings of_input, const S
   if (request.mode == Mode::tolerance) of_input.metric.reset();
   CurveSettings all = merged(settings, of_input);
   if (!all.metric && request.mode != Mode::tolerance) all.metric = metric_by_names(schema);
-  return make_spec(all, schema.channels, rotations, schema.angles);
+  CurveSpec spec = make_spec(all, schema.channels, rotations, schema.angles);
+  spec.timed = schema.time.is_given;
+  return spec;
 }
 
 /// The times that the texts of rows name: where these are times in words, frames, or counted from another time than 0;
@@ -134,15 +136,15 @@ MetricUse metric_use(const SamplingRequest& request, std::span<const std::size_t
 }  // namespace
 
 CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size_t> fields, const CurveSpec& spec,
-                       const KeyFacts& keys, bool exact) {
+                       bool may_miss, bool exact) {
   CurveNeeds needs;
   needs.random_access = is_anywhere(request, spec);
-  needs.all_keys = spec.closed || needs.random_access || keys.may_miss || exact || needs_end(request);
+  needs.all_keys = spec.closed || needs.random_access || may_miss || exact || needs_end(request);
   needs.lengths = needs_lengths(request, fields);
   needs.whole_length = needs.all_keys && !needs.random_access && by_length(request.mode);
   needs.single_key = is_one_row(request);
   needs.angle_signs = !spec.angles.empty();
-  needs.metric = metric_use(request, fields, !keys.timed && spec.parameter.value_or(0) != 0);
+  needs.metric = metric_use(request, fields, !spec.timed && spec.parameter.value_or(0) != 0);
   return needs;
 }
 
@@ -159,10 +161,9 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     : request_(request.samples),
       spec_(spec_of(request.rules, curve_info.settings, schema, request.samples)),
       golden_(request.golden),
-      timed_(schema.time.is_given),
       may_be_timed_(schema.time.may_be_first_channel),
       has_tcb_scale_(traits.has_tcb_scale),
-      needs_(curve_needs(request_, request.fields, spec_, {timed_, traits.may_miss}, golden_.has_value())),
+      needs_(curve_needs(request_, request.fields, spec_, traits.may_miss, golden_.has_value())),
       threads_(request.threads),
       channels_(schema.channels),
       rotations_{schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
@@ -190,7 +191,7 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     }
     std::ranges::for_each(request_.places, take_frame);
   }
-  if (timed_ && spec_.parameter) {
+  if (spec_.timed && spec_.parameter) {
     throw data_error(
         "column \"{}\" has times already; expected keys without times; remove {}, or choose the columns with {}",
         schema.time.name, option::parameter, option::columns)
@@ -211,7 +212,7 @@ Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t le
                         .angles = spec_.angles,
                         .closed = spec_.closed,
                         .may_be_timed = may_be_timed_,
-                        .exponent = timed_ ? std::nullopt : std::optional(spec_.parameter.value_or(0)),
+                        .exponent = spec_.timed ? std::nullopt : std::optional(spec_.parameter.value_or(0)),
                         .metric = spec_.rules.metric,
                         .unlikely_scale = has_tcb_scale_ ? std::nullopt : shown_tcb_scale(spec_.preset),
                         .ease = spec_.ease,
@@ -228,7 +229,7 @@ StreamedCurve CurvePipeline::read(Source<KeyBlock> blocks) {
   }
   Extent extent{keys.key(0).times[0], {}, {}, spec_.closed, keys.decimals()};
   if (spec_.frames) spec_.frames = spec_.frames->from(extent.first);
-  extent.last = spec_.closed ? take_closing(keys, spec_, timed_, channels_) : keys.key(keys.size() - 1).times[0];
+  extent.last = spec_.closed ? take_closing(keys, spec_, channels_) : keys.key(keys.size() - 1).times[0];
   const bool expanded = request_.mode == Mode::emit;  // where coefficients are printed, not positions
   return {std::move(keys), extent, spec_.rules, {false, expanded, threads_, spec_.frames}};
 }

@@ -39,12 +39,6 @@ struct CurveRequest {
   bool counts_from_zero = false;                   ///< a time is subtracted from those of rows
 };
 
-/// How a curve is built.
-struct RuleFacts {
-  CurveSpec spec;
-  bool timed = false;  ///< the keys have times; otherwise the parameter makes them
-};
-
 /// What a request needs of a curve before its first row.
 struct CurveNeeds {
   bool all_keys = false;       ///< every key is read before the first row; otherwise memory is constant
@@ -56,15 +50,9 @@ struct CurveNeeds {
   MetricUse metric = MetricUse::nothing;
 };
 
-/// What is known of the keys of an input before they are read.
-struct KeyFacts {
-  bool timed = false;     ///< they have times; otherwise the parameter of the specification makes them
-  bool may_miss = false;  ///< positions may be missing
-};
-
-/// `fields`: those of the rows. `exact`: numbers are computed exactly.
+/// `fields`: those of the rows. `may_miss`: keys may lack positions. `exact`: numbers are computed exactly.
 CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size_t> fields, const CurveSpec& spec,
-                       const KeyFacts& keys, bool exact);
+                       bool may_miss, bool exact);
 
 /// The extent of a curve and its samples, as far as they are known before the first row.
 struct SampleFacts {
@@ -111,7 +99,7 @@ class CurvePipeline {
   /// The samples of the request on a curve of this pipeline. `exact`: its keys, if rows are exact.
   CurveSamples samples(StreamedCurve curve, const ExactKeys* exact = nullptr);
 
-  RuleFacts facts() const { return {spec_, timed_}; }
+  const CurveSpec& spec() const { return spec_; }
   const CurveNeeds& needs() const { return needs_; }
 
   /// The request, with its step in the unit of the times.
@@ -119,7 +107,7 @@ class CurvePipeline {
 
  private:
   /// The exponent of the distances that make the times; 0: none do.
-  double time_exponent() const { return timed_ ? 0 : spec_.parameter.value_or(0); }
+  double time_exponent() const { return spec_.timed ? 0 : spec_.parameter.value_or(0); }
 
   Source<KeyBlock> prepared(Source<KeyBlock> blocks, std::size_t least);
   StreamedCurve read(Source<KeyBlock> blocks);
@@ -137,7 +125,7 @@ class CurvePipeline {
   SamplingRequest request_;
   CurveSpec spec_;
   std::optional<GoldenOptions> golden_;
-  bool timed_, may_be_timed_, has_tcb_scale_;
+  bool may_be_timed_, has_tcb_scale_;
   CurveNeeds needs_;
   unsigned threads_;
   std::vector<std::string> channels_;

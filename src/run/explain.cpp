@@ -166,7 +166,7 @@ struct CurveOutcome {
 /// Places the samples of a curve if they are requested, and reads its keys to the end.
 CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, bool has_samples) {
   CurveOutcome outcome;
-  const bool no_overshoot = pipeline.facts().spec.rules.no_overshoot;
+  const bool no_overshoot = pipeline.spec().rules.no_overshoot;
   const Source<KeyBlock> observed = mapped(keys, [&outcome](KeyBlock block) {
     outcome.add(block);
     return block;
@@ -232,16 +232,16 @@ class Explainer {
     CurvePipeline pipeline(request, input_.schema, input_.keys.traits, *curve.curve_info, curve.part);
     if (count_ == 0) {
       if (job_.has_samples) needs_ = in_words(pipeline.needs());
-      append(intended_, rules_in_words(pipeline.facts()));
+      append(intended_, rules_in_words(pipeline.spec()));
       const bool has_metric =
           (curve.curve_info->settings.metric || !spatial_channels(input_.schema.channels).empty()) &&
           !job_.keys.rules.metric;
-      const std::vector<std::size_t> metric = pipeline.facts().spec.rules.metric;
+      const std::vector<std::size_t> metric = pipeline.spec().rules.metric;
       append(intended_,
              intentions(job_, input_.schema, input_.facts.tcb, has_metric ? metric : std::vector<std::size_t>{}));
     }
     last_ = outcome_of(pipeline, curve.keys, job_.has_samples);
-    last_.ends_at_key = !job_.samples.request.to && !pipeline.facts().spec.closed;
+    last_.ends_at_key = !job_.samples.request.to && !pipeline.spec().closed;
     keys_ += last_.keys;
     rows_ += last_.rows.value_or(0);
     if (count_ < most_curves) curves_.emplace_back(title(input_.schema, curve, count_), line(curve));

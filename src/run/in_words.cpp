@@ -7,16 +7,16 @@
 
 #include "numbers/decimal_time.hpp"
 #include "option_names.hpp"
-#include "run/curve_pipeline.hpp"
+#include "sample/curve_spec.hpp"
 
 namespace tcb {
 
 std::string number_in_words(const Rational& value) { return fmt::format("{}", nearest_time(value).hi); }
 
-Facts rules_in_words(const RuleFacts& facts) {
-  const spline::CurveRules<double>& rules = facts.spec.rules;
+Facts rules_in_words(const CurveSpec& spec) {
+  const spline::CurveRules<double>& rules = spec.rules;
   Facts words{{"tangents", std::string(name_of(rules.tangents))}};
-  if (facts.spec.closed) {
+  if (spec.closed) {
     words.emplace_back("closed", "yes");
   } else {
     words.emplace_back("ends", fmt::format("{}, {}", name_of(rules.start.rule), name_of(rules.end.rule)));
@@ -24,8 +24,8 @@ Facts rules_in_words(const RuleFacts& facts) {
   if (rules.timing != spline::Timing::even) words.emplace_back("timing", std::string(name_of(rules.timing)));
   if (rules.equal_speed) words.emplace_back("equal speed", "yes");
   if (rules.no_overshoot) words.emplace_back("overshoot", "none");
-  if (facts.spec.extrapolations.extend_curve()) {
-    const auto& [before, after] = facts.spec.extrapolations;
+  if (spec.extrapolations.extend_curve()) {
+    const auto& [before, after] = spec.extrapolations;
     words.emplace_back("extrapolation", before == after ? std::string(name_of(before))
                                                         : fmt::format("{}, {}", name_of(before), name_of(after)));
   }
@@ -33,18 +33,18 @@ Facts rules_in_words(const RuleFacts& facts) {
     const auto& [curve, tangents, ends] = rules.rotation_rules;
     words.emplace_back("rotation curve", std::string(name_of(curve)));
     if (tangents) words.emplace_back("rotation tangents", std::string(name_of(*tangents)));
-    if (ends && !facts.spec.closed) words.emplace_back("rotation ends", std::string(name_of(*ends)));
+    if (ends && !spec.closed) words.emplace_back("rotation ends", std::string(name_of(*ends)));
   }
-  if (!facts.timed) {
-    const std::string_view made = facts.spec.parameter_name ? std::string_view(*facts.spec.parameter_name) : "uniform";
+  if (!spec.timed) {
+    const std::string_view made = spec.parameter_name ? std::string_view(*spec.parameter_name) : "uniform";
     words.emplace_back("times", fmt::format("none; made with {} {}", option::parameter, made));
   }
   return words;
 }
 
-Facts preset_in_words(const RuleFacts& facts) {
-  Facts words{{"preset", std::string(spline::name_of(facts.spec.preset))}};
-  const Facts rules = rules_in_words(facts);
+Facts preset_in_words(const CurveSpec& spec) {
+  Facts words{{"preset", std::string(spline::name_of(spec.preset))}};
+  const Facts rules = rules_in_words(spec);
   words.insert(words.end(), rules.begin(), rules.end());
   return words;
 }

@@ -8,17 +8,17 @@
 
 namespace tcb {
 
-struct RuleFacts;
+struct CurveSpec;
 struct SamplingRequest;
 
 /// The double nearest to a number.
 std::string number_in_words(const Rational& value);
 
 /// The rules of a curve, as names and values.
-Facts rules_in_words(const RuleFacts& facts);
+Facts rules_in_words(const CurveSpec& spec);
 
 /// The preset of a curve, and its rules.
-Facts preset_in_words(const RuleFacts& facts);
+Facts preset_in_words(const CurveSpec& spec);
 
 /// The requested samples, as in "every 0.5 of time".
 std::string samples_in_words(const SamplingRequest& request);

@@ -65,7 +65,7 @@ class FileRun {
       samples.blocks = provenance.observe_rows(std::move(samples.blocks));
       writer_.write(printed(samples, labels));  // evaluate, print
       provenance.end_curve();
-      notes_.add_samples(samples, job_.samples.request, pipeline_->facts().spec.closed);
+      notes_.add_samples(samples, job_.samples.request, pipeline_->spec().closed);
     }
     provenance.end_input();
     notes_.end(curves);
@@ -87,7 +87,7 @@ class FileRun {
       pipeline_.emplace(request, input.schema, input.keys.traits, *curve.curve_info, curve.part);
     }
     if (curve_info_ == nullptr) {
-      writer_.begin(input.schema, live_, preset_in_words(pipeline_->facts()), shown_name(path_));
+      writer_.begin(input.schema, live_, preset_in_words(pipeline_->spec()), shown_name(path_));
       if (const auto others = writer_.channels_in_extras(); !others.empty()) {
         notes_.add({fmt::format("in the extras of the animation, as they are no translation, rotation or scale: {}",
                                 listed(others)),

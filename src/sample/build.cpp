@@ -155,14 +155,14 @@ Error curve_error(const spline::BuildError& error, const KeyStore& keys, const s
   }
 }
 
-Time take_closing(KeyStore& keys, const CurveSpec& spec, bool timed, const std::vector<std::string>& channels) {
+Time take_closing(KeyStore& keys, const CurveSpec& spec, const std::vector<std::string>& channels) {
   const Keys first = keys.key(0);
   const Keys last = spline::with_signs_of(first, keys.key(keys.size() - 1), spec.rules.rotations);
   std::optional<Time> end;
   if (spec.period) {
     const auto frame = spec.frames ? spec.frames->exact(first.times[0]) : std::nullopt;
     end = nearest_time(frame.value_or(exact_time(first.times[0])) + *spec.period, keys.decimals());
-  } else if (!timed && keys.size() > 1 && !spline::is_repeated(first, last)) {
+  } else if (!spec.timed && keys.size() > 1 && !spline::is_repeated(first, last)) {
     const double step = parameter_step<double, double>(last.position(0), first.position(0), spec.parameter.value_or(0),
                                                        spec.rules.metric);
     end = Time((last.times[0] + Time(step)).hi);

@@ -45,8 +45,8 @@ struct SegmentOptions {
 Error curve_error(const spline::BuildError& error, const KeyStore& keys, const std::vector<std::string>& channels);
 
 /// When a closed curve is back at its first key. A last key that repeats the first one is dropped: it only gives that
-/// time. `timed`: the input has times. Throws: Error (data) for keys that make no closed curve.
-Time take_closing(KeyStore& keys, const CurveSpec& spec, bool timed, const std::vector<std::string>& channels);
+/// time. Throws: Error (data) for keys that make no closed curve.
+Time take_closing(KeyStore& keys, const CurveSpec& spec, const std::vector<std::string>& channels);
 
 /// The segments of an open curve, each as soon as the key after its end is read. Requires: no position is missing.
 Source<SegmentBlock> segment_blocks(Source<Keys> keys, const Rules& rules, const SegmentOptions& options);

@@ -21,6 +21,7 @@ struct CurveSpec {
   spline::Preset preset = spline::Preset::gte;
   spline::CurveRules<double> rules;
   bool closed = false;
+  bool timed = true;                               ///< the keys have times; otherwise the parameter makes them
   std::optional<Rational> period;                  ///< of a closed curve, if given
   std::optional<double> parameter;                 ///< exponent of the distances that make times
   std::optional<std::string> parameter_name = {};  ///< as given

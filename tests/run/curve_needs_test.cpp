@@ -11,11 +11,11 @@ namespace tcb {
 namespace {
 
 std::string needs(Mode mode, const std::vector<std::size_t>& fields = {}, const CurveSpec& spec = {},
-                  const KeyFacts& keys = {true, false}, bool exact = false) {
+                  bool may_miss = false, bool exact = false) {
   SamplingRequest request;
   request.mode = mode;
   request.count = 3;
-  return in_words(curve_needs(request, fields, spec, keys, exact));
+  return in_words(curve_needs(request, fields, spec, may_miss, exact));
 }
 
 TEST(CurveNeeds, a_step_needs_a_few_keys_at_a_time) {
@@ -45,8 +45,8 @@ TEST(CurveNeeds, closed_curves_missing_positions_angles_and_exact_numbers_need_a
   angles.angles = {{}};
   EXPECT_EQ(needs(Mode::step, {}, closed), "all keys before the first row");
   EXPECT_EQ(needs(Mode::step, {}, angles), "all keys before the first row");
-  EXPECT_EQ(needs(Mode::step, {}, {}, {true, true}), "all keys before the first row");
-  EXPECT_EQ(needs(Mode::step, {}, {}, {true, false}, true), "all keys before the first row");
+  EXPECT_EQ(needs(Mode::step, {}, {}, true), "all keys before the first row");
+  EXPECT_EQ(needs(Mode::step, {}, {}, false, true), "all keys before the first row");
 }
 
 TEST(CurveNeeds, the_metric_is_needed_for_lengths_or_for_the_path) {
@@ -54,7 +54,8 @@ TEST(CurveNeeds, the_metric_is_needed_for_lengths_or_for_the_path) {
   const auto metric = [&](const std::vector<std::size_t>& fields, bool timed = true) {
     CurveSpec spec;
     spec.parameter = 0.5;
-    return curve_needs(request, fields, spec, {timed, false}, false).metric;
+    spec.timed = timed;
+    return curve_needs(request, fields, spec, false, false).metric;
   };
   EXPECT_EQ(metric({}), MetricUse::nothing);
   EXPECT_EQ(metric({field_of("s")}), MetricUse::lengths);

@@ -81,7 +81,7 @@ TEST(CurvePipeline, keys_without_times_get_times) {
   const Schema schema = schema_of_x(false);
   const SamplingRequest request = request_of(Mode::count, 2);
   CurvePipeline pipeline({request, settings, {0, 1}}, schema, {}, {});
-  EXPECT_FALSE(pipeline.facts().timed);
+  EXPECT_FALSE(pipeline.spec().timed);
   const Source<KeyBlock> untimed = mapped(keys_of("0 5\n0 7\n", 2), [](KeyBlock block) {
     block.keys.times.clear();
     return block;

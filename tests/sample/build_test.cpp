@@ -67,7 +67,7 @@ CurveSpec closed_spec(const char* period) {
 
 std::string close_refusal(KeyStore keys, const CurveSpec& curve) {
   try {
-    (void)take_closing(keys, curve, true, {"x"});
+    (void)take_closing(keys, curve, {"x"});
   } catch (const Error& error) {
     return error_text(error.in("f"));
   }
@@ -76,21 +76,22 @@ std::string close_refusal(KeyStore keys, const CurveSpec& curve) {
 
 TEST(Closing, a_repeated_first_position_is_the_period_and_no_key) {
   auto keys = kept({0.0, 1.0, 2.5}, {3, 4, 3});
-  EXPECT_EQ(take_closing(keys, closed_spec(""), true, {"x"}).hi, 2.5);
+  EXPECT_EQ(take_closing(keys, closed_spec(""), {"x"}).hi, 2.5);
   EXPECT_EQ(keys.size(), 2U);
 }
 
 TEST(Closing, a_period_is_added_exactly) {
   auto keys = kept({0.1, 0.15}, {3, 4});
-  EXPECT_EQ(take_closing(keys, closed_spec("0.2"), true, {"x"}).hi, 0.3);
+  EXPECT_EQ(take_closing(keys, closed_spec("0.2"), {"x"}).hi, 0.3);
 }
 
 TEST(Closing, keys_without_times_need_one_step_more) {
   auto keys = kept({0.0, 1.0, 2.0}, {3, 4, 8});
-  EXPECT_EQ(take_closing(keys, closed_spec(""), false, {"x"}).hi, 3);
-  CurveSpec chordal = closed_spec("");
-  chordal.parameter = 1;
-  EXPECT_EQ(take_closing(keys, chordal, false, {"x"}).hi, 7);
+  CurveSpec spec = closed_spec("");
+  spec.timed = false;
+  EXPECT_EQ(take_closing(keys, spec, {"x"}).hi, 3);
+  spec.parameter = 1;  // chordal
+  EXPECT_EQ(take_closing(keys, spec, {"x"}).hi, 7);
 }
 
 TEST(Closing, refuses_what_makes_no_closed_curve) {
