@@ -14,6 +14,7 @@
 #include "cli/typed_options.hpp"
 #include "cli/values.hpp"
 #include "formats/formats.hpp"
+#include "io/input_list.hpp"
 #include "io/system.hpp"
 #include "option_names.hpp"
 #include "read/earlier_output.hpp"
@@ -33,6 +34,7 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
   if (typed.help) return is_long ? help_text() : short_help_text();
   if (typed.list_presets) return presets_text();
   if (typed.version) return version_text();
+  require_no_input_replaced("-", typed.files.files);
   return generated_text(*typed.generated, typed.files.files);
 }
 

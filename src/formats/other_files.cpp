@@ -32,6 +32,7 @@ struct OtherFile {
 constexpr std::string_view
     export_keys = "export the keys as CSV or JSON",
     by_bvh = "convert it, as in bvh-converter FILE, which writes FILE_worldpos.csv",
+    by_echo = "print them as a table, as in rostopic echo -p TOPIC or ros2 topic echo --csv TOPIC",
     by_fbx = "export it as ASCII, or convert it with the FBX Converter of Autodesk",
     by_max = "export the scene from 3ds Max as ASE, 3DS or ASCII FBX",
     by_gpsbabel = "convert it, as in gpsbabel -t -i garmin_fit -f FILE -o unicsv -F - | tcbsample",
@@ -41,6 +42,9 @@ constexpr std::string_view
     by_rosbag = "convert it, as in rostopic echo -b FILE -p TOPIC | tcbsample",
     by_sqlite = "convert a table of it, as in sqlite3 -csv -header FILE 'SELECT * FROM TABLE' | tcbsample",
     by_tar = "take a file out of it, as in tar -xOf FILE NAME | tcbsample",
+    by_yaml =
+        "convert it, as in python3 -c 'import json, sys, yaml; json.dump(yaml.safe_load(open(sys.argv[1])), "
+        "sys.stdout)' FILE | tcbsample",
     by_zip = "take a file out of it, as in unzip -p FILE NAME | tcbsample",
     by_npz = "take an array out of it, as in unzip -p FILE NAME.npy | tcbsample",
     by_netcdf =
@@ -143,6 +147,7 @@ constexpr OtherFile other_files[] = {
      "a TDMS recording of LabVIEW",
      "convert it, as in python3 -c 'import nptdms, sys; "
      "nptdms.TdmsFile.read(sys.argv[1]).as_dataframe().to_csv(sys.stdout)' FILE | tcbsample"},
+    {{}, {"header:", 0, {"stamp:"}}, "a text of ROS messages", by_echo},
     {{}, {"MThd"}, "a MIDI file", "convert it with midicsv FILE, and keep the lines of one kind of event"},
     // Others.
     {{".pdf"}, {"%PDF"}, "a PDF document", export_keys},
@@ -150,7 +155,10 @@ constexpr OtherFile other_files[] = {
     {{".jpg", ".jpeg"}, {"\xFF\xD8\xFF"}, "a JPEG picture", export_keys},
     {{".gif"}, {"GIF8"}, "a GIF picture", export_keys},
     {{".mp4"}, {"ftyp", 4}, "a video", export_keys},
-    {{".yaml", ".yml"}, {"%YAML"}, "a YAML document", export_keys},
+    {{".yaml", ".yml"}, {"%YAML"}, "a YAML document", by_yaml},
+    {{}, {"---\n"}, "a YAML document", by_yaml},
+    {{}, {"joint_trajectory:"}, "a YAML document", by_yaml},
+    {{}, {"joint_names:"}, "a YAML document", by_yaml},
     {{".xml", ".html", ".htm"}, {"<"}, "XML or HTML", export_keys},
     {{".toml"}},
 };

@@ -173,9 +173,9 @@ class Groups {
       if (runs > seen.size())
         throw data_error(
             "{} would mix rows with different values of {} in one curve; expected the rows of one curve; give {} {} "
-            "for one curve per value, or {} carry={} if the values do not distinguish curves",
-            option::sort, in_quotes(grouping_.marks[i].column), option::group, grouping_.marks[i].column,
-            option::columns, grouping_.marks[i].column);
+            "for one curve per value, or {} {} if the values do not distinguish curves",
+            option::sort, in_quotes(grouping_.marks[i].column), option::group, in_shell(grouping_.marks[i].column),
+            option::columns, in_shell("carry=" + grouping_.marks[i].column));
     }
   }
 

@@ -145,7 +145,7 @@ class Order {
                  "{}time {} does not follow the time {}, but the times increase for each value of {}; expected the "
                  "keys "
                  "of one curve; give {} {} for one curve per value",
-                 beginning, time, before, in_quotes(column_), option::group, column_)
+                 beginning, time, before, in_quotes(column_), option::group, in_shell(column_))
           .at(text_position);
     }
     if (equal) {

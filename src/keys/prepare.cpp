@@ -169,8 +169,8 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) 
       if (!is_clear && keys > 1 && (!block || keys == most)) {
         throw data_error(
             "there is no time column, but column {} may be one; expected a column called time; give "
-            "{} time={}, or {} uniform if the keys have no times",
-            in_quotes(channel), option::columns, channel, option::parameter);
+            "{} {}, or {} uniform if the keys have no times",
+            in_quotes(channel), option::columns, in_shell("time=" + channel), option::parameter);
       }
       is_clear = is_clear || !block;
       if (block) held.push_back(std::move(*block));

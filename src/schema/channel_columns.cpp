@@ -18,15 +18,15 @@ namespace {
 Error segment_column_missing(std::string_view column, std::string_view missing_column) {
   return data_error(
       "the rows are segments and have a column {}, but no {}; expected both; add the missing "
-      "column, or give {} ignore={}",
-      in_quotes(column), in_quotes(missing_column), option::columns, column);
+      "column, or give {} {}",
+      in_quotes(column), in_quotes(missing_column), option::columns, in_shell(fmt::format("ignore={}", column)));
 }
 
 Error velocity_column_missing(std::string_view column, std::string_view missing_column) {
   return data_error(
       "column {} gives the velocity on one side of a key, but there is no {} for the other "
-      "side; expected both, or one column for both sides; add it, or give {} ignore={}",
-      in_quotes(column), in_quotes(missing_column), option::columns, column);
+      "side; expected both, or one column for both sides; add it, or give {} {}",
+      in_quotes(column), in_quotes(missing_column), option::columns, in_shell(fmt::format("ignore={}", column)));
 }
 
 /// Finds names: exactly, or else in another case.

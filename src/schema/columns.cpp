@@ -314,11 +314,18 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
     if (columns.marks.size() == most_marks) continue;
     columns.marks.push_back({header.empty() ? fmt::format("{}", cell + 1) : header[cell], !numeric[cell]});
   }
-  if (columns.channels.empty())
-    throw data_error(
-        "there is no position column; expected at least one column of numbers besides the "
-        "time; name it with {} position=NAME",
-        option::columns);
+  if (columns.channels.empty()) {
+    bool has_other_numbers = false;
+    for (std::size_t cell = 0; cell < numeric.size(); ++cell) {
+      has_other_numbers = has_other_numbers || (numeric[cell] && columns.cells[cell].role != Role::time);
+    }
+    const bool has_numbers = std::ranges::count(numeric, true) > 0;
+    throw data_error("there is no position column; expected at least one column of numbers besides the time; {}",
+                     has_other_numbers ? fmt::format("name it with {} position=NAME", option::columns)
+                     : has_numbers
+                         ? fmt::format("give {} uniform if the only column is a position", option::parameter)
+                         : fmt::format("give a table with numbers, or its delimiter with {}", option::delimiter));
+  }
   return columns;
 }
 

@@ -305,8 +305,8 @@ bool is_usual_label(std::string_view name) {
 }
 
 bool tells_curves_apart(std::string_view name) {
-  constexpr std::array names{"id",   "track", "trackid", "object", "objectid",
-                             "name", "curve", "curveid", "series", "uuid"};
+  constexpr std::array names{"id",   "track",  "trackid",  "object",    "objectid", "name",    "curve", "curveid",
+                             "uuid", "series", "deviceid", "vehicleid", "playerid", "robotid", "mmsi",  "icao24"};
   return has(names, compact(name));
 }
 

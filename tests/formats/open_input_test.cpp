@@ -57,10 +57,9 @@ TEST(OpenInput, a_byte_order_mark_is_not_part_of_the_first_cell) {
 }
 
 TEST(OpenInput, an_input_shorter_than_a_mark_is_read) {
-  EXPECT_EQ(
-      read("7"),
-      "f:1: error: there is no position column; expected at least one column of numbers besides the time; name it "
-      "with --columns position=NAME");
+  EXPECT_EQ(read("7"),
+            "f:1: error: there is no position column; expected at least one column of numbers besides the time; give "
+            "--parameter uniform if the only column is a position");
 }
 
 }  // namespace

@@ -267,6 +267,7 @@ Source<std::string> without_lines(Source<std::string> bytes, std::uint64_t lines
 /// of cells that are mostly numbers, and the line of names directly above them. Nothing where that is the first line.
 struct LaterTable {
   std::uint64_t line;  ///< from 1
+  std::size_t cells;   ///< in each of its lines
   char delimiter;
 };
 std::optional<LaterTable> find_later_table(std::string_view text, const Dialect& dialect) {
@@ -296,13 +297,14 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
       }
       const bool are_names = names.size() == one.size() && !is_of_numbers(names);
       const std::size_t line = are_names ? head : i + 1;
-      if (!are_names && line == 2) return std::nullopt;  // the first line may be a header with a fault
+      const bool may_be_names = line == 2 && (cells_in(lines[0]).size() > 1 || one.size() < 3);
+      if (!are_names && may_be_names) return std::nullopt;  // the first line may be a header with a fault
       const auto is_text = [&](std::string_view above) {
         return above.find_first_not_of(" \t\r") != std::string_view::npos && !dialect.is_comment(above);
       };
       const bool has_preamble =
           std::any_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(line - 1), is_text);
-      return has_preamble ? std::optional(LaterTable{line, delimiter}) : std::nullopt;
+      return has_preamble ? std::optional(LaterTable{line, one.size(), delimiter}) : std::nullopt;
     }
   }
   return std::nullopt;
@@ -357,12 +359,22 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   Source<Chunk> chunks =
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
   std::vector<Chunk> rest;
+  const auto find_table_below = [&](std::string_view text) {
+    return options.delimited.head.empty() && !options.columns.samples ? find_later_table(text, dialect) : std::nullopt;
+  };
   const auto head = std::make_shared<const DelimitedHead>([&] {
     try {
-      return read_head(chunks, dialect, options, rest);
+      DelimitedHead found = read_head(chunks, dialect, options, rest);
+      constexpr std::size_t most = 1UL << 12;
+      const std::string_view text = std::string_view(first).substr(0, most);
+      const auto table = text.find('"') == std::string_view::npos ? find_table_below(text) : std::nullopt;
+      const std::size_t cells = found.columns.cells.size();
+      if (table && table->cells != cells && table->delimiter == dialect.delimiter) {
+        throw data_error("its lines have {} cells, but those above {}", table->cells, cells);
+      }
+      return found;
     } catch (const Error& error) {
-      const auto table =
-          options.delimited.head.empty() && !options.columns.samples ? find_later_table(first, dialect) : std::nullopt;
+      const auto table = find_table_below(first);
       if (!table || error.exit() != Exit::data) throw;
       const std::uint64_t line = first_line + table->line - 1;
       const std::string also =

@@ -29,10 +29,12 @@ Error in_possible_text_column(const Error& error) {
 }
 
 Error row_unlike_header(std::size_t cells, std::size_t names) {
+  const std::string_view names_of_rows =
+      cells == names + 1 ? "add a name to the header if the first cells name the rows, as R writes them, " : "";
   return data_error(
       "the number of cells in the first row is {}, but {} in the header; expected the same "
-      "number; correct one of them, or give the delimiter with {}",
-      cells, names, option::delimiter);
+      "number; {}correct one of them, or give the delimiter with {}",
+      cells, names, names_of_rows, option::delimiter);
 }
 
 Error header_unclear(std::string_view text_cell, std::string_view number_cell) {

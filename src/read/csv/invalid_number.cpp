@@ -122,6 +122,13 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
     return data_error("{}: {} is a number with a unit; expected a number alone; remove the unit, or give {} strip",
                       column, in_quotes(cell), option::units);
   }
+  const bool may_be_time = cell.find(':') != std::string_view::npos && cell[0] >= '0' && cell[0] <= '9';
+  if (may_be_time) {
+    return data_error(
+        "{}: {} is no number, and no time in a known notation; expected a number, or a time such as "
+        "2024-03-01T13:00:00Z or 13:00:00, with hours from 0 to 23; convert the cells",
+        column, in_quotes(cell));
+  }
   const std::size_t blank = cell.find_first_of(" \t");
   const bool several = blank != std::string_view::npos && parse_number(with_point(cell.substr(0, blank)));
   return several ? data_error("{}: {} is not a number; expected one number in each cell; give the delimiter with {}",

@@ -127,8 +127,11 @@ class FirstRecord {
   }
 
  private:
-  Error at(std::size_t value, const Error& error) const {
-    return error.about(records_.path + tape_.path(records_.value, value)).at(tape_.position(value));
+  /// `error` at a value of a member, which may be outside of the record in a table of columns.
+  Error at(const Found& member, std::size_t value, const Error& error) const {
+    const bool is_inside = records_.value < value && value < tape_[records_.value].next;
+    return error.about(is_inside ? records_.path + tape_.path(records_.value, value) : member.path)
+        .at(tape_.position(value));
   }
 
   void add(std::string name, std::vector<std::string> route, const JsonCell& cell) {
@@ -167,7 +170,7 @@ class FirstRecord {
   void add_nested(Found& member, std::size_t value, bool in_array) {
     const Role role = role_of_name(member.name);
     if (!in_array && !texts_.contains(member.name) && role != Role::position && role != Role::time) {
-      throw at(value, data_error("this is not a number; expected one; correct it"));
+      throw at(member, value, data_error("this is not a number; expected one; correct it"));
     }
     member.nested = true;
     member.empty = member.empty && !in_array && tape_[value].next == value + 1;
@@ -199,8 +202,9 @@ class FirstRecord {
     if (role != Role::position && is_sign && !in_array && !is_requested_text) return count(member, in_array);
     const bool needs_number = role != Role::position || (!is_sign && looks_numeric(text));
     if (!in_array && !is_requested_text && needs_number) {
-      throw at(value, data_error("{} is not a number; expected a number; correct it, or give {} ignore={}",
-                                 in_quotes(text), option::columns, member.name));
+      throw at(member, value,
+               data_error("{} is not a number; expected a number; correct it, or give {} {}", in_quotes(text),
+                          option::columns, in_shell("ignore=" + member.name)));
     }
     note(member, true, in_array);
   }
@@ -553,8 +557,8 @@ void require_no_lost_arrays(const std::vector<Found>& members, const Arrays& arr
     const Error fault =
         is_array ? data_error(
                        "this array is not used; expected \"position\" as the name of an array of positions; "
-                       "rename it, or give {} position={}, or position=NAME:NAME for the members to take",
-                       option::columns, member.name)
+                       "rename it, or give {} {}, or position=NAME:NAME for the members to take",
+                       option::columns, in_shell("position=" + member.name))
                  : data_error(
                        "the numbers in this value are not used, as they are in an object, or in arrays in an "
                        "array; expected an array of numbers, or a member for each number; give {} "
@@ -570,9 +574,9 @@ void require_no_lost_time(const std::vector<Found>& members, const Columns& colu
     const bool is_number = !member.array && !member.text && member.numbers > 0;
     if (!is_number || std::ranges::count(columns.ignored, member.name) == 0 || is_coordinate(member.name)) continue;
     throw data_error(
-        "no member is the time, but {} may be; expected one called time; give {} time={}, or {} uniform if the keys "
+        "no member is the time, but {} may be; expected one called time; give {} {}, or {} uniform if the keys "
         "have no times",
-        in_quotes(member.name), option::columns, member.name, option::parameter)
+        in_quotes(member.name), option::columns, in_shell("time=" + member.name), option::parameter)
         .at(member.tape->position(member.place));
   }
 }

@@ -376,17 +376,29 @@ Fit fit_of(const JsonTape& tape, std::size_t value) {
   return tape.kind(value) == Kind::object ? fit_of_object(tape, value) : Fit::none;
 }
 
+/// Whether a list of objects with numbers is somewhere below a value.
+bool holds_list(const JsonTape& tape, std::size_t value) {
+  for (std::size_t at = value + 1; at < tape[value].next; ++at) {
+    const bool is_list = tape.kind(at) == Kind::array && tape.count(at) > 1 && has_only(tape, at, Kind::object);
+    if (is_list && fit_of_array(tape, at) != Fit::none) return true;
+  }
+  return false;
+}
+
 /// A value with its path.
 struct Place {
   std::size_t value;
   std::string path;
 };
 
-/// Finds the values that fit, of which none holds another one.
+/// Finds the values that fit, of which none holds another one. A list of objects without times that hold lists
+/// themselves is none: these are the keys.
 template <class F>
 void find_fits(const JsonTape& tape, const Place& place, const F& found) {
   const Fit fit = fit_of(tape, place.value);
-  if (fit != Fit::none) return found(place, fit);
+  const bool holds_lists =
+      fit == Fit::without_times && tape.kind(place.value) == Kind::array && holds_list(tape, place.value);
+  if (fit != Fit::none && !holds_lists) return found(place, fit);
   if (tape.kind(place.value) == Kind::object) {
     tape.for_each_member(place.value, [&](std::size_t name, std::size_t value) {
       const std::string_view dot = place.path.empty() ? "" : ".";

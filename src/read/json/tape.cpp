@@ -335,6 +335,7 @@ std::string JsonTape::path(std::size_t within, std::size_t value) const {
         return false;
       });
     }
+    if (found == within) return path;
     within = found;
   }
   return path;

@@ -101,10 +101,9 @@ TEST(Header, an_input_without_keys_is_an_error) {
 }
 
 TEST(Header, missing_columns_are_errors) {
-  EXPECT_EQ(
-      read("0\n1\n"),
-      "f:1: error: there is no position column; expected at least one column of numbers besides the time; name it with "
-      "--columns position=NAME");
+  EXPECT_EQ(read("0\n1\n"),
+            "f:1: error: there is no position column; expected at least one column of numbers besides the time; give "
+            "--parameter uniform if the only column is a position");
   EXPECT_EQ(read("t,x\n0,1\n", with_columns("position=y")),
             "f:1: error: --columns: there is no column \"y\"; expected one of t, x; correct the name");
 }
