@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <map>
 #include <utility>
@@ -164,6 +165,28 @@ double rough_ratio(const Real& a, const Real& b) {
 }
 
 }  // namespace
+
+Ball ball_of(const RealBall& ball) {
+  const ErrorBound& radius = ball.radius();
+  constexpr int largest = 400;
+  if (ball.most() >= ErrorBound::power_of_two(largest)) throw Undecided();
+  const double high = ball.middle().rough();
+  const Real rest = ball.middle() - Real(high);
+  const double low = rest.rough();
+  const ErrorBound error = radius + (rest - Real(low)).most() + rest.most() * ErrorBound::power_of_two(-100);
+  const double bound =
+      error == 0.0 ? 0
+                   : std::ldexp(error.mantissa(), static_cast<int>(std::max<std::int64_t>(error.exponent(), -1000)));
+  return Ball(spline::DoubleDouble::normalized(high, low)).widened(bound);
+}
+template <>
+Ball from_ball<Ball>(const Ball& ball) {
+  return ball;
+}
+template <>
+RealBall from_ball<RealBall>(const Ball& ball) {
+  return (RealBall(ball.middle().hi) + RealBall(ball.middle().lo)).widened(ball.radius());
+}
 
 /// A bound on |place|^zeros near a panel.
 template <class M>
@@ -388,8 +411,11 @@ typename BallTurn<M>::B BallTurn<M>::speed(const B& u) const {
   return sqrt(square);
 }
 
+/// The angle from the start of a panel, over a width.
 template <class M>
-typename BallTurn<M>::B BallTurn<M>::sum(const B& begin, const B& width) const {
+typename BallTurn<M>::B BallTurn<M>::sum(const Panel& panel, const B& width) const {
+  const B begin(panel.begin);
+  if (panel.is_constant) return speed(B(panel.begin + spline::halved(panel.width))) * width;
   const Rule<M>& rule = gauss_rule<M>();
   B sum;
   const Bound rounding = Ops::power_of_two(-(Ops::bits() + 6));  // of nodes and weights
@@ -399,36 +425,75 @@ typename BallTurn<M>::B BallTurn<M>::sum(const B& begin, const B& width) const {
   return sum * width;
 }
 
+template <class M>
+void BallTurn<M>::accept(Panel panel) {
+  panel.before = total_;
+  total_ += panel.length;
+  panels_.push_back(std::move(panel));
+}
+
 /// Adds the halves of a panel if the rule agrees with them, which for panels as short as these err by far less than the
 /// rule on the whole; else their halves.
 template <class M>
 void BallTurn<M>::add(const Panel& panel, const Bound& negligible) {
-  const M half = spline::halved(panel.width), middle = panel.begin + half;
-  std::array<Panel, 2> halves{
-      {{panel.begin, half, sum(B(panel.begin), B(half))}, {middle, half, sum(B(middle), B(half))}}};
+  if (panel.is_constant) return accept(panel);
+  const M half = spline::halved(panel.width);
+  std::array<Panel, 2> halves{{{panel.begin, half}, {panel.begin + half, half}}};
+  for (Panel& part : halves) part.length = sum(part, B(half));
   const Bound least_width = Ops::power_of_two(-Ops::bits() * 6 / 10);
   const Bound difference = Ops::most((halves[0].length + halves[1].length - panel.length).middle());
+  if (difference > negligible && !(Ops::most(panel.width) > least_width)) throw Undecided();
   for (Panel& part : halves) {
-    if (difference > negligible && Ops::most(panel.width) > least_width) {
+    if (difference > negligible) {
       add(part, negligible);
-    } else if (difference > negligible) {
-      throw Undecided();
     } else {
       part.length = part.length.widened(difference);
-      part.before = total_;
-      total_ += part.length;
-      panels_.push_back(part);
+      accept(part);
     }
   }
 }
 
+/// Whether all rotations turn at a constant rate between two places.
+template <class M>
+bool BallTurn<M>::is_constant(const M& begin, const M& end) const {
+  const M middle = spline::halved(begin + end);
+  return std::ranges::all_of(rotations_, [&](const auto& rotation) {
+    const auto [from, to] = rotation.constant_part();
+    return from.middle() < middle && middle < to.middle();
+  });
+}
+
+/// The speed has no derivative where a constant rate begins or ends; these places are known but for an error, in which
+/// the speed is at most twice that next to it.
 template <class M>
 void BallTurn<M>::assign(std::span<const spline::RotationSegment<B>> rotations) {
   rotations_ = rotations;
   panels_.clear();
   total_ = B();
-  const B whole = sum(B(), B(1.0));
-  add({M(0.0), M(1.0), whole}, Ops::power_of_two(14 - Ops::bits()) * whole.most());
+  std::vector<M> ends{M(0.0), M(1.0)};
+  Bound doubt = 0.0;
+  for (const auto& rotation : rotations) {
+    for (const B& place : rotation.constant_part()) {
+      if (!(place.middle() > M(0.0) && place.middle() < M(1.0))) continue;
+      ends.push_back(place.middle());
+      doubt = doubt + Bound(4.0) * place.radius();
+    }
+  }
+  std::ranges::sort(ends);
+  std::vector<Panel> parts;
+  Bound whole = 0.0, fastest = 0.0;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    if (ends[i - 1] == ends[i]) continue;
+    Panel part{ends[i - 1], ends[i] - ends[i - 1], is_constant(ends[i - 1], ends[i])};
+    part.length = sum(part, B(part.width));
+    whole = whole + part.length.most();
+    fastest = std::max(fastest, speed(B(part.begin + spline::halved(part.width))).most());
+    parts.push_back(part);
+  }
+  for (Panel& part : parts) {
+    if (doubt > 0.0) part.length = part.length.widened(doubt * fastest);
+    add(part, Ops::power_of_two(14 - Ops::bits()) * whole);
+  }
 }
 
 template <class M>
@@ -436,17 +501,25 @@ typename BallTurn<M>::B BallTurn<M>::to(const spline::LocalParameter<B>& place) 
   if (place.w.is_zero()) return total_;
   auto panel = std::ranges::upper_bound(panels_, place.u.middle(), {}, &Panel::begin);
   if (panel != panels_.begin()) --panel;
-  return panel->before + sum(B(panel->begin), place.u - B(panel->begin)).widened(panel->length.radius());
+  return panel->before + sum(*panel, place.u - B(panel->begin)).widened(panel->length.radius());
 }
 
-/// By Newton's method; the speed at both ends of the ball of the place shows that it does not change much there.
+/// By Newton's method, or by halves where it leaves the panel; the speed at both ends of the ball of the place shows
+/// that it does not change much there.
 template <class M>
 spline::LocalParameter<BallOf<M>> BallTurn<M>::place(const B& length) const {
   const Panel& panel = panel_at_length(panels_, length.middle());
   const B into = length - panel.before, begin(panel.begin);
+  if (panel.is_constant) {
+    const B u = begin + B(panel.width) * (into / panel.length);
+    return local(0, u);
+  }
+  M low = panel.begin, high = panel.end();
   B u = begin + B(panel.width) * B((into / panel.length).middle());
-  for (int step = 0; step < 40; ++step) {
-    const B rest = into - sum(begin, u - begin), speed = B(this->speed(u).middle());
+  const int most_steps = Ops::bits() + 40;
+  for (int step = 0; step < most_steps; ++step) {
+    if (!(low < u.middle() && u.middle() < high)) u = B(spline::halved(low + high));
+    const B rest = into - sum(panel, u - begin), speed = B(this->speed(u).middle());
     const Bound distance = Ops::up(Bound(2.01) * (rest.most() + panel.length.radius()) / Ops::least(speed.middle()));
     if (Ops::most(rest.middle()) <= rest.radius() && distance < Ops::power_of_two(-(Ops::bits() * 6 / 10))) {
       for (const bool below : {true, false}) {  // no step brings it nearer
@@ -455,8 +528,8 @@ spline::LocalParameter<BallOf<M>> BallTurn<M>::place(const B& length) const {
       }
       return local(0, B(u.middle(), distance));
     }
+    (Ops::is_negative(rest.middle()) ? high : low) = u.middle();
     u = B((u + B(rest.middle()) / speed).middle());
-    if (!(u.middle() > M(0.0) && u.middle() < M(1.0))) throw Undecided();
   }
   throw Undecided();
 }

@@ -15,6 +15,12 @@
 
 namespace tcb {
 
+/// A ball of double-doubles that holds a ball, and the other way round. Throws: Undecided for one beyond their range.
+inline const Ball& ball_of(const Ball& ball) { return ball; }
+Ball ball_of(const RealBall& ball);
+template <class B>
+B from_ball(const Ball& ball);
+
 /// The length of the path on a segment.
 template <class M>
 class BallArc {
@@ -69,6 +75,7 @@ class BallTurn {
  public:
   using B = BallOf<M>;
 
+  /// Requires: `rotations` outlive it.
   void assign(std::span<const spline::RotationSegment<B>> rotations);
 
   const B& total() const { return total_; }
@@ -79,13 +86,19 @@ class BallTurn {
   using Ops = Middle<M>;
   using Bound = typename B::Bound;
 
+  /// A part of the segment on which the speed is constant, or smooth enough for the rule.
   struct Panel {
     M begin, width;
-    B length, before = {};
+    bool is_constant = false;
+    B length = {}, before = {};
+
+    M end() const { return begin + width; }
   };
 
   B speed(const B& u) const;
-  B sum(const B& begin, const B& width) const;
+  B sum(const Panel& panel, const B& width) const;
+  bool is_constant(const M& begin, const M& end) const;
+  void accept(Panel panel);
   void add(const Panel& panel, const Bound& negligible);
 
   std::span<const spline::RotationSegment<B>> rotations_;
@@ -110,25 +123,54 @@ class SegmentLength<BallOf<M>> {
  public:
   using B = BallOf<M>;
 
-  /// Requires: `rotations` outlive it.
+  /// `in_double_doubles`: rotations are measured in these, also where they are known to more digits. Requires:
+  /// `rotations` outlive it.
   void assign(std::span<const Cubic<B>> cubics, std::span<const RotationSegment<B>> rotations,
-              std::span<const std::size_t> metric) {
-    is_turn_ = is_turn(metric);
-    is_turn_ ? turn_.assign(rotations) : arc_.assign(cubics, metric);
+              std::span<const std::size_t> metric, bool in_double_doubles = false) {
+    if (!is_turn(metric)) {
+      kind_ = Kind::arc;
+      arc_.assign(cubics, metric);
+    } else if (!in_double_doubles) {
+      kind_ = Kind::turn;
+      turn_.assign(rotations);
+    } else {
+      kind_ = Kind::rough_turn;
+      rough_rotations_.clear();
+      for (const RotationSegment<B>& rotation : rotations) {
+        rough_rotations_.push_back(rotation.template converted<Ball>([](const B& number) { return ball_of(number); }));
+      }
+      rough_turn_.assign(rough_rotations_);
+    }
   }
 
-  Length<B> total() const { return {is_turn_ ? turn_.total() : arc_.total(), B()}; }
-  Length<B> to(const LocalParameter<B>& place) const { return {is_turn_ ? turn_.to(place) : arc_.to(place), B()}; }
+  Length<B> total() const {
+    if (kind_ == Kind::rough_turn) return {from_ball<B>(rough_turn_.total()), B()};
+    return {kind_ == Kind::turn ? turn_.total() : arc_.total(), B()};
+  }
+  Length<B> to(const LocalParameter<B>& place) const {
+    if (kind_ == Kind::rough_turn) return {from_ball<B>(rough_turn_.to({ball_of(place.u), ball_of(place.w)})), B()};
+    return {kind_ == Kind::turn ? turn_.to(place) : arc_.to(place), B()};
+  }
   void places(const B& start, const B&, std::span<const B> lengths, std::span<LocalParameter<B>> places) const {
     for (std::size_t i = 0; i < lengths.size(); ++i) {
-      places[i] = is_turn_ ? turn_.place(lengths[i] - start) : arc_.place(lengths[i] - start);
+      const B length = lengths[i] - start;
+      if (kind_ == Kind::rough_turn) {
+        const LocalParameter<Ball> place = rough_turn_.place(ball_of(length));
+        places[i] = {from_ball<B>(place.u), from_ball<B>(place.w)};
+      } else {
+        places[i] = kind_ == Kind::turn ? turn_.place(length) : arc_.place(length);
+      }
     }
   }
 
  private:
-  bool is_turn_ = false;
+  enum class Kind { arc, turn, rough_turn };
+
+  Kind kind_ = Kind::arc;
   BallArc<M> arc_;
   BallTurn<M> turn_;
+  std::vector<RotationSegment<Ball>> rough_rotations_;
+  BallTurn<DoubleDouble> rough_turn_;
 };
 
 }  // namespace tcb::spline

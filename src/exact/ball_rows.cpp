@@ -21,9 +21,11 @@ namespace tcb {
 /// The cells of a field in a row, and what decides them.
 struct BallCells {
   std::span<std::optional<Printed>> cells;  ///< from the next one that its writer adds
+  std::size_t index;                        ///< of that one in the row
   const Notation& notation;
   const RowsOfCurve& curve;
   const FastRow& row;
+  const BallRows::IsZero& is_zero;
 };
 
 namespace {
@@ -91,7 +93,7 @@ bool has_text(const Notation& notation) {
 }
 
 Printed time_cell(const BallCells& of) {
-  const auto& [cells, notation, curve, row] = of;
+  const auto& [cells, index, notation, curve, row, is_zero] = of;
   const Time& shown = row.sample.t;
   const bool is_decimal = curve.exact.decimal || curve.exact.channels.frames;
   const bool is_shown = !row.time && shown.lo == 0 && row.segment.decimals == 0 && !is_decimal;
@@ -146,7 +148,13 @@ class CellWriter<BallOf<M>> {
   CellWriter(BallCells& row, CellKind kind) : row_(row), kind_(kind) {}
 
   void add(const BallOf<M>& value) {
-    if (auto& cell = next(); !cell) cell = number_cell(value, row_.notation, kind_, row_.row.segment.decimals);
+    const std::size_t index = row_.index;
+    auto& cell = next();
+    if (cell) return;
+    cell = number_cell(value, row_.notation, kind_, row_.row.segment.decimals);
+    if (!cell && value.may_be_zero() && row_.is_zero(index)) {
+      cell = Rounding(row_.notation, kind_, row_.row.segment.decimals).exactly({0});
+    }
   }
   void add(const Quantity<BallOf<M>>& value) {
     if (value.defined) return add(value.value);
@@ -162,6 +170,7 @@ class CellWriter<BallOf<M>> {
   std::optional<Printed>& next() {
     std::optional<Printed>& cell = row_.cells.front();
     row_.cells = row_.cells.subspan(1);
+    ++row_.index;
     return cell;
   }
 
@@ -176,31 +185,51 @@ class Rows final : public BallRows {
  public:
   using B = BallOf<M>;
 
-  Rows(const RowsOfCurve& rows, std::vector<std::size_t> chosen)
-      : rows_(rows), measured_(needs_lengths(chosen)), point_(rows) {
+  Rows(const RowsOfCurve& rows, std::vector<std::size_t> chosen, bool measures_in_double_doubles)
+      : rows_(rows), measured_(needs_lengths(chosen)), point_(rows, measures_in_double_doubles) {
     for (const std::size_t index : chosen) {
       const RowShape shape{rows.exact.keys.channels, rows.exact.channels.rotations};
       const Field& field = fields()[index];
       const bool is_row_time = field.kind == CellKind::time && field_writers<B>[index] == write_sample_time<B>;
-      fields_.push_back(
-          {is_row_time ? nullptr : field_writers<B>[index], field.kind, cells_in_row({&index, 1}, shape)});
+      fields_.push_back({is_row_time ? nullptr : field_writers<B>[index], field.kind, cells_in_row({&index, 1}, shape),
+                         field.needs_lengths || field.of_piece});
     }
   }
 
-  bool set(const FastRow& row, const Notation& notation, std::vector<std::optional<Printed>>& cells) override {
+  bool set(const FastRow& row, const Notation& notation, const IsZero& is_zero,
+           std::vector<std::optional<Printed>>& cells) override {
     try {
       Point<B>& point = point_.place(row, measured_);
       at_end_ = point_.key_at_end();
       std::size_t first = 0;
       for (const auto& field : fields_) {
-        const auto own = std::span(cells).subspan(first, field.size);
-        if (std::ranges::any_of(own, [](const auto& cell) { return !cell; })) set(own, field, point, row, notation);
+        BallCells of{std::span(cells).subspan(first, field.size), first, notation, rows_, row, is_zero};
+        if (std::ranges::any_of(of.cells, [](const auto& cell) { return !cell; })) set(of, field, point);
         first += field.size;
       }
       return true;
     } catch (const Undecided&) {
       return false;
     }
+  }
+
+  std::vector<bool> zeros(const FastRow& row) override {
+    constexpr std::array places{0.328125, 0.578125, 0.859375};
+    const IsZero is_zero = [](std::size_t) { return false; };
+    std::vector<bool> zeros;
+    for (const double u : places) {
+      Point<B>* const point = point_.place_inside(row, u);
+      std::vector<bool> here;
+      for (const auto& field : fields_) {
+        std::vector<std::optional<Printed>> cells(field.size);
+        BallCells of{cells, 0, {}, rows_, row, is_zero};
+        if (point != nullptr && field.write != nullptr && !field.is_of_more_than_place) set(of, field, *point);
+        for (const auto& cell : cells) here.push_back(cell && cell->cell == Cell(0));
+      }
+      if (zeros.empty()) zeros = here;
+      for (std::size_t i = 0; i < here.size(); ++i) zeros[i] = zeros[i] && here[i];
+    }
+    return zeros;
   }
 
   std::optional<bool> key_at_end() const override { return at_end_; }
@@ -210,15 +239,14 @@ class Rows final : public BallRows {
     decltype(FieldOf<B>::write) write;  ///< null: the time of the row
     CellKind kind;
     std::size_t size;
+    bool is_of_more_than_place;  ///< of lengths from the start of the curve, or of a piece
   };
 
   /// Sets the cells of a field that are not set yet.
-  void set(std::span<std::optional<Printed>> cells, const FieldCells& field, Point<B>& point, const FastRow& row,
-           const Notation& notation) {
-    BallCells of{cells, notation, rows_, row};
+  void set(BallCells& of, const FieldCells& field, Point<B>& point) {
     try {
       if (field.write == nullptr && !rows_.arc) {
-        cells.front() = time_cell(of);
+        of.cells.front() = time_cell(of);
       } else {
         (field.write == nullptr ? write_sample_time<B> : field.write)(point, CellWriter<B>(of, field.kind));
       }
@@ -237,14 +265,15 @@ class Rows final : public BallRows {
 
 std::unique_ptr<BallRows> BallRows::in_double_doubles(const RowsOfCurve& rows, std::vector<std::size_t> chosen) {
   try {
-    return std::make_unique<Rows<spline::DoubleDouble>>(rows, std::move(chosen));
+    return std::make_unique<Rows<spline::DoubleDouble>>(rows, std::move(chosen), true);
   } catch (const Undecided&) {
     return nullptr;
   }
 }
 
-std::unique_ptr<BallRows> BallRows::in_reals(const RowsOfCurve& rows, std::vector<std::size_t> chosen) {
-  return std::make_unique<Rows<Real>>(rows, std::move(chosen));
+std::unique_ptr<BallRows> BallRows::in_reals(const RowsOfCurve& rows, std::vector<std::size_t> chosen,
+                                             bool measures_in_double_doubles) {
+  return std::make_unique<Rows<Real>>(rows, std::move(chosen), measures_in_double_doubles);
 }
 
 }  // namespace tcb

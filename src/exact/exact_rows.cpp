@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -31,6 +32,34 @@ std::optional<ExactPlaces> arc_lengths(const SamplingRequest& request, const Ext
   const Rational steps = steps_between(arc.from, Rational(*extent.length), arc.step);
   arc.intervals = whole_number(numerator(steps));
   return arc;
+}
+
+}  // namespace
+
+namespace {
+
+/// Bits of the floats with the least precision: some 38 digits.
+constexpr int first_precision = 128;
+
+/// The precision beyond which none is used: that which distinguishes a number from 0 to some 400 digits beyond the size
+/// of the curve. Its numbers may be of different sizes, and their powers more so.
+int last_precision(const RowsOfCurve& rows) {
+  constexpr int digits = 1536, most_of_sizes = 8192;  // bits
+  std::int64_t least = 0, most = 0;
+  const auto add = [&](const Rational& number) {
+    if (number == 0) return;
+    ErrorBound error;
+    const std::int64_t exponent = Middle<Real>::nearest(number, error).exponent();
+    least = std::min(least, exponent);
+    most = std::max(most, exponent);
+  };
+  const spline::Keys<Rational>& keys = rows.exact.keys;
+  for (std::size_t i = 0; i < keys.positions.size(); ++i) {
+    add(keys.positions[i]);
+    if (i >= keys.channels) add(keys.positions[i] - keys.positions[i - keys.channels]);
+  }
+  for (std::size_t i = 1; i < keys.times.size(); ++i) add(keys.times[i] - keys.times[i - 1]);
+  return digits + 2 * static_cast<int>(std::min<std::int64_t>(most - least, most_of_sizes));
 }
 
 }  // namespace
@@ -116,14 +145,16 @@ struct ExactRows::Request {
 class ExactRows::Evaluation {
  public:
   explicit Evaluation(const Request& request)
-      : rows_(request.rows), times_(request.times), notation_(request.notation) {}
+      : rows_(request.rows), times_(request.times), notation_(request.notation), levels_(levels(request.rows)) {}
 
   void add_row(FastRow row, std::span<const std::size_t> chosen, Table& table) {
     times_.set(row);
     if (!has_balls_) balls_ = BallRows::in_double_doubles(rows_, {chosen.begin(), chosen.end()});
     has_balls_ = true;
     cells_.assign(width(chosen), std::nullopt);
-    const bool is_placed = balls_ != nullptr && balls_->set(row, notation_, cells_);
+    row_ = &row;
+    chosen_ = chosen;
+    const bool is_placed = balls_ != nullptr && balls_->set(row, notation_, is_zero_, cells_);
     if (is_open()) complete(row, chosen, is_placed);
     const auto overflows = [](const auto& one) { return !is_empty(one->cell) && !std::isfinite(one->cell.hi); };
     if (std::ranges::any_of(cells_, overflows)) refuse_overflow(row.sample);
@@ -131,8 +162,24 @@ class ExactRows::Evaluation {
   }
 
  private:
-  /// Bits of floats whose precision rises until all numbers are decided: some 57, 115, 231 and 462 digits.
-  static constexpr std::array precisions{192, 384, 768, 1536};
+  /// A precision of floats. Rotations are measured in double-doubles first, and in these floats where that leaves a
+  /// number open.
+  struct Level {
+    int bits;
+    bool measures_in_double_doubles;
+    std::unique_ptr<BallRows> rows = nullptr;  ///< null until it is needed
+  };
+
+  static std::vector<Level> levels(const RowsOfCurve& rows) {
+    std::vector<Level> levels;
+    const int last = last_precision(rows);
+    for (const bool in_double_doubles : {true, false}) {
+      if (in_double_doubles && !spline::is_turn(rows.exact.rules.metric)) continue;
+      for (int bits = first_precision; bits < last; bits *= 2) levels.push_back({bits, in_double_doubles});
+      levels.push_back({last, in_double_doubles});
+    }
+    return levels;
+  }
 
   bool is_open() const { return !std::ranges::all_of(cells_, &std::optional<Printed>::has_value); }
 
@@ -153,17 +200,41 @@ class ExactRows::Evaluation {
   /// computed as rationals where they are rational; others in more and more digits.
   void complete(const FastRow& row, std::span<const std::size_t> chosen, bool is_placed) {
     if (!rows_.arc || is_placed) set_rationals(row, chosen, rows_.arc ? balls_->key_at_end() : std::nullopt);
-    for (std::size_t level = 0; is_open() && level < precisions.size(); ++level) {
-      const RealPrecision precision(precisions[level], level + 1 == precisions.size());
+    bool is_measured = false;
+    for (Level& level : levels_) {
+      if (!is_open()) return;
+      if (is_measured && level.measures_in_double_doubles) continue;
+      const RealPrecision precision(level.bits, is_last(level));
       try {
-        if (reals_[level] == nullptr) reals_[level] = BallRows::in_reals(rows_, {chosen.begin(), chosen.end()});
-        const bool has_place = reals_[level]->set(row, notation_, cells_);
-        if (rows_.arc && has_place) set_rationals(row, chosen, reals_[level]->key_at_end());
+        const bool has_place = rows_at(level, chosen).set(row, notation_, is_zero_, cells_);
+        if (rows_.arc && has_place) set_rationals(row, chosen, level.rows->key_at_end());
+        is_measured = is_measured || has_place;
       } catch (const Undecided&) {
         continue;
       }
     }
     if (is_open()) throw row_needs_more_digits(time_text(row.sample.t));
+  }
+
+  bool is_last(const Level& level) const { return &level == &levels_.back(); }
+
+  BallRows& rows_at(Level& level, std::span<const std::size_t> chosen) {
+    if (level.rows == nullptr) {
+      level.rows = BallRows::in_reals(rows_, {chosen.begin(), chosen.end()}, level.measures_in_double_doubles);
+    }
+    return *level.rows;
+  }
+
+  /// Whether a cell is 0 all along the segment of the current row.
+  bool is_zero(std::size_t cell) {
+    auto found = zeros_.find(row_->segment.number);
+    if (found == zeros_.end()) {
+      constexpr std::size_t most_kept = 4096;
+      if (zeros_.size() == most_kept) zeros_.clear();
+      const RealPrecision precision(levels_.back().bits, true);
+      found = zeros_.emplace(row_->segment.number, rows_at(levels_.back(), chosen_).zeros(*row_)).first;
+    }
+    return found->second[cell];
   }
 
   /// Sets the open cells that are rational, if the place of the row is. `key_at_end`: where it is placed by length.
@@ -194,7 +265,11 @@ class ExactRows::Evaluation {
   bool has_balls_ = false;                     ///< balls_ is set
   std::vector<std::optional<Printed>> cells_;  ///< of the current row; nothing where they are not decided yet
   std::unique_ptr<RationalRows> rational_;     ///< null until it is needed
-  std::array<std::unique_ptr<BallRows>, precisions.size()> reals_;  ///< likewise
+  std::vector<Level> levels_;
+  const FastRow* row_ = nullptr;                      ///< the current one
+  std::span<const std::size_t> chosen_;               ///< its fields
+  std::map<std::uint64_t, std::vector<bool>> zeros_;  ///< of segments: the cells that are 0 all along it
+  const BallRows::IsZero is_zero_ = [this](std::size_t cell) { return is_zero(cell); };
 };
 
 ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation,

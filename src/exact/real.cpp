@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -15,42 +16,51 @@ namespace {
 thread_local int bits_in_use = 192;
 thread_local bool last_in_use = false;
 
+constexpr int digits = std::numeric_limits<double>::digits;
+
+/// Whole numbers of up to 512 bits are held in place: products of the first precisions.
+using Whole =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
+                                      512, 0, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked,
+                                      std::allocator<boost::multiprecision::limb_type>>,
+                                  boost::multiprecision::et_off>;
+
 /// The bits of a whole number. Requires: > 0.
-std::int64_t width(const Integer& whole) { return static_cast<std::int64_t>(msb(whole)) + 1; }
+std::int64_t width(const Whole& whole) { return static_cast<std::int64_t>(msb(whole)) + 1; }
 
 /// Times a power of two, truncated.
-Integer shifted(const Integer& whole, std::int64_t bits) {
-  if (bits >= 0) return Integer(whole << static_cast<std::uint64_t>(bits));
-  return whole < 0 ? Integer(-(Integer(-whole) >> static_cast<std::uint64_t>(-bits)))
-                   : Integer(whole >> static_cast<std::uint64_t>(-bits));
+Whole shifted(const Whole& whole, std::int64_t bits) {
+  if (bits >= 0) return Whole(whole << static_cast<std::uint64_t>(bits));
+  return whole < 0 ? Whole(-(Whole(-whole) >> static_cast<std::uint64_t>(-bits)))
+                   : Whole(whole >> static_cast<std::uint64_t>(-bits));
 }
 
 /// The greatest whole number whose square is at most `square`, by Newton's steps with twice the digits each.
-Integer whole_root(const Integer& square) {
+Whole whole_root(const Whole& square) {
   constexpr std::int64_t of_double = 100;
   const std::int64_t bits = width(square);
   if (bits <= of_double) {
-    Integer root(std::sqrt(static_cast<double>(square)));
+    Whole root(std::sqrt(static_cast<double>(square)));
     while (root * root > square) --root;
     while ((root + 1) * (root + 1) <= square) ++root;
     return root;
   }
   const std::int64_t cut = bits / 4;  // digits of the root that the first half of the digits does not give
-  Integer root = (whole_root(Integer(square >> static_cast<std::uint64_t>(2 * cut))) + 1)
-                 << static_cast<std::uint64_t>(cut);
+  Whole root = (whole_root(Whole(square >> static_cast<std::uint64_t>(2 * cut))) + 1)
+               << static_cast<std::uint64_t>(cut);
   for (;;) {  // from above, each step is nearer and none is below
-    const Integer next = (root + square / root) >> 1U;
+    const Whole next = (root + square / root) >> 1U;
     if (next >= root) return root;
     root = next;
   }
 }
 
 /// The arc tangent of 1/n, times 2^bits, to one unit for each of its terms.
-Integer arc_tangent_of_inverse(int n, int bits) {
-  Integer power = (Integer(1) << static_cast<unsigned>(bits)) / n, sum = power;
+Whole arc_tangent_of_inverse(int n, int bits) {
+  Whole power = (Whole(1) << static_cast<unsigned>(bits)) / n, sum = power;
   for (int odd = 3; power != 0; odd += 2) {
     power /= n * n;
-    const Integer term = power / odd;
+    const Whole term = power / odd;
     if (odd % 4 == 3) {
       sum -= term;
     } else {
@@ -63,7 +73,7 @@ Integer arc_tangent_of_inverse(int n, int bits) {
 }  // namespace
 
 struct Real::Number {
-  Integer whole;
+  Whole whole;
 };
 
 RealPrecision::RealPrecision(int bits, bool is_last)
@@ -76,14 +86,21 @@ RealPrecision::~RealPrecision() {
 int Real::bits() { return bits_in_use; }
 bool Real::is_last() { return last_in_use; }
 
-Real::Real(Number number, std::int64_t exponent) : exponent_(exponent) {
-  if (number.whole != 0) number_ = std::make_shared<const Number>(std::move(number));
+Real::Real(Number number, std::int64_t exponent) {
+  if (number.whole == 0) return;
+  const Whole& whole = number.whole;
+  const std::int64_t bits = width(whole < 0 ? Whole(-whole) : whole), cut = std::max<std::int64_t>(bits - digits, 0);
+  leading_ =
+      std::ldexp(static_cast<double>(static_cast<std::int64_t>(shifted(whole, -cut))), static_cast<int>(cut - bits));
+  exponent_ = exponent;
+  size_ = exponent + bits;
+  number_ = std::make_shared<const Number>(std::move(number));
 }
 
 Real::Real(double value) {
   int exponent = 0;
   const double mantissa = std::frexp(value, &exponent);
-  *this = Real(Number{Integer(static_cast<std::int64_t>(std::ldexp(mantissa, 53)))}, exponent - 53);
+  *this = Real(Number{Whole(static_cast<std::int64_t>(std::ldexp(mantissa, 53)))}, exponent - 53);
 }
 
 Real::Result Real::rounded(Number number, std::int64_t exponent) {
@@ -109,19 +126,19 @@ Real::Result Real::sum(const Real& a, const Real& b) {
   const bool a_is_finer = a.exponent_ < b.exponent_;
   const Real &fine = a_is_finer ? a : b, &coarse = a_is_finer ? b : a;
   const std::int64_t shift = coarse.exponent_ - fine.exponent_;
-  return rounded({Integer(shifted(coarse.number_->whole, shift) + fine.number_->whole)}, fine.exponent_);
+  return rounded({Whole(shifted(coarse.number_->whole, shift) + fine.number_->whole)}, fine.exponent_);
 }
 
 Real::Result Real::product(const Real& a, const Real& b) {
   if (a.is_zero() || b.is_zero()) return {{}, true};
-  return rounded({Integer(a.number_->whole * b.number_->whole)}, a.exponent_ + b.exponent_);
+  return rounded({Whole(a.number_->whole * b.number_->whole)}, a.exponent_ + b.exponent_);
 }
 
 Real::Result Real::quotient(const Real& a, const Real& b) {
   if (a.is_zero()) return {{}, true};
-  const Integer &n = a.number_->whole, &d = b.number_->whole;
+  const Whole &n = a.number_->whole, &d = b.number_->whole;
   const std::int64_t shift = std::max<std::int64_t>(0, bits_in_use + 2 - width(abs(n)) + width(abs(d)));
-  Integer whole, rest;
+  Whole whole, rest;
   divide_qr(shifted(n, shift), d, whole, rest);
   Result result = rounded({std::move(whole)}, a.exponent_ - b.exponent_ - shift);
   result.is_exact = result.is_exact && rest == 0;
@@ -132,8 +149,8 @@ Real::Result Real::root(const Real& a) {
   if (a.is_zero()) return {{}, true};
   std::int64_t shift = std::max<std::int64_t>(0, 2 * (std::int64_t{bits_in_use} + 1) - width(a.number_->whole));
   if (((a.exponent_ - shift) & 1) != 0) ++shift;
-  const Integer square = shifted(a.number_->whole, shift);
-  Integer whole = whole_root(square);
+  const Whole square = shifted(a.number_->whole, shift);
+  Whole whole = whole_root(square);
   const bool is_exact = whole * whole == square;
   Result result = rounded({std::move(whole)}, (a.exponent_ - shift) / 2);
   result.is_exact = result.is_exact && is_exact;
@@ -142,12 +159,12 @@ Real::Result Real::root(const Real& a) {
 
 Real::Result Real::nearest(const Rational& value) {
   const Rational divisor = denominator(value);
-  Integer whole = integer(numerator(value));
+  Whole whole(integer(numerator(value)));
   if (divisor == 1) return rounded({std::move(whole)}, 0);
-  return quotient(Real(Number{std::move(whole)}, 0), Real(Number{integer(divisor)}, 0));
+  return quotient(Real(Number{std::move(whole)}, 0), Real(Number{Whole(integer(divisor))}, 0));
 }
 
-Real operator-(const Real& a) { return a.is_zero() ? a : Real(Real::Number{Integer(-a.number_->whole)}, a.exponent_); }
+Real operator-(const Real& a) { return a.is_zero() ? a : Real(Real::Number{Whole(-a.number_->whole)}, a.exponent_); }
 Real operator+(const Real& a, const Real& b) { return Real::sum(a, b).value; }
 Real operator-(const Real& a, const Real& b) { return Real::sum(a, -b).value; }
 Real operator*(const Real& a, const Real& b) { return Real::product(a, b).value; }
@@ -155,49 +172,35 @@ Real operator/(const Real& a, const Real& b) { return Real::quotient(a, b).value
 Real sqrt(const Real& a) { return Real::root(a).value; }
 Real ldexp(const Real& a, std::int64_t exponent) {
   Real result = a;
-  if (!a.is_zero()) result.exponent_ += exponent;
+  if (!a.is_zero()) {
+    result.exponent_ += exponent;
+    result.size_ += exponent;
+  }
   return result;
 }
 
 std::strong_ordering operator<=>(const Real& a, const Real& b) {
-  const auto sign = [](const Real& x) { return x.is_zero() ? 0 : x.number_->whole < 0 ? -1 : 1; };
+  const auto sign = [](const Real& x) { return x.leading_ < 0 ? -1 : x.leading_ > 0 ? 1 : 0; };
   const int sign_a = sign(a), sign_b = sign(b);
   if (sign_a != sign_b || sign_a == 0) return sign_a <=> sign_b;
-  if (a.exponent() != b.exponent()) return sign_a * (a.exponent() < b.exponent() ? -1 : 1) <=> 0;
+  if (a.size_ != b.size_) return sign_a * (a.size_ < b.size_ ? -1 : 1) <=> 0;
+  if (a.leading_ != b.leading_)
+    return a.leading_ < b.leading_ ? std::strong_ordering::less : std::strong_ordering::greater;
   const std::int64_t low = std::min(a.exponent_, b.exponent_);
   return shifted(a.number_->whole, a.exponent_ - low).compare(shifted(b.number_->whole, b.exponent_ - low)) <=> 0;
 }
 
 Real Real::floor() const {
   if (is_zero() || exponent_ >= 0) return *this;
-  const Integer whole = shifted(number_->whole, exponent_);  // towards 0
+  const Whole whole = shifted(number_->whole, exponent_);  // towards 0
   const bool is_below = number_->whole < 0 && shifted(whole, -exponent_) != number_->whole;
-  return Real(Number{is_below ? Integer(whole - 1) : whole}, 0);
-}
-
-bool Real::is_negative() const { return !is_zero() && number_->whole < 0; }
-
-std::int64_t Real::exponent() const { return is_zero() ? 0 : exponent_ + width(Integer(abs(number_->whole))); }
-
-double Real::over_power_of_two(std::int64_t exponent) const {
-  if (is_zero()) return 0;
-  constexpr std::int64_t most = 2000;
-  const Integer size = abs(number_->whole);
-  const std::int64_t cut = width(size) - 53;
-  const auto mantissa = static_cast<double>(static_cast<std::int64_t>(shifted(size, -std::max<std::int64_t>(cut, 0))));
-  const std::int64_t power = std::clamp(exponent_ + std::max<std::int64_t>(cut, 0) - exponent, -most, most);
-  return std::ldexp(number_->whole < 0 ? -mantissa : mantissa, static_cast<int>(power));
+  return Real(Number{is_below ? Whole(whole - 1) : whole}, 0);
 }
 
 Rational Real::rational() const {
   if (is_zero()) return 0;
-  if (exponent_ >= 0) return tcb::rational(shifted(number_->whole, exponent_));
-  return ratio(number_->whole, shifted(1, -exponent_));
-}
-
-ErrorBound Real::least() const { return ldexp(ErrorBound(std::abs(over_power_of_two(exponent()))), exponent()); }
-ErrorBound Real::most() const {
-  return is_zero() ? ErrorBound() : ldexp(ErrorBound(std::abs(over_power_of_two(exponent())) + 0x1p-52), exponent());
+  if (exponent_ >= 0) return tcb::rational(Integer(shifted(number_->whole, exponent_)));
+  return ratio(Integer(number_->whole), Integer(shifted(1, -exponent_)));
 }
 
 Real Real::pi() {
@@ -206,8 +209,8 @@ Real Real::pi() {
   if (!pi.is_zero()) return pi;
   constexpr int guard = 32;
   const int bits = bits_in_use + guard;
-  const Integer quarter = 4 * arc_tangent_of_inverse(5, bits) - arc_tangent_of_inverse(239, bits);
-  return pi = rounded({Integer(4 * quarter)}, -bits).value;
+  const Whole quarter = 4 * arc_tangent_of_inverse(5, bits) - arc_tangent_of_inverse(239, bits);
+  return pi = rounded({Whole(4 * quarter)}, -bits).value;
 }
 
 }  // namespace tcb

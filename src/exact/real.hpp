@@ -4,6 +4,7 @@
 // one unit of the last of them. Boost.Multiprecision is behind it, in real.cpp alone.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <compare>
 #include <cstdint>
@@ -30,10 +31,15 @@ class ErrorBound {
     const ErrorBound &large = swapped ? b : a, &small = swapped ? a : b;
     const std::int64_t distance = large.exponent_ - small.exponent_;
     const double rest = distance > 60 ? 0x1p-60 : std::ldexp(small.mantissa_, -static_cast<int>(distance));
-    return {up(large.mantissa_ + rest), large.exponent_};
+    const double sum = up(large.mantissa_ + rest);
+    return sum < 1 ? ErrorBound(Normal(), sum, large.exponent_) : ErrorBound(sum, large.exponent_);
   }
   friend ErrorBound operator*(const ErrorBound& a, const ErrorBound& b) {
-    return {up(a.mantissa_ * b.mantissa_), a.exponent_ + b.exponent_};
+    const double product = up(a.mantissa_ * b.mantissa_);  // from 1/4 to 1, or 0
+    if (product == 0) return {};
+    const std::int64_t exponent = a.exponent_ + b.exponent_;
+    if (product >= 1) return {product, exponent};
+    return product < 0.5 ? ErrorBound(Normal(), 2 * product, exponent - 1) : ErrorBound(Normal(), product, exponent);
   }
   /// Requires: b is no more than what it is a bound of, and > 0.
   friend ErrorBound operator/(const ErrorBound& a, const ErrorBound& b) {
@@ -58,7 +64,9 @@ class ErrorBound {
     return {up(std::sqrt(odd ? 2 * a.mantissa_ : a.mantissa_)), (a.exponent_ - (odd ? 1 : 0)) / 2};
   }
   /// Times a power of two, exactly.
-  friend ErrorBound ldexp(const ErrorBound& a, std::int64_t exponent) { return {a.mantissa_, a.exponent_ + exponent}; }
+  friend ErrorBound ldexp(const ErrorBound& a, std::int64_t exponent) {
+    return a.mantissa_ == 0 ? a : ErrorBound(Normal(), a.mantissa_, a.exponent_ + exponent);
+  }
 
   double mantissa() const { return mantissa_; }        ///< from 1/2 to less than 1, or 0
   std::int64_t exponent() const { return exponent_; }  ///< of two
@@ -67,6 +75,8 @@ class ErrorBound {
   ErrorBound(double mantissa, std::int64_t exponent) : ErrorBound(mantissa) {
     exponent_ += mantissa_ == 0 ? 0 : exponent;
   }
+  struct Normal {};  ///< the mantissa is from 1/2 to less than 1
+  ErrorBound(Normal, double mantissa, std::int64_t exponent) : mantissa_(mantissa), exponent_(exponent) {}
   static double up(double value) { return value * (1 + 0x1p-50); }
 
   double mantissa_ = 0;
@@ -103,20 +113,23 @@ class Real {
   /// The largest whole number up to it.
   Real floor() const;
   bool is_zero() const { return number_ == nullptr; }
-  bool is_negative() const;
+  bool is_negative() const { return leading_ < 0; }
 
   /// The exponent e with 2^(e-1) <= |value| < 2^e; 0 for 0.
-  std::int64_t exponent() const;
+  std::int64_t exponent() const { return size_; }
 
   /// The double that is value / 2^exponent, truncated.
-  double over_power_of_two(std::int64_t exponent) const;
+  double over_power_of_two(std::int64_t exponent) const {
+    constexpr std::int64_t most = 2000;
+    return std::ldexp(leading_, static_cast<int>(std::clamp(size_ - exponent, -most, most)));
+  }
   double rough() const { return over_power_of_two(0); }
 
   Rational rational() const;  ///< exactly
 
   /// Bounds on its size.
-  ErrorBound most() const;
-  ErrorBound least() const;
+  ErrorBound most() const { return is_zero() ? ErrorBound() : ldexp(ErrorBound(std::abs(leading_) + 0x1p-52), size_); }
+  ErrorBound least() const { return ldexp(ErrorBound(std::abs(leading_)), size_); }
 
   /// Pi, to two units of the last digit in use.
   static Real pi();
@@ -131,6 +144,8 @@ class Real {
 
   std::shared_ptr<const Number> number_;  ///< m, not 0; null: the value is 0
   std::int64_t exponent_ = 0;             ///< e
+  double leading_ = 0;                    ///< value / 2^size, truncated: from 1/2 to less than 1 in size, or 0
+  std::int64_t size_ = 0;                 ///< exponent()
 };
 
 struct Real::Result {

@@ -60,7 +60,9 @@ double printed_length(const S& length);
 template <class S>
 class RowPoint {
  public:
-  explicit RowPoint(const RowsOfCurve& rows) : rows_(rows), curve_(curve_at<S>(rows.exact)) {
+  /// `in_double_doubles`: rotations are measured in these.
+  explicit RowPoint(const RowsOfCurve& rows, bool in_double_doubles = false)
+      : rows_(rows), in_double_doubles_(in_double_doubles), curve_(curve_at<S>(rows.exact)) {
     for (const Rational& cycle : rows.facts.cycle) cycle_.push_back(scalar_of<S>(cycle));
     if constexpr (spline::has_roots<S>) set_turns();
   }
@@ -84,6 +86,27 @@ class RowPoint {
     return point_;
   }
 
+  /// The point at a place between the keys of the segment of the row that was placed last; null if the row was not on
+  /// it, or if numbers are not analytic functions of the place, by an ease or whole turns.
+  Point<S>* place_inside(const FastRow& row, double u) {
+    const auto changes = [](const S& place) { return place > S(0) && place < S(1); };
+    const bool is_outside = !rows_.arc && !(row.sample.t >= row.segment.start && row.sample.t <= row.segment.end);
+    if (is_outside || row.end != nullptr) return nullptr;
+    outside_.reset();
+    segment_ = segment(row.segment.number);
+    if (segment_.warp.has_ease()) return nullptr;
+    for (const auto& rotation : segment_.rotations) {
+      const auto [from, to] = rotation.constant_part();
+      if (changes(from) || changes(to)) return nullptr;
+    }
+    sample_ = {};
+    sample_.at = {S(u), S(u) - S(1)};
+    sample_.t = time_at(segment_, S(segment_.end - segment_.start), sample_.at);
+    point_.set(segment_, nullptr);
+    point_.set(sample_, nullptr);
+    return &point_;
+  }
+
   std::optional<bool> key_at_end() const {
     if (sample_.at.u == S(0)) return false;
     return sample_.at.w == S(0) ? std::optional(true) : std::nullopt;
@@ -98,10 +121,14 @@ class RowPoint {
     std::optional<spline::SegmentLength<S>> arc;
   };
 
-  Known& known(std::size_t number) {
+  bool has_room() const {
     constexpr std::size_t most_kept = 64, most_cubics = 4096;  // a cubic may take a kilobyte
+    return known_.size() < most_kept && known_.size() * rows_.exact.keys.channels < most_cubics;
+  }
+
+  Known& known(std::size_t number) {
     if (const auto found = known_.find(number); found != known_.end()) return found->second;
-    if (known_.size() == most_kept || known_.size() * rows_.exact.keys.channels >= most_cubics) known_.clear();
+    if (!has_room()) known_.clear();
     spline::Segments<S> segments = curve_->segments(number, number + 1);
     if constexpr (spline::bounds_errors<S>) set_zeros(segments, number);
     return known_.emplace(number, Known{std::move(segments), {}}).first->second;
@@ -130,12 +157,14 @@ class RowPoint {
 
   const spline::SegmentLength<S>& arc(std::size_t number) {
     Known& one = known(number);
-    if (!one.arc) {
-      spline::SegmentLength<S> arc;
-      arc.assign(one.segments[0], one.segments.rotations_of(0), rows_.exact.rules.metric);
-      one.arc = std::move(arc);  // only now: some scalars throw
-    }
+    if (!one.arc) one.arc = measured(one.segments);  // only now: some scalars throw
     return *one.arc;
+  }
+
+  spline::SegmentLength<S> measured(const spline::Segments<S>& one) const {
+    spline::SegmentLength<S> arc;
+    arc.assign(one[0], one.rotations_of(0), rows_.exact.rules.metric, in_double_doubles_);
+    return arc;
   }
 
   /// Sets the length at the start of the sample's segment, or at its end if the sample is there, and returns the
@@ -150,14 +179,13 @@ class RowPoint {
     }
   }
 
-  /// The length from the curve's first key to the one with this number; without keeping the segments before it.
+  /// The length from the curve's first key to the one with this number. The current segment stays known.
   const S& length_to(std::size_t key) {
     if (lengths_.empty()) lengths_.push_back(S(0));
     for (std::size_t i = lengths_.size(); i <= key; ++i) {
-      const spline::Segments<S> one = curve_->segments(i - 1, i);
-      spline::SegmentLength<S> length;
-      length.assign(one[0], one.rotations_of(0), rows_.exact.rules.metric);
-      lengths_.push_back(lengths_.back() + length.total().value);
+      const bool is_kept = has_room() || known_.contains(i - 1);
+      const S length = is_kept ? arc(i - 1).total().value : measured(curve_->segments(i - 1, i)).total().value;
+      lengths_.push_back(lengths_.back() + length);
     }
     return lengths_[key];
   }
@@ -289,6 +317,7 @@ class RowPoint {
   }
 
   const RowsOfCurve& rows_;
+  const bool in_double_doubles_;
   std::unique_ptr<const spline::CurveKeys<S>> curve_;
   std::unique_ptr<const spline::CurveKeys<Rational>> exact_curve_;  ///< null until it is needed
   std::map<std::size_t, Known> known_;

@@ -198,7 +198,7 @@ class RotationSegment {
   /// From four points: the keys, and between them the control points of squad or of de Casteljau's algorithm. `turn`:
   /// that of squad or slerp, if it makes whole turns.
   RotationSegment(RotationCurve curve, const std::array<Quaternion<S>, 4>& points, const Vector3<S>& turn = {})
-      : curve_(curve), points_(points), half_turns_(half_turns_of(turn)) {
+      : curve_(curve), points_(points), turn_(turn), half_turns_(half_turns_of(turn)) {
     if (has_whole_turns()) {
       const S part = S(1) / half_turns_;
       const Quaternion<S> half_turn = exponential<S>({turn[0] * part, turn[1] * part, turn[2] * part});
@@ -221,6 +221,27 @@ class RotationSegment {
     result.size_ = size;
     result.left_ = left;
     return result;
+  }
+
+  /// The same curve at another scalar, to which a function converts a number.
+  template <class T, class Number>
+  RotationSegment<T> converted(const Number& number) const {
+    const auto rotation = [&](const Quaternion<S>& q) {
+      return Quaternion<T>{number(q.x), number(q.y), number(q.z), number(q.w)};
+    };
+    const RotationSegment<T> whole(
+        curve_, {rotation(points_[0]), rotation(points_[1]), rotation(points_[2]), rotation(points_[3])},
+        {number(turn_[0]), number(turn_[1]), number(turn_[2])});
+    return whole.part(number(from_), number(size_), number(left_));
+  }
+
+  /// The places between which it turns at a constant rate, beyond its ends or not; the first one is not before the last
+  /// one where it does so nowhere.
+  std::array<S, 2> constant_part() const {
+    if (curve_ == RotationCurve::slerp) return {S(0), S(1)};
+    if (!has_whole_turns()) return {S(1), S(0)};
+    const S part = S(1) / half_turns_;
+    return {S(part - from_) / size_, S(S(1) - part - from_) / size_};
   }
 
   /// The rotation at a place. Promises: |q| = 1 within 2^-52 for doubles; exact at both ends of a whole curve.
@@ -290,6 +311,7 @@ class RotationSegment {
 
   RotationCurve curve_ = RotationCurve::slerp;
   std::array<Quaternion<S>, 4> points_;
+  Vector3<S> turn_{};
   S half_turns_{0};                ///< of the turn; 0: the shorter way
   std::array<Arc<S>, 3> arcs_;     ///< that the curve begins with; those of squad to and from the ends of a turn
   S from_{0}, size_{1}, left_{0};  ///< of a part
