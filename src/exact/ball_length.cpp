@@ -249,13 +249,15 @@ void BallArc<M>::assign(std::span<const spline::Cubic<B>> segment, std::span<con
     half.channels.clear();
     half.zeros = 0;
   }
-  Bound longest = 0.0;
+  Bound longest = 0.0, error = 0.0;
   const std::size_t size = metric.empty() ? segment.size() : metric.size();
   for (std::size_t i = 0; i < size; ++i) {
     const spline::Cubic<B>& x = segment[metric.empty() ? i : metric[i]];
     const B two(2.0), three(3.0);
     halves_[0].channels.push_back({x.out, two * x.c, three * x.d});
     halves_[1].channels.push_back({x.in, two * x.e, three * x.d});
+    error =
+        error + x.out.radius() + x.in.radius() + Bound(2.0) * (x.c.radius() + x.e.radius()) + Bound(3.0) * x.d.radius();
     longest = longest + x.out.most() + x.in.most() + Bound(2.0) * (x.c.most() + x.e.most()) + Bound(3.0) * x.d.most();
   }
   if (longest == 0.0) return;
@@ -264,7 +266,9 @@ void BallArc<M>::assign(std::span<const spline::Cubic<B>> segment, std::span<con
     for (; half.zeros < 2 && is_zero_at_end<B>(half.channels); ++half.zeros) {
       for (auto& x : half.channels) x = {x.k1, x.k2, B()};
     }
-    add(panel(i, M(i == 0 ? 0.25 : -0.25), M(0.25)), Ops::power_of_two(-Ops::bits() - 2) * longest);
+    // Near a cusp the errors of the coefficients leave no panel smooth: one is short beside these errors, too.
+    add(panel(i, M(i == 0 ? 0.25 : -0.25), M(0.25)),
+        Ops::power_of_two(-Ops::bits() - 2) * longest + Bound(0.25) * error);
   }
 }
 
@@ -442,7 +446,8 @@ void BallTurn<M>::add(const Panel& panel, const Bound& negligible) {
   for (Panel& part : halves) part.length = sum(part, B(half));
   const Bound least_width = Ops::power_of_two(-Ops::bits() * 6 / 10);
   const Bound difference = Ops::most((halves[0].length + halves[1].length - panel.length).middle());
-  if (difference > negligible && !(Ops::most(panel.width) > least_width)) throw Undecided();
+  const bool is_full = panels_.size() > 10 * static_cast<std::size_t>(Ops::bits());
+  if (difference > negligible && (is_full || !(Ops::most(panel.width) > least_width))) throw Undecided();
   for (Panel& part : halves) {
     if (difference > negligible) {
       add(part, negligible);

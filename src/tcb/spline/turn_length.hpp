@@ -28,11 +28,11 @@ class TurnLength {
   void assign(std::span<const RotationSegment<S>> rotations) {
     rotations_.assign(rotations.begin(), rotations.end());
     panels_.clear();
-    sum_ = S(0);
+    sum_ = disagreements_ = S(0);
     const S whole = integral(S(0), S(1));
     tolerance_ = S(8) * std::numeric_limits<S>::epsilon() * std::max(whole, S(1));
     refine({S(0), S(1), whole, S(0)}, most_halvings);
-    total_ = {sum_, tolerance_ * S(panels_.size())};
+    total_ = {sum_, tolerance_ * S(panels_.size()) + disagreements_};
   }
 
   const Length<S>& total() const { return total_; }
@@ -53,6 +53,7 @@ class TurnLength {
 
  private:
   static constexpr int most_halvings = std::max(24, std::numeric_limits<S>::digits / 2);
+  static constexpr std::size_t most_panels = 1 << 14;  ///< more do not make a sum of more digits
 
   struct Part {
     S begin, width, length;
@@ -82,7 +83,10 @@ class TurnLength {
     const S half = part.width / S(2), middle = part.begin + half;
     const Part left{part.begin, half, integral(part.begin, middle), S(0)};
     const Part right{middle, half, integral(middle, part.begin + part.width), S(0)};
-    if (halvings == 0 || abs(left.length + right.length - part.length) <= tolerance_) {
+    const S disagreement = abs(left.length + right.length - part.length);
+    const bool is_full = panels_.size() >= most_panels;
+    if (halvings == 0 || is_full || !(disagreement > tolerance_)) {
+      if (is_full) disagreements_ += disagreement;
       for (Part accepted : {left, right}) {
         accepted.before = sum_;
         sum_ = sum_ + accepted.length;
@@ -118,6 +122,7 @@ class TurnLength {
   std::vector<RotationSegment<S>> rotations_;
   std::vector<Part> panels_;
   S sum_{}, tolerance_{};
+  S disagreements_{};  ///< of rules with their halves, where there are too many panels
   Length<S> total_;
 };
 
