@@ -56,6 +56,9 @@ template <class S>
 spline::Cubic<S> piece_cubic(const Point<S>& point, std::size_t channel) {
   const auto& segment = point.segment();
   const spline::Cubic<S>& whole = segment.cubics[channel];
+  if constexpr (spline::bounds_errors<S>) {  // whose places tell whether they are at keys; times may not
+    return spline::part_between(whole, point.sample().at, point.end().at);
+  }
   spline::Cubic<S> cubic =
       spline::expanded_part(whole, segment.precise(segment.start), segment.precise(segment.end),
                             segment.precise(piece_start(point)), segment.precise(piece_end(point)));

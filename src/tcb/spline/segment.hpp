@@ -160,4 +160,17 @@ S first_derivative(const Cubic<S>& x, const LocalParameter<S>& at) {
                          : x.in + at.w * (S(2) * x.e + at.w * (S(3) * x.d));
 }
 
+/// The part of a segment from one place to another, as a segment of its own.
+template <class S>
+Cubic<S> part_between(const Cubic<S>& whole, const LocalParameter<S>& from, const LocalParameter<S>& to) {
+  if (from.u == S(0) && to.w == S(0)) return whole;
+  const S size = from.near_start() ? S(to.u - from.u) : S(to.w - from.w), square = size * size;
+  const auto half_bend = [&](const LocalParameter<S>& at) {
+    return (at.near_start() ? whole.c + S(3) * at.u * whole.d : whole.e + S(3) * at.w * whole.d) * square;
+  };
+  return {position(whole, from),  first_derivative(whole, from) * size, half_bend(from), S(0),
+          position(whole, to),    first_derivative(whole, to) * size,   half_bend(to),   S(0),
+          whole.d * square * size};
+}
+
 }  // namespace tcb::spline
