@@ -119,6 +119,9 @@ std::optional<Printed> number_cell(const Ball& number, const Notation& notation,
   return Rounding(notation, kind, decimals).within(middle, radius);
 }
 std::optional<Printed> number_cell(const RealBall& number, const Notation& notation, CellKind kind, int decimals) {
+  // Next to a cusp a place has half the digits: a number that is not known to a third of them is not 0.
+  const bool is_near_zero = number.may_be_zero() && !number.is_zero();
+  if (is_near_zero && !(Real::is_last() && number.radius() < ErrorBound::power_of_two(-Real::bits() / 3))) return {};
   const Rational middle = number.middle().rational(), radius = Middle<Real>::number(number.radius()).rational();
   const Rounding rounding(notation, kind, decimals);
   return Real::is_last() ? rounding.at_last(middle, radius) : rounding.within(middle, radius);

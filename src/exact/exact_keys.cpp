@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "error.hpp"
-#include "exact/errors.hpp"
 #include "exact/rounding.hpp"
 #include "numbers/decimal_time.hpp"
+#include "option_names.hpp"
 #include "tcb/spline/closing.hpp"
 
 namespace tcb {
@@ -40,7 +40,9 @@ class Numbers {
     if (!decimal_ || text.empty()) return exact_number(nearest, decimal_);
     if (text.find('x') != std::string_view::npos) return exact_number(nearest, false);  // hexadecimal is exact
     if (const auto number = parse_rational(text)) return *number;
-    throw decimal_too_long().at({"", block_.line(key_), 0});
+    throw data_error("a number has more digits than {0} takes; expected at most 10,000; shorten it, or remove {0}",
+                     option::exact_input)
+        .at({"", block_.line(key_), 0});
   }
 
   const KeyBlock& block_;

@@ -10,10 +10,10 @@
 
 #include "error.hpp"
 #include "exact/ball_rows.hpp"
-#include "exact/errors.hpp"
 #include "exact/rational_rows.hpp"
 #include "exact/real.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 
 namespace tcb {
 
@@ -213,7 +213,10 @@ class ExactRows::Evaluation {
         continue;
       }
     }
-    if (is_open()) throw row_needs_more_digits(time_text(row.sample.t));
+    if (!is_open()) return;
+    throw data_error(
+        "the row at time {} has a number that cannot be computed to the requested digits; request fewer with {} or {}",
+        time_text(row.sample.t), option::digits, option::fixed);
   }
 
   bool is_last(const Level& level) const { return &level == &levels_.back(); }

@@ -128,6 +128,7 @@ Facts intentions(const ExplainJob& job, const Schema& schema, const std::optiona
                                       : fmt::format("{}", fmt::join(of_input, ", ")));
   if (!job.has_samples) return facts;
   add("samples", samples_in_words(sampling));
+  if (job.golden) add("golden", "each number is rounded once; one that 400 digits do not distinguish from 0 is 0");
   if (sampling.from) add("from", number_in_words(*sampling.from));
   if (sampling.to) add("to", number_in_words(*sampling.to));
   std::vector<std::string_view> names;

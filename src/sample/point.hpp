@@ -3,10 +3,8 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <type_traits>
-#include <utility>
 
 #include "sample/curve_segment.hpp"
 #include "tcb/spline/derivatives.hpp"
@@ -77,8 +75,7 @@ template <class S>
 struct Quantity {
   S value{0};
   bool defined = true;
-  bool root = false;      ///< it is the root of the value, with its sign
-  bool doubtful = false;  ///< it counts as zero, or as undefined, because it is too small for the scalar
+  bool root = false;  ///< it is the root of the value, with its sign
 };
 
 template <class S>
@@ -88,8 +85,6 @@ class PathShape;
 template <class S>
 class Point {
  public:
-  explicit Point(PathShape<S> shape = PathShape<S>()) : shape_(std::move(shape)) {}
-
   /// Assigns another segment; a sample on it must follow. `arc`: its lengths, if they are known.
   void set(const CurveSegmentOf<S>& segment, const spline::SegmentLength<S>* arc = nullptr) {
     segment_ = &segment;
@@ -286,39 +281,31 @@ class PathShape<double> {
   spline::Derivatives<double> plain_;
 };
 
-/// The shape of the path in exact rationals, as roots, in balls, and in floats of many digits. A float counts as 0 if,
-/// relative to the curve's size, it is small enough to be an exact 0 with rounding errors: near a cusp a place may be
-/// accurate to only half the digits.
+/// The shape of the path in exact rationals, as roots, or in balls.
 template <class S>
 class PathShape {
  public:
-  /// `extent`: how far a key is from the first one in a channel, at most.
-  explicit PathShape(const S& extent = S(0)) : doubt_(0) {
-    if constexpr (spline::has_roots<S>) {
-      if (!spline::bounds_errors<S>) doubt_ = extent * sqrt(sqrt(std::numeric_limits<S>::epsilon()));
-    }
-  }
   void reset() {}
 
   Quantity<S> speed(Point<S>& point) const { return root(square(velocity(point))); }
   Quantity<S> tangent(Point<S>& point, std::size_t channel) const {
     const S v2 = square(velocity(point));
-    if (!moves(point)) return undefined(v2);
+    if (!(v2 > S(0))) return {S(0), false};
     const S& v = point.derivatives().velocity[channel];
     return root(v * v / v2, v < S(0));
   }
   Quantity<S> curvature(Point<S>& point) const {
     const S v2 = square(velocity(point));
-    if (!moves(point)) return undefined(v2);
+    if (!(v2 > S(0))) return {S(0), false};
     const S area2 = wedge_square(velocity(point), acceleration(point));
-    if (!is_curved(point)) return {S(0), true, false, area2 != S(0)};
+    if (!(area2 > S(0))) return {S(0)};
     return root(area2 / (v2 * v2 * v2));
   }
   Quantity<S> torsion(Point<S>& point) const {
-    if (!moves(point)) return undefined(square(velocity(point)));
+    if (!(square(velocity(point)) > S(0))) return {S(0), false};
     const View v = velocity(point), a = acceleration(point), j(point.derivatives().jerk, point.segment().metric);
     const S area2 = wedge_square(v, a);
-    if (!is_curved(point)) return undefined(area2);
+    if (!(area2 > S(0))) return {S(0), false};
     if (v.size() < 3) return {S(0)};
     if (v.size() == 3) return {minor3(v, a, j, 0, 1, 2) / area2};
     return root(wedge_square(v, a, j) / (area2 * area2));
@@ -327,32 +314,8 @@ class PathShape {
  private:
   using View = spline::MetricView<S>;
 
-  /// Factors from derivatives by the local parameter to those by time.
-  struct Rates {
-    S first{0}, second{0};
-  };
-
   static View velocity(Point<S>& point) { return {point.derivatives().velocity, point.segment().metric}; }
   static View acceleration(Point<S>& point) { return {point.derivatives().acceleration, point.segment().metric}; }
-
-  static Rates rates(const Point<S>& point) {
-    const auto& segment = point.segment();
-    if (segment.start == segment.end || (point.outside() != nullptr && point.outside()->holds)) return {};
-    const S u = point.u(), duration = segment.duration();
-    const spline::EasePart part = point.part();
-    return {segment.warp.first_derivative(u, part) / duration,
-            segment.warp.second_derivative(u, part) / (duration * duration)};
-  }
-  bool moves(Point<S>& point) const {
-    const S least = doubt_ * rates(point).first;
-    return square(velocity(point)) > least * least;
-  }
-  bool is_curved(Point<S>& point) const {
-    const View v = velocity(point), a = acceleration(point);
-    const auto [first, second] = rates(point);
-    const S noise = doubt_ * first, second_noise = doubt_ * (first * first + abs(second));
-    return wedge_square(v, a) > S(2) * (noise * noise * square(a) + second_noise * second_noise * square(v));
-  }
 
   static Quantity<S> root(const S& square, bool negative = false) {
     if constexpr (spline::has_roots<S>) {
@@ -362,10 +325,6 @@ class PathShape {
       return {negative ? S(-square) : square, true, true};
     }
   }
-  /// Decides whether a number is zero; `zero` is that number as computed.
-  static Quantity<S> undefined(const S& zero) { return {S(0), false, false, zero != S(0)}; }
-
-  S doubt_;
 };
 
 }  // namespace tcb
