@@ -188,8 +188,9 @@ std::string convert_names(std::vector<std::string>& names, const TextPosition& p
     const auto converted = in_utf8(name, Encoding::windows_1252);
     if (!converted)
       throw data_error(
-          "the column name {} has the byte {:02X}, which is not UTF-8; expected UTF-8; convert "
-          "the text, for example with iconv -f WINDOWS-1252 -t UTF-8",
+          "the column name {} has the byte {:02X}, which is neither UTF-8 nor Windows-1252; expected UTF-8; convert "
+          "the "
+          "text from its encoding with iconv",
           in_quotes(name), static_cast<unsigned char>(name[invalid]))
           .at(position);
     name = *converted;

@@ -264,7 +264,11 @@ void JsonTape::parse(std::size_t first, bool is_one) {
 
 /// Throws: Error (data) if the text and twice as many nodes need more memory than is allowed.
 void JsonTape::require_memory() const {
-  MemoryUse(max_memory_).add(part_.chunk.text.size() + 2 * nodes_.capacity() * sizeof(JsonNode));
+  constexpr std::size_t bytes_of_unescaped = 96;  // a short string in its table
+  const std::size_t texts = unescaped_.empty() ? 1 : 2;
+  MemoryUse(max_memory_)
+      .add(texts * part_.chunk.text.size() +
+           2 * (nodes_.capacity() * sizeof(JsonNode) + unescaped_.size() * bytes_of_unescaped));
 }
 
 bool JsonTape::read_next(bool keeps_last) {

@@ -97,6 +97,19 @@ TEST(JsonTape, nan_is_null_by_its_text) {
   }
 }
 
+TEST(JsonTape, numbers_are_as_written_and_have_the_syntax_of_json) {
+  const std::string numbers = R"([0,-0,100200.0030,-1.50e+07,1E-400,"1.5\"2",120])";
+  const JsonPart part = list_of(numbers);
+  const JsonTape tape(part);
+  std::string shown;
+  tape.for_each_element(1, [&](std::size_t value) { return shown += fmt::format("{},", tape.written(value)), true; });
+  EXPECT_EQ("[" + shown, numbers.substr(0, numbers.size() - 1) + ",");
+  for (const char* text :
+       {"00", "01", "-01", "1.5.2", "1.05.2", "1..2", "1.", ".5", "1e", "1e+", "1e5.5", "+1", "--1"}) {
+    EXPECT_NE(refusal(list_of(text)), "no error") << text;
+  }
+}
+
 TEST(JsonTape, nesting_is_limited) {
   const auto nested = [](std::size_t levels) {
     return list_of(std::string(levels - 1, '[') + std::string(levels - 1, ']'));
