@@ -46,14 +46,14 @@ class Error : public std::exception {
   /// What else is wrong with the same input.
   void add(Error other) { others_.push_back(std::move(other)); }
 
-  /// The same error about the value of an option or a member of JSON: its name and a colon come first.
+  /// This error about the value of an option or a member of JSON: its name and a colon come first.
   Error about(std::string_view subject) const {
     Error error = *this;
     error.message_ = std::string(subject) + ": " + message_;
     return error;
   }
 
-  /// The same error in this file, unless it already names one.
+  /// This error in a file, unless it already names one.
   Error in(const std::string& file) const {
     Error error = *this;
     if (error.position_.file.empty()) error.position_.file = file;
@@ -61,14 +61,14 @@ class Error : public std::exception {
     return error;
   }
 
-  /// The same error without a position.
+  /// This error without a position.
   Error without_position() const {
     Error error(exit_, message_);
     for (const Error& other : others_) error.others_.push_back(other.without_position());
     return error;
   }
 
-  /// The same error at this position, unless it already has one.
+  /// This error at a position, unless it already has one.
   Error at(const TextPosition& position) const {
     Error error = *this;
     if (error.position_.file.empty()) error.position_.file = position.file;

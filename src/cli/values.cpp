@@ -34,7 +34,7 @@ Error not_three_parameters(std::string_view text) {
                      in_quotes(text));
 }
 
-Error not_limits_of_a_fit(std::string_view text) {
+Error bad_fit_limits(std::string_view text) {
   return usage_error(
       "{} is not a list of tolerances; expected a distance above 0 for all channels, NAME=D for one "
       "channel, an angle with deg or rad for rotations, or several of these separated by commas, such "
@@ -218,13 +218,13 @@ std::pair<std::vector<Tolerance>, std::optional<double>> fit_limits(const std::s
   std::optional<double> angle;
   for (const std::string_view part : split(text, ',')) {
     if (const std::optional<double> limit = angle_with_unit(part)) {
-      if (angle) throw not_limits_of_a_fit(text);
+      if (angle) throw bad_fit_limits(text);
       angle = limit;
       continue;
     }
     const std::optional<Tolerance> limit = tolerance_of(part);
     const bool repeats = limit && std::ranges::count(list, limit->column, &Tolerance::column) > 0;
-    if (!limit || limit->most <= 0 || repeats) throw not_limits_of_a_fit(text);
+    if (!limit || limit->most <= 0 || repeats) throw bad_fit_limits(text);
     list.push_back(*limit);
   }
   return {list, angle};

@@ -56,8 +56,8 @@ struct DateSeconds {
   std::string_view fraction = {};
 };
 
-/// The same for dates with all digits and a time of day with seconds, in UTC without a zone or with Z, which are nearly
-/// all; nothing for any other text, which read_date() may read.
+/// As read_date(), for dates with all digits and a time of day with seconds, in UTC without a zone or with Z, which are
+/// nearly all; nothing for any other text, which read_date() may read.
 std::optional<DateSeconds> read_usual_date(std::string_view text, DateOrder order, bool has_zone);
 
 /// The seconds by which local time in a format is ahead of UTC.

@@ -16,7 +16,7 @@ class FrameTimes {
  public:
   explicit FrameTimes(const Rational& rate);
 
-  /// Those that are decimals.
+  /// The times of frames that are decimals.
   static FrameTimes decimals();
 
   /// The exact time of a frame, or of a decimal; nothing where this time is neither.
@@ -24,7 +24,7 @@ class FrameTimes {
 
   bool are_decimals() const { return are_decimals_; }
 
-  /// The same times with a new origin, so that the digits of elapsed() do not depend on how far from 0 they are.
+  /// These times with a new origin, so that the digits of elapsed() do not depend on how far from 0 they are.
   FrameTimes from(const Time& origin) const;
 
   /// The exact time since the origin as a double-double; without an origin since 0, or if that is no frame.

@@ -39,7 +39,7 @@ struct NumberMarks {
   friend bool operator==(const NumberMarks&, const NumberMarks&) = default;
 };
 
-/// The same for numbers with other marks.
+/// Parses numbers and times with other marks.
 class Decimals {
  public:
   explicit Decimals(const NumberMarks& marks) : marks_(marks) {}

@@ -76,7 +76,7 @@ char* write_number(double value, const Notation& notation, char* out);
 /// decimal.
 char* write_time(const Time& time, const Notation& notation, char* out);
 
-/// The same texts appended to a string.
+/// The texts above, appended to a string.
 
 void append_number(std::string& out, double value);    ///< as write_shortest
 void append_time(std::string& out, const Time& time);  ///< as write_time

@@ -118,7 +118,7 @@ constexpr std::uint64_t choose(bool first, std::uint64_t a, std::uint64_t b) {
   return b ^ ((a ^ b) & -static_cast<std::uint64_t>(first));
 }
 
-/// The same number with 17 digits. Requires: 0 < digits < 10^17.
+/// A number with 17 digits in place of fewer. Requires: 0 < digits < 10^17.
 inline Decimal widened(const Decimal& decimal) {
   const int below = (static_cast<int>(std::bit_width(decimal.digits)) * 1233) >> 12;  // 1233 / 2^12: the logarithm of 2
   const int width = below + (decimal.digits >= whole_power_of_ten(below) ? 1 : 0);
@@ -160,7 +160,8 @@ struct SplitDecimal {
   int exponent;
 };
 
-/// The same in less time, with 16 or 17 digits; nothing if that is not certain, or the value is not above 0.
+/// The shortest decimal in less time, where it has 16 or 17 digits; nothing if that is not certain, or the value is not
+/// above 0.
 inline std::optional<SplitDecimal> shortest_if_easy(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const int biased = static_cast<int>(bits >> 52);
@@ -244,7 +245,7 @@ class SixteenDigitsInWords {
 
 #if defined(__SSE2__)
 
-/// The same in the vectors of every 64-bit x86.
+/// Sixteen digits in the vectors of every 64-bit x86.
 class SixteenDigitsInVector {
  public:
   explicit SixteenDigitsInVector(std::uint64_t n) {

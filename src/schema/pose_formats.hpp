@@ -31,7 +31,7 @@ extern const PoseFormat tum_poses, euroc_poses, kitti_poses, nerfstudio_poses;
 /// The names of the columns of its rotation, in the order of the rotation's numbers.
 std::vector<std::string_view> rotation_columns_of(const PoseFormat& format);
 
-/// Its rotation, as keys give it.
+/// The rotation of a format of poses, as keys give it.
 GivenRotation rotation_of(const PoseFormat& format);
 
 }  // namespace tcb

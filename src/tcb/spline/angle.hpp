@@ -203,7 +203,7 @@ W nearest_turns(const W& angle, bool degrees) {
   return turn * whole_below(S(high_part<S>(angle / turn) + S(1) / S(2)));
 }
 
-/// The same angle from 0 to less than a whole turn, or if it is signed, from half a turn below 0.
+/// An angle without whole turns: from 0 to less than a whole turn, or if it is signed, from half a turn below 0.
 template <class S>
 S wrapped(const S& value, bool degrees, bool is_signed) {
   const working_t<S> turn = whole_turn<S>(degrees);

@@ -73,7 +73,7 @@ class DoublePair {
   TwoDoubles of_;
 };
 
-/// The same for one number.
+/// yes if a > 0, else no, for one number.
 template <class S>
 S if_positive(const S& a, const S& yes, const S& no) {
   return a > S(0) ? yes : no;

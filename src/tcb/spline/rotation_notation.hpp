@@ -27,7 +27,8 @@ inline SineCosine<double> sine_cosine_of_half(double angle, bool degrees) {
   return {half.sine(), half.cosine()};
 }
 
-/// The same at a scalar that has its own. In degrees, multiples of 180 are exact.
+/// The cosine and sine of half an angle, at a scalar that has functions of its own. In degrees, multiples of 180 are
+/// exact.
 template <class S>
 SineCosine<S> sine_cosine_of_half(const S& angle, bool degrees) {
   if (!degrees) return sine_cosine(S(angle / S(2)));

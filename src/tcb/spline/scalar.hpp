@@ -127,7 +127,7 @@ W power_by_roots(const W& x, double exponent) {
   return whole_part * root;
 }
 
-/// The same for double-doubles.
+/// x^exponent of a double-double, as power_by_roots() has it.
 inline DoubleDouble power(const DoubleDouble& x, double exponent) { return power_by_roots(x, exponent); }
 
 /// The type in which tangents and local parameters are computed before they are rounded to S.

@@ -122,8 +122,9 @@ Cubic<S> part(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end, c
                   slope(last));
 }
 
-/// The same part with the derivatives of the whole at its ends: its coefficients have few rounding errors, also where
-/// it is short, but it meets its end, or its middle from both sides, only within a few units in the last place.
+/// The part of a segment, as part() has it, with the derivatives of the whole at its ends: its coefficients have few
+/// rounding errors, also where it is short, but it meets its end, or its middle from both sides, only within a few
+/// units in the last place.
 template <class S>
 Cubic<S> expanded_part(const Cubic<S>& whole, const Time<S>& start, const Time<S>& end, const Time<S>& from,
                        const Time<S>& to) {

@@ -101,7 +101,7 @@ class Speed {
     return sum;
   }
 
-  /// The same about two places, computed as a pair.
+  /// As square_about(), for two places, computed as a pair.
   Quartic<DoublePair> squares_about(const std::array<std::size_t, 2>& halves, const DoublePair& middle,
                                     const DoublePair& width) const {
     Quartic<DoublePair> sum;
