@@ -271,8 +271,6 @@ ComparisonInputs read_positions(const Comparison& comparison, FileProgress* prog
   return inputs;
 }
 
-Identification identify(const Comparison& comparison) { return identify(comparison, read_positions(comparison)); }
-
 Identification identify(const Comparison& comparison, ComparisonInputs inputs) {
   Pairs pairs = pair_up(inputs.kept, inputs.table);
   Identification result{summary(inputs, pairs)};

@@ -46,7 +46,6 @@ struct Identification : ComparisonSummary {
 /// Compares the positions with those of every convention. If there are more, a subset of 1,000 rows and 256
 /// keys selects the 64 best conventions and all that fit, which are then compared with all rows. Throws: Error as
 /// check().
-Identification identify(const Comparison& comparison);
 Identification identify(const Comparison& comparison, ComparisonInputs inputs);
 
 /// Reads both files, and drops what is not a position. Throws: Error, naming the file.

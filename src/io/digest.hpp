@@ -12,8 +12,6 @@ namespace tcb {
 class Sha256 {
  public:
   Sha256();
-  Sha256(Sha256&&) noexcept;
-  Sha256& operator=(Sha256&&) noexcept;
   ~Sha256();
 
   void add(std::string_view bytes);

@@ -69,12 +69,6 @@ Time whole_time(std::int64_t value) {
   return {high, static_cast<double>(rest)};
 }
 
-Time whole_time(std::uint64_t value) {
-  if (value <= INT64_MAX) return whole_time(static_cast<std::int64_t>(value));
-  const Time above = whole_time(static_cast<std::int64_t>(value - INT64_MAX - 1));
-  return Time(0x1p63) + above;
-}
-
 bool is_missing(std::string_view cell) {
   return cell.empty() || same_in_any_case(cell, "na") || same_in_any_case(cell, "nan") ||
          same_in_any_case(cell, "null");

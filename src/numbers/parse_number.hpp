@@ -22,7 +22,6 @@ std::optional<Time> parse_time(std::string_view text);
 
 /// A whole number as a time, exactly.
 Time whole_time(std::int64_t value);
-Time whole_time(std::uint64_t value);
 
 /// The cell is a missing number: empty, NA, nan or null, in upper or lower case.
 bool is_missing(std::string_view cell);

@@ -259,7 +259,6 @@ void append_number(std::string& out, double value) { append(out, write_shortest,
 
 void append_time(std::string& out, const Time& time) { append(out, write_time, time); }
 
-void append_whole(std::string& out, std::uint64_t value) { append(out, write_whole, value); }
 
 std::string time_text(const Time& time) {
   std::string out;

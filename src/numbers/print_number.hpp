@@ -80,7 +80,6 @@ char* write_time(const Time& time, const Notation& notation, char* out);
 
 void append_number(std::string& out, double value);    ///< as write_shortest
 void append_time(std::string& out, const Time& time);  ///< as write_time
-void append_whole(std::string& out, std::uint64_t value);
 std::string time_text(const Time& time);
 
 }  // namespace tcb

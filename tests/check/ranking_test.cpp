@@ -60,6 +60,10 @@ bool fits(const Identification& identification, TangentRule tangents, EndRule en
                      });
 }
 
+Identification identified(const Comparing& files) {
+  return identify(files.comparison, read_positions(files.comparison));
+}
+
 // Keys of x = t at uneven times; velocities are 1 everywhere, but the tangent (D0 + D1)/2 of the uniform rule is 3/2.
 constexpr auto uneven_keys = "t,x\n0,0\n1,1\n3,3\n4,4\n";
 
@@ -67,7 +71,7 @@ TEST(Identification, tries_no_equal_speed_where_keys_lack_positions) {
   const auto tried = [](const std::string& keys) {
     Comparing files(keys, "t,x,y\n0.5,0.5,1\n");
     files.comparison.keys.input.keys.missing = Missing::skip_cell;
-    const Identification result = identify(files.comparison);
+    const Identification result = identified(files);
     EXPECT_TRUE(result.fits());
     return result.conventions;
   };
@@ -78,7 +82,7 @@ TEST(Identification, tries_no_equal_speed_where_keys_lack_positions) {
 
 TEST(Identification, of_a_straight_line_at_uneven_times) {
   Comparing files(uneven_keys, "t,x\n0.5,0.5\n1.5,1.5\n2.5,2.5\n");
-  const Identification result = identify(files.comparison);
+  const Identification result = identified(files);
   ASSERT_TRUE(result.fits());
   EXPECT_EQ(result.rows, 3U);
   EXPECT_TRUE(fits(result, TangentRule::velocity, EndRule::chord));
@@ -90,7 +94,7 @@ TEST(Identification, of_tangents_that_ignore_the_times) {
   // The cubic with x = 1, 3 and tangents 3/2, 3/2 at a quarter of the segment, and the one with x = 0, 1 and tangents
   // 1, 3/2 at a half.
   Comparing files(uneven_keys, "t,x\n0.5,0.4375\n1.5,1.453125\n");
-  const Identification result = identify(files.comparison);
+  const Identification result = identified(files);
   ASSERT_TRUE(result.fits());
   EXPECT_TRUE(fits(result, TangentRule::uniform, EndRule::chord));
   EXPECT_FALSE(fits(result, TangentRule::velocity, EndRule::chord));
@@ -99,23 +103,23 @@ TEST(Identification, of_tangents_that_ignore_the_times) {
 TEST(Identification, compares_positions_only) {
   Comparing files(uneven_keys, "t,x,x_v\n0.5,0.5,77\n");
   files.comparison.fields = {field_of("position"), field_of("velocity")};
-  const Identification result = identify(files.comparison);
+  const Identification result = identified(files);
   EXPECT_TRUE(result.fits());
   EXPECT_THAT(result.ignored, ElementsAre("x_v"));
   Comparing none(uneven_keys, "t,x_v\n0.5,1\n");
   none.comparison.fields = {field_of("velocity")};
-  EXPECT_EQ(error_of([&] { identify(none.comparison); }).message(), no_position_column({"x"}).message());
+  EXPECT_EQ(error_of([&] { identified(none); }).message(), no_position_column({"x"}).message());
 }
 
 TEST(Identification, needs_rows_on_the_curve_and_numbers_in_them) {
   Comparing outside(uneven_keys, "t,x\n9,0\n");
-  const Error off = error_of([&] { identify(outside.comparison); });
+  const Error off = error_of([&] { identified(outside); });
   EXPECT_THAT(off.message(), testing::HasSubstr("no row is on the curve"));
   EXPECT_EQ(off.position().file, outside.path("rows.csv"));
   ASSERT_EQ(off.others().size(), 1U);
   EXPECT_TRUE(off.others()[0].message().starts_with("rows outside the curve: 1;")) << off.others()[0].message();
   Comparing empty(uneven_keys, "t,x\n0.5,nan\n");
-  EXPECT_THAT(error_of([&] { identify(empty.comparison); }).message(), testing::HasSubstr("no row has a number"));
+  EXPECT_THAT(error_of([&] { identified(empty); }).message(), testing::HasSubstr("no row has a number"));
 }
 
 }  // namespace

@@ -87,16 +87,6 @@ TEST(Numbers, whole_times_just_below_2_to_63_are_printed_with_all_their_digits) 
   }
 }
 
-TEST(Numbers, unsigned_whole_times_are_exact) {
-  std::mt19937_64 random(3);
-  for (int i = 0; i < 10'000; ++i) {
-    const std::uint64_t value = random() >> (random() % 64);
-    ASSERT_EQ(exact(whole_time(value)), static_cast<Int128>(value));
-  }
-  const auto largest = std::numeric_limits<std::uint64_t>::max();
-  EXPECT_EQ(exact(whole_time(largest)), static_cast<Int128>(largest));
-}
-
 TEST(Numbers, a_time_beyond_2_to_53_is_exact_where_a_number_is_rounded_to_even) {
   EXPECT_EQ(*parse_number("9007199254740993"), 9007199254740992.0);
   EXPECT_EQ(*parse_number("9007199254740993.0000000001"), 9007199254740994.0);
@@ -222,12 +212,6 @@ TEST(Numbers, infinities_and_numbers_too_large_belong_in_a_column_of_numbers) {
   for (const char* text : {"x", "1x", "0x10", "1e999x", "infinite", "+", "+-1", "1 2"}) {
     EXPECT_FALSE(looks_numeric(text)) << text;
   }
-}
-
-TEST(Numbers, whole_numbers_have_all_their_digits) {
-  std::string text = "n=";
-  append_whole(text, std::numeric_limits<std::uint64_t>::max());
-  EXPECT_EQ(text, "n=18446744073709551615");
 }
 
 /// The text is read as std::from_chars reads it.
