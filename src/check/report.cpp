@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 
+#include "check/check.hpp"
+#include "check/ranking.hpp"
 #include "numbers/print_number.hpp"
 #include "text/utf8.hpp"
 #include "write/layout.hpp"

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "check/check.hpp"
-#include "check/ranking.hpp"
-
 namespace tcb {
+
+struct Check;
+struct Identification;
 
 /// The report as text.
 std::string text(const Check& check);

@@ -14,6 +14,7 @@
 #include "exact/real.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
+#include "sample/sampler.hpp"
 
 namespace tcb {
 

@@ -17,6 +17,7 @@
 
 #include "exact/exact_keys.hpp"
 #include "numbers/print_number.hpp"
+#include "sample/request.hpp"
 #include "sample/rows.hpp"
 
 namespace tcb {

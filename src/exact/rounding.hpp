@@ -11,7 +11,7 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 #include "numbers/rational.hpp"
-#include "sample/fields.hpp"
+#include "sample/table.hpp"
 
 namespace tcb {
 

@@ -26,6 +26,7 @@
 #include "run/in_words.hpp"
 #include "run/progress.hpp"
 #include "sample/anywhere.hpp"
+#include "sample/build.hpp"
 #include "sample/rows.hpp"
 #include "sample/table.hpp"
 #include "schema/format.hpp"

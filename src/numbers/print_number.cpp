@@ -259,7 +259,6 @@ void append_number(std::string& out, double value) { append(out, write_shortest,
 
 void append_time(std::string& out, const Time& time) { append(out, write_time, time); }
 
-
 std::string time_text(const Time& time) {
   std::string out;
   append_time(out, time);

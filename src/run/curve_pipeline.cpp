@@ -11,11 +11,14 @@
 #include "keys/prepare.hpp"
 #include "option_names.hpp"
 #include "sample/anywhere.hpp"
+#include "sample/build.hpp"
 #include "sample/grid.hpp"
 #include "sample/kept_curve.hpp"
+#include "sample/rows.hpp"
 #include "sample/sampler.hpp"
 #include "sample/table.hpp"
 #include "schema/doubts.hpp"
+#include "tcb/spline/curve.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -219,6 +222,10 @@ Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t le
                         .monotone = spec_.rules.timing == spline::Timing::monotone,
                         .equal_speed = spec_.rules.equal_speed,
                         .least = needs_.single_key ? 1 : least});
+}
+
+CurveSamples CurveSamples::none(const Time& first_key) {
+  return {.blocks = []() -> std::optional<SampleBlock> { return std::nullopt; }, .first_key = first_key};
 }
 
 /// A curve whose keys are all read. Frames are counted from its first key.

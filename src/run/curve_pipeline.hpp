@@ -16,9 +16,9 @@
 #include "keys/curves.hpp"
 #include "keys/rotations.hpp"
 #include "run/job.hpp"
-#include "sample/build.hpp"
+#include "sample/curve_spec.hpp"
 #include "sample/request.hpp"
-#include "sample/rows.hpp"
+#include "sample/table.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/schema.hpp"
 
@@ -26,6 +26,11 @@ namespace tcb {
 
 class ExactKeys;
 class KeptCurve;
+class Locator;
+struct SampleBlock;
+class Sampler;
+struct SegmentBlock;
+struct StreamedCurve;
 
 /// The rows that are requested of a curve, and the settings that make it.
 struct CurveRequest {
@@ -75,9 +80,7 @@ struct CurveSamples {
   /// How far the end of the range is from the last row, once all blocks were taken; nothing if it is a row.
   std::function<std::optional<Rational>()> remainder = [] { return std::nullopt; };
 
-  static CurveSamples none(const Time& first_key = {}) {
-    return {.blocks = []() -> std::optional<SampleBlock> { return std::nullopt; }, .first_key = first_key};
-  }
+  static CurveSamples none(const Time& first_key = {});
 };
 
 class CurvePipeline {

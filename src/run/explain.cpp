@@ -17,10 +17,13 @@
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
 #include "run/in_words.hpp"
+#include "sample/kept_curve.hpp"
+#include "sample/rows.hpp"
 #include "sample/table.hpp"
 #include "schema/doubts.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
+#include "tcb/spline/curve.hpp"
 #include "text/utf8.hpp"
 #include "write/layout.hpp"
 

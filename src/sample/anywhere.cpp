@@ -10,7 +10,10 @@
 
 #include "numbers/decimal_time.hpp"
 #include "option_names.hpp"
+#include "sample/grid.hpp"
+#include "sample/sampler.hpp"
 #include "sample/tolerance.hpp"
+#include "tcb/spline/curve.hpp"
 
 namespace tcb {
 namespace {

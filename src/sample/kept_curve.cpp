@@ -6,14 +6,18 @@
 
 #include "numbers/decimal_time.hpp"
 #include "sample/build.hpp"
+#include "tcb/spline/curve.hpp"
 
 namespace tcb {
 
 KeptCurve::KeptCurve(spline::Curve<double> curve, CurveChannels channels, const Extent& extent,
                      const Extrapolations& extrapolations)
-    : curve_(std::move(curve)), channels_(std::move(channels)), extent_(extent), extrapolations_(extrapolations) {
-  for (const Time& time : curve_.times()) decimals_ = std::max(decimals_, decimals_of(time));
-  const spline::Segment<double> first = curve_.segment(0), last = curve_.segment(curve_.segment_count() - 1);
+    : curve_(std::make_shared<const spline::Curve<double>>(std::move(curve))),
+      channels_(std::move(channels)),
+      extent_(extent),
+      extrapolations_(extrapolations) {
+  for (const Time& time : curve_->times()) decimals_ = std::max(decimals_, decimals_of(time));
+  const spline::Segment<double> first = curve_->segment(0), last = curve_->segment(curve_->segment_count() - 1);
   for (std::size_t i = 0; i < first.rotations.size(); ++i) {
     turns_.push_back(last.rotations[i].at({1, 0}) * spline::conjugate(first.rotations[i].at({0, -1})));
   }
@@ -29,8 +33,12 @@ KeptCurve StreamedCurve::kept(const CurveChannels& channels, const Extrapolation
   return {std::move(curve), channels, extent, extrapolations};
 }
 
+double KeptCurve::length() const { return curve_->length().value; }
+
+std::uint64_t KeptCurve::size() const { return curve_->segment_count(); }
+
 CurveSegment KeptCurve::segment(std::uint64_t number) const {
-  const spline::Segment<double> segment = curve_.segment(number);
+  const spline::Segment<double> segment = curve_->segment(number);
   const bool last = number + 1 == size();
   return {segment.start,
           segment.end,
@@ -43,7 +51,7 @@ CurveSegment KeptCurve::segment(std::uint64_t number) const {
           cycle_,
           number,
           segment.length_error,
-          last && curve_.is_closed() ? 0 : number + 1,
+          last && curve_->is_closed() ? 0 : number + 1,
           decimals_,
           segment.rotations,
           channels_.rotations,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,7 +10,11 @@
 #include "sample/extrapolation.hpp"
 #include "sample/request.hpp"
 #include "schema/curve_channels.hpp"
-#include "tcb/spline/curve.hpp"
+
+namespace tcb::spline {
+template <class S>
+class Curve;
+}
 
 namespace tcb {
 
@@ -19,18 +24,18 @@ class KeptCurve {
   KeptCurve(spline::Curve<double> curve, CurveChannels channels, const Extent& extent,
             const Extrapolations& extrapolations = {});
 
-  const spline::Curve<double>& curve() const { return curve_; }
+  const spline::Curve<double>& curve() const { return *curve_; }
   const std::optional<FrameTimes>& frames() const { return channels_.frames; }
   const Extent& extent() const { return extent_; }
   const Extrapolations& extrapolations() const { return extrapolations_; }
-  double length() const { return curve_.length().value; }
+  double length() const;
   /// The number of segments.
-  std::uint64_t size() const { return curve_.segment_count(); }
+  std::uint64_t size() const;
 
   CurveSegment segment(std::uint64_t number) const;
 
  private:
-  spline::Curve<double> curve_;
+  std::shared_ptr<const spline::Curve<double>> curve_;
   CurveChannels channels_;
   Extent extent_;
   Extrapolations extrapolations_;

@@ -10,6 +10,8 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 #include "sample/build.hpp"
+#include "sample/fields.hpp"
+#include "sample/sampler.hpp"
 
 namespace tcb {
 namespace {

@@ -6,13 +6,14 @@
 #include <span>
 #include <vector>
 
-#include "sample/fields.hpp"
-#include "sample/sampler.hpp"
+#include "sample/curve_segment.hpp"
 #include "sample/table.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
 
+class Locator;
+class Sampler;
 struct SegmentBlock;
 
 /// Samples on successive segments, few enough to be evaluated at once.

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "sample/build.hpp"
+#include "sample/sampler.hpp"
 
 namespace tcb {
 namespace {

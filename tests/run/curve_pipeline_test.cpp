@@ -8,6 +8,9 @@
 
 #include "error.hpp"
 #include "keys.hpp"
+#include "sample/build.hpp"
+#include "sample/kept_curve.hpp"
+#include "sample/rows.hpp"
 
 namespace tcb {
 namespace {

@@ -1,5 +1,6 @@
 // Progress: the line of progress, notes and warnings.
 #include "run/progress.hpp"
+#include "sample/rows.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/terminal.hpp"
+#include "tcb/spline/build_error.hpp"
 
 namespace tcb {
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sample/kept_curve.hpp"
+#include "tcb/spline/curve.hpp"
 
 namespace tcb {
 

@@ -1,5 +1,6 @@
 // Rows: blocks of samples in order, whatever the blocks of segments, and numbers beyond doubles are refused.
 #include "sample/rows.hpp"
+#include "sample/build.hpp"
 
 #include <gtest/gtest.h>
 
