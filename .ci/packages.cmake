@@ -10,7 +10,7 @@ if(NOT DEFINED ENV{SOURCE_DATE_EPOCH})
 endif()
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 
-set(contact "tcbsample maintainers <maintainers@tcbsample.example>") # Debian wants an address
+set(contact "the tcbsample authors") # as in LICENSE; there is no address
 
 # Debian's documents of a package: manual and changes compressed, without times, and the licence as "copyright".
 set(documents ${PROJECT_BINARY_DIR}/documents)
@@ -68,7 +68,7 @@ install(FILES ${pages} LICENSE README.md CHANGELOG.md ${completions} DESTINATION
         COMPONENT archive EXCLUDE_FROM_ALL)
 
 set(CPACK_PACKAGE_NAME tcbsample)
-set(CPACK_PACKAGE_VENDOR "tcbsample maintainers")
+set(CPACK_PACKAGE_VENDOR "${contact}")
 set(CPACK_PACKAGE_CONTACT "${contact}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Kochanek-Bartels (TCB) curves through keyframes")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

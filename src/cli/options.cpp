@@ -43,7 +43,7 @@ constexpr std::array side_names{SideName{"right", false}, SideName{"left", true}
 constexpr bool recorded = true, unrecorded = false;
 
 constexpr std::string_view expects_time_zero =
-    "is no time; expected a number in the unit of the times of the keys, or first";
+    "is not a time; expected a number in the unit of the times of the keys, or first";
 
 /// The value of a time or a step, whose unit is noted.
 Rational stored_time(SamplingRequest& sampling, std::string_view words, Text text, bool InSeconds::*member) {

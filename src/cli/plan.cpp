@@ -85,7 +85,7 @@ std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_v
   }
   const DateOrder order = is_year_first ? DateOrder::ymd : *units.date_order;
   const auto seconds = read_time(text, *notation, units.frame_rate.value_or(1), order);
-  if (!seconds) throw usage_error("{} is no time that exists; correct it", in_quotes(text)).about(option);
+  if (!seconds) throw usage_error("{} is not a time that exists; correct it", in_quotes(text)).about(option);
   return seconds;
 }
 

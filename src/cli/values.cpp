@@ -171,7 +171,7 @@ std::uint64_t memory_size(const std::string& text) {
   constexpr std::uint64_t least = 1ULL << 20, most = 1ULL << 50;
   const Rational bytes = number && unit != units.end() ? *number * Rational(unit->bytes) : Rational(0);
   if (bytes < least || bytes > most) {
-    throw usage_error("{} is no size of memory; expected 1MiB to 1024TiB, such as 512MiB or 4GiB", in_quotes(text));
+    throw usage_error("{} is not a size of memory; expected 1MiB to 1024TiB, such as 512MiB or 4GiB", in_quotes(text));
   }
   return whole_number(Rational(numerator(bytes) / denominator(bytes)));
 }
@@ -262,7 +262,7 @@ char thousands_mark(const std::string& text) {
   for (const auto& [name, character] : thousands_names) {
     if (text == name || text == std::string(1, character)) return character;
   }
-  throw usage_error("{} is no mark between thousands; expected comma, point, apostrophe, underscore or space",
+  throw usage_error("{} is not a mark between thousands; expected comma, point, apostrophe, underscore or space",
                     in_quotes(text));
 }
 

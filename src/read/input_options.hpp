@@ -22,7 +22,7 @@ struct DelimitedOptions {
   std::optional<bool> header = {};     ///< nothing: found in the first records
   std::string comment = "#";           ///< the prefix of lines to skip; empty: none
   NumberMarks marks = {};              ///< in numbers
-  std::uint64_t skipped_lines = 0;     ///< at the beginning, which are no part of the table
+  std::uint64_t skipped_lines = 0;     ///< at the beginning, which are not part of the table
   bool strips_units = false;           ///< units after the numbers in cells are removed
   std::string head = {};               ///< names of the columns, as a line above the text; empty: none
 

@@ -343,7 +343,7 @@ Source<std::string> text_of_npy(Source<std::string> bytes, InputOptions& options
   NpyBytes input(std::move(bytes));
   const std::string head = input.take_all(npy_magic.size() + 2);
   if (!head.starts_with(npy_magic)) {
-    throw data_error("the file is no array of NumPy; expected one that numpy.save wrote; give another {}",
+    throw data_error("the file is not an array of NumPy; expected one that numpy.save wrote; give another {}",
                      option::input_format);
   }
   const auto version = static_cast<unsigned char>(head[npy_magic.size()]);

@@ -9,11 +9,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "numbers/print_number.hpp"
+#include "option_names.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
 #include "run/in_words.hpp"
@@ -149,6 +151,47 @@ std::string title(const Schema& schema, const InputCurve& curve, std::size_t num
   return fmt::format("curve {}", fmt::join(group_title(schema.groups, curve.group), " "));
 }
 
+/// The times of two neighbouring keys.
+struct Gap {
+  Time from, to;
+
+  Time size() const { return to - from; }
+};
+
+/// How far a channel leaves the range of two neighbouring keys.
+struct Overshoot {
+  std::size_t channel = 0, segment = 0;
+  double size = 0, part = 0;  ///< part: of the range of the channel's keys
+};
+
+/// The largest overshoot as a part of the range of its channel; angles and rotations have none.
+Overshoot largest_overshoot(const spline::Curve<double>& curve, const spline::CurveRules<double>& rules) {
+  Overshoot largest;
+  for (std::size_t channel = 0; channel < curve.channels(); ++channel) {
+    if (!is_plain(rules, channel)) continue;
+    Overshoot own{channel};
+    double low = curve.segment(0).cubics[channel].p0, high = low;
+    for (std::size_t i = 0; i < curve.segment_count(); ++i) {
+      const auto segment = curve.segment(i);
+      const spline::Cubic<double>& cubic = segment.cubics[channel];
+      low = std::min(low, cubic.p1);
+      high = std::max(high, cubic.p1);
+      const auto [least, most] = std::minmax(cubic.p0, cubic.p1);
+      const double root = std::sqrt(std::max(0.0, cubic.c * cubic.c - 3 * cubic.d * cubic.out));
+      for (const double u : {(-cubic.c + root) / (3 * cubic.d), (-cubic.c - root) / (3 * cubic.d),
+                             -cubic.out / (2 * cubic.c)}) {  // where the slope may be 0
+        if (!(u > 0 && u < 1)) continue;
+        const double value = spline::position(cubic, {u, u - 1});
+        const double size = std::max(least - value, value - most);
+        if (size > own.size) own = {channel, i, size};
+      }
+    }
+    own.part = own.size / (high - low);
+    if (own.part > largest.part) largest = own;
+  }
+  return largest;
+}
+
 /// Counts and facts of one curve.
 struct CurveOutcome {
   std::size_t keys = 0;
@@ -158,17 +201,30 @@ struct CurveOutcome {
   std::optional<Rational> remainder;
   bool ends_at_key = true;                  ///< the end of the range is the last key
   std::optional<std::size_t> limited = {};  ///< tangents, so that the curve does not overshoot
+  std::optional<Gap> least_gap, largest_gap;
+  std::string overshoot;     ///< in words
+  bool has_missing = false;  ///< numbers, so that the cubics of a channel are cut where others have keys
 
   void add(const KeyBlock& block) {
     keys += block.size();
+    has_missing |= !block.keys.missing.empty();
     if (block.keys.times.empty()) return;
+    for (const Time& time : block.keys.times) {
+      if (last) {
+        const Gap gap{*last, time};
+        if (!largest_gap || largest_gap->size() < gap.size()) largest_gap = gap;
+        if (!least_gap || gap.size() < least_gap->size()) least_gap = gap;
+      }
+      last = time;
+    }
     if (!first) first = block.keys.times.front();
     last = block.keys.times.back();
   }
 };
 
 /// Places the samples of a curve if they are requested, and reads its keys to the end.
-CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, bool has_samples) {
+CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, bool has_samples,
+                        const std::vector<std::string>& channels) {
   CurveOutcome outcome;
   const bool no_overshoot = pipeline.spec().rules.no_overshoot;
   const Source<KeyBlock> observed = mapped(keys, [&outcome](KeyBlock block) {
@@ -180,6 +236,13 @@ CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, b
     outcome.first = kept->extent().first;
     outcome.last = kept->extent().last;
     if (no_overshoot) outcome.limited = kept->curve().limited_tangents();
+    const Overshoot largest = largest_overshoot(kept->curve(), pipeline.spec().rules);
+    if (!no_overshoot && !outcome.has_missing && largest.part > 0.01) {
+      const auto times = kept->curve().times();
+      outcome.overshoot =
+          fmt::format("{:.6g} in {} from {} to {}", largest.size, channels[largest.channel],
+                      time_text(Time(times[largest.segment])), time_text(Time(times[largest.segment + 1])));
+    }
     return outcome;
   }
   const CurveSamples samples = pipeline.samples(observed);
@@ -199,10 +262,23 @@ std::string range_text(const CurveOutcome& outcome) {
   return fmt::format("from {} to {}", time_text(*outcome.first), time_text(*outcome.last));
 }
 
+/// The largest gap between two keys, where it is more than twice the least.
+std::string gap_text(const CurveOutcome& outcome) {
+  if (!outcome.largest_gap || !(outcome.least_gap->size() + outcome.least_gap->size() < outcome.largest_gap->size()))
+    return "";
+  return fmt::format("from {} to {}", time_text(outcome.largest_gap->from), time_text(outcome.largest_gap->to));
+}
+
 /// A single curve, in several lines.
 Facts lines_of(const CurveOutcome& outcome) {
   Facts lines{{"keys", fmt::format("{}", outcome.keys)}};
   if (outcome.first) lines.emplace_back("curve", range_text(outcome));
+  if (const std::string gap = gap_text(outcome); !gap.empty()) {
+    lines.emplace_back("largest gap", fmt::format("{}; {} begins a new curve at gaps", gap, option::max_gap));
+  }
+  if (!outcome.overshoot.empty()) {
+    lines.emplace_back("largest overshoot", fmt::format("{}; {} removes it", outcome.overshoot, option::no_overshoot));
+  }
   if (outcome.facts.length) lines.emplace_back("length", fmt::format("{}", *outcome.facts.length));
   if (outcome.facts.step) lines.emplace_back("step", time_text(*outcome.facts.step));
   if (outcome.limited) lines.emplace_back("limited tangents", fmt::format("{}", *outcome.limited));
@@ -220,6 +296,8 @@ std::string counted(std::uint64_t count, const char* what) {
 std::string line_of(const CurveOutcome& outcome) {
   std::string text = counted(outcome.keys, "key");
   if (outcome.first) text += ", " + range_text(outcome);
+  if (const std::string gap = gap_text(outcome); !gap.empty()) text += ", largest gap " + gap;
+  if (!outcome.overshoot.empty()) text += ", largest overshoot " + outcome.overshoot;
   if (outcome.facts.length) text += fmt::format(", length {}", *outcome.facts.length);
   if (outcome.facts.step) text += ", step " + time_text(*outcome.facts.step);
   if (outcome.limited) text += ", " + counted(*outcome.limited, "limited tangent");
@@ -244,7 +322,7 @@ class Explainer {
       append(intended_,
              intentions(job_, input_.schema, input_.facts.tcb, has_metric ? metric : std::vector<std::size_t>{}));
     }
-    last_ = outcome_of(pipeline, curve.keys, job_.has_samples);
+    last_ = outcome_of(pipeline, curve.keys, job_.has_samples, input_.schema.channels);
     last_.ends_at_key = !job_.samples.request.to && !pipeline.spec().closed;
     keys_ += last_.keys;
     rows_ += last_.rows.value_or(0);

@@ -208,7 +208,7 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     if (role == Role::position && !header.empty() && is_usual_counter(header[cell])) continue;
     if (role == Role::position && !header.empty() && tells_curves_apart(header[cell])) {
       throw data_error(
-          "column {} may tell curves apart, and is no position by its name; expected its role; give {} {} for "
+          "column {} looks like a label, not a position; expected its role; give {} {} for "
           "one curve per value, {} {} to keep it in the rows, or {} {} to leave it out",
           in_quotes(header[cell]), option::group, in_shell(header[cell]), option::columns,
           in_shell(fmt::format("carry={}", header[cell])), option::columns,

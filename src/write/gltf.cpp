@@ -331,7 +331,8 @@ std::vector<GltfScene::Target> GltfScene::targets_of_track(const std::string& tr
   if (is_rotation || track == "position" || track == target_track) return targets;
   if (track != "scale")
     throw data_error(
-        "the track {} is no position, rotation or scale that a node has; expected one of these; choose others with {}",
+        "the track {} is not a position, rotation or scale that a node has; expected one of these; choose others with "
+        "{}",
         in_quotes(track), option::only);
   targets.front().path = "scale";
   return targets;

@@ -50,7 +50,7 @@ std::string with_crlf(std::string_view text) {
 }
 
 Error dates_from_time_zero() {
-  return usage_error("times that count from {} are no dates; expected another notation; give {} seconds, or neither",
+  return usage_error("times that count from {} are not dates; expected another notation; give {} seconds, or neither",
                      option::time_zero, option::time_format);
 }
 

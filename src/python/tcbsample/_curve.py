@@ -331,12 +331,12 @@ class Curve:
     def to_ppoly(self) -> Any:
         """The curve as a scipy.interpolate.PPoly, whose values have the shape t.shape + (c,).
 
-        Raises ValueError for a curve that is no cubic in time, and ImportError without SciPy.
+        Raises ValueError for a curve that is not a cubic in time, and ImportError without SciPy.
         """
         from scipy.interpolate import PPoly
 
         if self._pieces is None:
-            raise ValueError("the curve is no cubic in time, as it has rotations or ease; sample it instead")
+            raise ValueError("the curve is not a cubic in time, as it has rotations or ease; sample it instead")
         h = self._pieces.durations[:, None]
         p = self._pieces.powers()
         coefficients = np.stack([p[3] / h / h / h, p[2] / h / h, p[1] / h, p[0]])

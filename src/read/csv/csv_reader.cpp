@@ -380,7 +380,7 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
       const std::string also =
           delimiter ? "" : fmt::format(" ({})", error.message().substr(0, error.message().find(';')));
       throw data_error(
-          "the lines above line {} are no part of the table that seems to begin there{}; expected a table from "
+          "the lines above line {} are not part of the table that seems to begin there{}; expected a table from "
           "the first line on; give {} {}",
           line, also, option::skip_lines, line - 1)
           .at({"", first_line, 0});

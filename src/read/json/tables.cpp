@@ -172,7 +172,8 @@ void JsonTable::read_schema() {
   const std::size_t data = *tape.member(value_, "data");
   const bool is_list = tape.kind(data) == Kind::array && has_only(tape, data, Kind::object);
   if (!is_list) {
-    throw data_error("\"data\" is no list of rows; expected an object for each row, as pandas writes them; correct it")
+    throw data_error(
+        "\"data\" is not a list of rows; expected an object for each row, as pandas writes them; correct it")
         .at(tape.position(data));
   }
   rows_ = tape.elements(data);
@@ -540,7 +541,7 @@ std::vector<JsonTable> find_tables(const std::shared_ptr<const WholeJson>& text,
       tables.push_back(*std::move(table));
     } else if (!path.empty()) {
       throw data_error(
-          "{}: this is no list of records; expected an array of objects or of rows, or an object of "
+          "{}: this is not a list of records; expected an array of objects or of rows, or an object of "
           "columns; give another path",
           place.path)
           .at(tape.position(place.value));

@@ -62,7 +62,7 @@ class AseExport {
     lines_.require_next();
     if (lines_.word(0) != "*3DSMAX_ASCIIEXPORT")
       throw lines_.at(data_error(
-          "the text is no ASCII export of 3ds Max; expected *3DSMAX_ASCIIEXPORT in its first line; give another {}",
+          "the text is not an ASCII export of 3ds Max; expected *3DSMAX_ASCIIEXPORT in its first line; give another {}",
           option::input_format));
     while (lines_.next()) read_line();
     end_track();

@@ -394,7 +394,7 @@ FbxHead read_head(const FbxNode& file) {
   const FbxNode* const node = file.find("FBXHeaderExtension");
   if (node == nullptr || node->find("FBXVersion") == nullptr)
     throw data_error(
-        "the text is no FBX file; expected the node FBXHeaderExtension with an FBXVersion; give another {}",
+        "the text is not an FBX file; expected the node FBXHeaderExtension with an FBXVersion; give another {}",
         option::input_format)
         .at({"", 1, 1});
   FbxHead head;

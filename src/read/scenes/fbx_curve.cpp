@@ -22,7 +22,7 @@ Error no_old_fbx_tangent(std::string_view letter) {
 
 Error fbx_tangents_with_weights() {
   return data_error(
-      "the tangents of the key have weights, so the curve is no cubic in time; expected tangents without weights; "
+      "the tangents of the key have weights, so the curve is not a cubic in time; expected tangents without weights; "
       "remove them in the program that made the file, or bake the animation and export it again");
 }
 

@@ -7,7 +7,7 @@
 //   linear  the chord
 //   stepped the value of the key before, up to the last time before the key
 // Where all keys of a channel are TCB, the rules of the preset apply; otherwise the file decides all its velocities.
-// Bezier 2D is no cubic in time, and is refused.
+// Bezier 2D is not a cubic in time, and is refused.
 // Source: the documentation of the scene format and the samples of the LightWave SDK; files of LightWave, for the
 //   tangents at the ends and the numbers of Hermite spans.
 #include <fmt/format.h>
@@ -143,7 +143,8 @@ TrackChannel channel_of_envelope(std::string_view name, const Envelope& envelope
   const auto bezier = std::ranges::find(keys, Span::bezier2, &EnvelopeKey::span);
   if (bezier != keys.end())
     throw data_error(
-        "the span of the key is a Bezier 2D curve, which is no cubic in time; expected TCB, Hermite, Bezier 1D, linear "
+        "the span of the key is a Bezier 2D curve, which is not a cubic in time; expected TCB, Hermite, Bezier 1D, "
+        "linear "
         "or stepped; change the key's curve in LightWave")
         .at({"", bezier->line, 0});
   const Velocities velocities(keys);
@@ -167,7 +168,7 @@ class Motions {
     const bool is_motion = lines_.word(0) == "LWMO";
     if (!is_motion && lines_.word(0) != "LWSC")
       throw lines_.at(
-          data_error("the text is no scene of LightWave; expected LWSC or LWMO in its first line; give another {}",
+          data_error("the text is not a scene of LightWave; expected LWSC or LWMO in its first line; give another {}",
                      option::input_format));
     lines_.require_next();
     version_ = lines_.count_in(0);

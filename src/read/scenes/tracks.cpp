@@ -379,11 +379,11 @@ Error number_of_track_not_finite() {
 Error file_ends_early() { return data_error("the file ends within an object; expected the rest; copy the file again"); }
 
 Error number_of_file_expected(std::string_view found) {
-  return data_error("{} is no number of a key or a rate; expected a number; correct the file", in_quotes(found));
+  return data_error("{} is not a number of a key or a rate; expected a number; correct the file", in_quotes(found));
 }
 
 Error count_of_file_expected(std::string_view found) {
-  return data_error("{} is no count; expected a whole number; correct the file", in_quotes(found));
+  return data_error("{} is not a count; expected a whole number; correct the file", in_quotes(found));
 }
 
 WrittenNumber written_number(const Rational& exact) {

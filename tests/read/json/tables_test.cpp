@@ -104,9 +104,10 @@ TEST(JsonTables, several_lists_are_an_error_that_names_them) {
   EXPECT_EQ(paths(text, "c"),
             "usage: f: error: --records c: there is no such value; expected the path of a list of records, such as a, "
             "b[0].c; correct it");
-  EXPECT_EQ(paths(R"({"a":{"b":5}})", "a.b"),
-            "f:1:11: error: a.b: this is no list of records; expected an array of objects or of rows, or an object of "
-            "columns; give another path");
+  EXPECT_EQ(
+      paths(R"({"a":{"b":5}})", "a.b"),
+      "f:1:11: error: a.b: this is not a list of records; expected an array of objects or of rows, or an object of "
+      "columns; give another path");
 }
 
 TEST(JsonTables, files_of_other_products_are_named) {
