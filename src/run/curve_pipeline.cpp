@@ -10,10 +10,10 @@
 #include "keys/angles.hpp"
 #include "keys/prepare.hpp"
 #include "option_names.hpp"
-#include "sample/anywhere.hpp"
 #include "sample/build.hpp"
 #include "sample/grid.hpp"
 #include "sample/kept_curve.hpp"
+#include "sample/places.hpp"
 #include "sample/rows.hpp"
 #include "sample/sampler.hpp"
 #include "sample/table.hpp"
@@ -111,7 +111,7 @@ class RowEstimate {
 };
 
 /// Rows come in any order, or depend on more than one segment.
-bool is_anywhere(const SamplingRequest& request, const CurveSpec& spec) {
+bool is_in_any_order(const SamplingRequest& request, const CurveSpec& spec) {
   return request.mode == Mode::at || request.mode == Mode::arc_at || request.mode == Mode::tolerance ||
          spec.extrapolations.extend_curve();
 }
@@ -141,7 +141,7 @@ MetricUse metric_use(const SamplingRequest& request, std::span<const std::size_t
 CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size_t> fields, const CurveSpec& spec,
                        bool may_miss, bool exact) {
   CurveNeeds needs;
-  needs.random_access = is_anywhere(request, spec);
+  needs.random_access = is_in_any_order(request, spec);
   needs.all_keys = spec.closed || needs.random_access || may_miss || exact || needs_end(request);
   needs.lengths = needs_lengths(request, fields);
   needs.whole_length = needs.all_keys && !needs.random_access && by_length(request.mode);
@@ -271,7 +271,7 @@ CurveSamples CurvePipeline::samples(StreamedCurve curve, const ExactKeys* exact)
     return CurveSamples::none(curve.extent.first);
   }
   if (exact != nullptr && golden_->decimal && time_exponent() == 0) set_key_times(curve, *exact);
-  return needs_.random_access ? samples_anywhere(curve, exact) : samples_on_grid(std::move(curve), exact);
+  return needs_.random_access ? samples_at_places(curve, exact) : samples_on_grid(std::move(curve), exact);
 }
 
 /// Leaves the places that are on the part of a curve, and those after it up to the next part; whether there are any.
@@ -356,7 +356,7 @@ CurveSamples CurvePipeline::samples_in_order(Source<SegmentBlock> segments, std:
 }
 
 /// Samples in any order, also outside the curve.
-CurveSamples CurvePipeline::samples_anywhere(const StreamedCurve& curve, const ExactKeys* exact) const {
+CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const ExactKeys* exact) const {
   const Extent& extent = curve.extent;
   if (spec_.extrapolations.extend_curve() && may_leave_curve(request_) && !request_.origin) {
     const Bound first = first_key(extent.first), last = last_key(*extent.last);

@@ -118,7 +118,7 @@ class CurvePipeline {
   CurveSamples samples_on_grid(StreamedCurve curve, const ExactKeys* exact) const;
   CurveSamples samples_in_order(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
                                 const Time& first_key) const;
-  CurveSamples samples_anywhere(const StreamedCurve& curve, const ExactKeys* exact) const;
+  CurveSamples samples_at_places(const StreamedCurve& curve, const ExactKeys* exact) const;
   bool take_places_of_part(const Extent& extent);
   void set_key_times(const StreamedCurve& curve, const ExactKeys& exact);
   Rational exact_end(const ExactKeys& exact, const StreamedCurve& curve) const;

@@ -1,5 +1,5 @@
-// Anywhere: the segments of rows in any order, from either side of a key.
-#include "sample/anywhere.hpp"
+// Places: the segments of rows in any order, from either side of a key.
+#include "sample/places.hpp"
 
 #include <gtest/gtest.h>
 

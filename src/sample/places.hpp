@@ -1,4 +1,4 @@
-// Anywhere: rows in any order on a kept curve, at times that may be outside it, or at arc lengths.
+// Places: rows in any order on a kept curve, at times that may be outside it, or at arc lengths.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Anywhere: rows in any order on a kept curve, at times that may be outside it, or at arc lengths.
-#include "sample/anywhere.hpp"
+// Places: rows in any order on a kept curve, at times that may be outside it, or at arc lengths.
+#include "sample/places.hpp"
 
 #include <algorithm>
 #include <functional>
