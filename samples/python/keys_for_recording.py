@@ -1,4 +1,4 @@
-"""Keys for a recording: few keys whose curve stays within a tolerance of every sample."""
+"""Keys for a recording: a small set of keys whose curve stays within a tolerance of every sample."""
 
 from pathlib import Path
 

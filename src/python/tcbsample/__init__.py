@@ -2,7 +2,7 @@
 
     curve = Curve(keys)          a curve to evaluate, like an interpolator of SciPy: curve(t), curve(t, 1)
     resample(keys, step=0.1)     samples of the curve, as an array or a DataFrame
-    fit(samples, 0.01)           few keys whose curve is within 0.01 of all samples
+    fit(samples, 0.01)           a small set of keys whose curve stays within 0.01 of each
     check(keys, samples)         compares samples that another program made with the curve
     identify(keys, samples)      finds the rules by which another program made samples
     plot(keys)                   a picture, which a Jupyter cell shows; plot(keys).save("p.png")

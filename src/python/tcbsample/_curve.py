@@ -100,7 +100,7 @@ class Curve:
     units in the last place of what resample() returns, counted at the largest control value of the piece. What is no
     cubic in time (rotations, ease), lengths, places outside the keys and golden=True take a run of the program.
 
-    Raises Error if keys or options are rejected, and TypeError for what is no option or no table.
+    Raises Error if keys or options are rejected, and TypeError for an unknown option or what is not a table.
 
     >>> import tcbsample
     >>> curve = tcbsample.Curve([[0, 0, 5], [1, 2, 6], [2, 0, 7]])

@@ -144,7 +144,7 @@ def resample(keys: Any, /, *, step: Value = None, count: Optional[int] = None, a
     have the type that they have in keys. A time zone, and an index of times, are those of the keys.
     With missing="break" or duplicates="break", a first field "curve" counts curves from 0.
 
-    Raises Error if keys or options are rejected, and TypeError for what is no option or no table.
+    Raises Error if keys or options are rejected, and TypeError for an unknown option or what is not a table.
 
     >>> import tcbsample
     >>> rows = tcbsample.resample({"t": [0, 1, 2], "x": [0, 2, 0], "y": [0, 0, 4]}, step="1/2")

@@ -152,7 +152,7 @@ def _pair_table(keys: Any) -> Table:
 
 
 def table(keys: Any) -> Table:
-    """The columns of keys or samples in memory. Raises TypeError, ValueError for what is no table."""
+    """The columns of keys or samples in memory. Raises TypeError, ValueError for what is not a table."""
     if is_pandas(keys):
         return _frame_table(keys) if hasattr(keys, "columns") else _series_table(keys)
     if isinstance(keys, Mapping):
