@@ -89,7 +89,7 @@ class FileRun {
     if (curve_info_ == nullptr) {
       writer_.begin(input.schema, live_, preset_in_words(pipeline_->spec()), shown_name(path_));
       if (const auto others = writer_.channels_in_extras(); !others.empty()) {
-        notes_.add({fmt::format("in the extras of the animation, as they are no translation, rotation or scale: {}",
+        notes_.add({fmt::format("in the extras of the animation, as they are not a translation, rotation or scale: {}",
                                 listed(others)),
                     true});
       }

@@ -464,7 +464,7 @@ class RolesByCells {
     }
     if (has_dates && !is_nameless) return;
     request(Role::unused, 0);
-    notes_.push_back(fmt::format("column {} is taken as the index of the rows, and is no position", shown(0)));
+    notes_.push_back(fmt::format("column {} is taken as the index of the rows, not as a position", shown(0)));
   }
 
   static bool is_index_name(std::string_view name) {
