@@ -38,7 +38,7 @@ Table draw_table(Choices& choices) {
 }
 
 /// What is wrong with a form.
-enum class Fault { none, cell_missing, cell_surplus, cut, member_twice, nested, count };
+enum class Fault { none, cell_missing, cell_surplus, cut, member_twice, nested, count, text };
 
 /// Joins `count` texts by commas, in brackets or braces, with blanks that choices draw.
 template <class Item>
@@ -228,6 +228,45 @@ std::string to_delimited(Choices& choices, const Table& table, Fault fault, char
   return text;
 }
 
+/// The table as a scene of 3D Studio: the track of positions of an object, of three channels.
+std::string to_3ds(const Table& table, Fault fault) {
+  const auto word = [](std::uint64_t value, int size) {
+    std::string bytes;
+    for (int i = 0; i < size; ++i) bytes += static_cast<char>(value >> (8 * i) & 255);
+    return bytes;
+  };
+  const auto chunk = [&](unsigned id, const std::string& content) {
+    return word(id, 2) + word(content.size() + 6, 4) + content;
+  };
+  std::string track = word(0, 10) + word(table.rows.size() + (fault == Fault::count ? 1 : 0), 4);
+  for (const auto& row : table.rows) {
+    track += word(std::stoull(row[0]), 4) + word(0, 2);
+    for (std::size_t c = 1; c < row.size(); ++c) append<float>(track, std::stod(row[c]), false);
+  }
+  if (fault == Fault::cell_missing) track.resize(track.size() - sizeof(float));
+  if (fault == Fault::cell_surplus) track += word(0, sizeof(float));
+  const std::string node = chunk(0xB010, std::string("a") + '\0' + word(0, 6)) + chunk(0xB020, track);
+  return chunk(0x4D4D, chunk(2, word(3, 4)) + chunk(0xB000, chunk(0xB002, node)));
+}
+
+/// A text in another encoding, with its mark.
+std::string encoded(std::string_view text, int width, bool big_endian) {
+  std::string bytes;
+  const auto put = [&](std::uint32_t code) {
+    for (int i = 0; i < width; ++i) bytes += static_cast<char>(code >> 8 * (big_endian ? width - 1 - i : i) & 255);
+  };
+  put(0xFEFF);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);  // the texts of this file have no character above U+07FF
+    if (byte < 0x80) {
+      put(byte);
+    } else {
+      put((byte & 0x1FU) << 6 | (static_cast<unsigned char>(text[++i]) & 0x3FU));
+    }
+  }
+  return bytes;
+}
+
 std::string numbers_of(const Table& table) {
   InputOptions options;
   options.format = find_format("csv");
@@ -240,19 +279,36 @@ std::string numbers_of(const Table& table) {
   return reading.numbers;
 }
 
+/// The lines without the zeros at their ends, as a track has tension, continuity and bias for each of its channels.
+std::string without_last_zeros(std::string_view lines) {
+  std::string text;
+  for (; !lines.empty(); lines.remove_prefix(lines.find('\n') + 1)) {
+    std::string_view line = lines.substr(0, lines.find('\n'));
+    while (line.ends_with(" 0")) line.remove_suffix(2);
+    text += fmt::format("{}\n", line);
+  }
+  return text;
+}
+
 void try_form(Choices& choices) {
-  const Table table = draw_table(choices);
+  Table table = draw_table(choices);
   Fault fault = choices.one({Fault::none, Fault::none, Fault::none, Fault::cell_missing, Fault::cell_surplus,
-                             Fault::cut, Fault::member_twice, Fault::nested, Fault::count});
+                             Fault::cut, Fault::member_twice, Fault::nested, Fault::count, Fault::text});
   const std::size_t piece = 1 + choices.number(63);
   InputOptions options;
   std::string text;
-  switch (choices.number(3)) {
+  Table written = table;
+  switch (choices.number(4)) {
     case 0:
     case 1: {
       bool are_lines = false;
+      if (fault == Fault::text) {  // in place of a tension, which no channel can be
+        written.names.emplace_back("tension");
+        for (auto& row : written.rows) row.emplace_back("0");
+        written.rows[choices.number(written.rows.size() - 1)].back() = choices.one({"\"o.5\"", "[1]", "true"});
+      }
       if (fault == Fault::count) fault = Fault::none;
-      text = to_json(choices, table, fault, are_lines);
+      text = to_json(choices, written, fault, are_lines);
       if (fault == Fault::nested && text.find("[[[[[") == std::string::npos)
         fault = Fault::none;                                      // a form without records
       if (fault == Fault::cut && are_lines) fault = Fault::none;  // fewer lines are a form as well
@@ -260,21 +316,40 @@ void try_form(Choices& choices) {
       break;
     }
     case 2:
+      if (fault == Fault::text) fault = Fault::none;
       text = to_npy(choices, table, fault);
       options.format = find_format("npy");
       break;
+    case 3: {
+      const bool has_form = fault == Fault::none || fault == Fault::cell_missing || fault == Fault::cell_surplus ||
+                            fault == Fault::cut || fault == Fault::count;
+      if (!has_form) fault = Fault::none;
+      table.names.resize(4, "c");
+      for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        table.rows[i].resize(4, "0");
+        table.rows[i][3] = fmt::format("{}", i);  // a track that never changes would be left out
+      }
+      text = to_3ds(table, fault);
+      options.format = find_format("3ds");
+      break;
+    }
     default: {
       if (fault == Fault::member_twice || fault == Fault::count || fault == Fault::cut) fault = Fault::none;
+      if (fault == Fault::text) table.rows[choices.number(table.rows.size() - 1)][0] = "1 2";
       const char delimiter = choices.one({',', '\t'});
       text = to_delimited(choices, table, fault, delimiter);
       options.format = find_format(delimiter == ',' ? "csv" : "tsv");
     }
   }
+  const bool is_text = options.format != find_format("npy") && options.format != find_format("3ds");
+  if (is_text && fault != Fault::cut && choices.number(3) == 0) {
+    text = encoded(text, choices.one({2, 4}), choices.yes());
+  }
   if (fault == Fault::cut) text.resize(text.size() - 1 - choices.number(text.size() / 2));
   const Reading reading = read(text, options, std::string::npos);
   if (fault == Fault::none) {
     require(!reading.refused, "a form is refused", text + "\n" + reading.text);
-    require_same(numbers_of(table), reading.numbers, text);
+    require_same(without_last_zeros(numbers_of(table)), without_last_zeros(reading.numbers), text);
   } else {
     require(reading.refused, "a form with a fault is read",
             fmt::format("fault {}: {}\n{}", static_cast<int>(fault), text, reading.text));
