@@ -19,8 +19,12 @@ constexpr std::size_t most_levels = 100;
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_'; }
 
-/// The characters of a text as nlohmann-json gets them. It would convert each number, but numbers are converted where
-/// they are used, and a zero in the place of digits has their syntax. NaN, which JSON does not have, is a zero, too.
+bool is_plain(char c) { return c >= ' ' && static_cast<unsigned char>(c) < 0x80 && c != '"' && c != '\\'; }
+
+/// The characters of a text as nlohmann-json gets them, which takes a long time for each. It would convert each number,
+/// but numbers are converted where they are used, and a zero in the place of digits has their syntax. A string of
+/// printable ASCII without escapes is an empty one, as its text is as it is written. Blanks after a comma or a colon
+/// are left out. NaN, which JSON does not have, is a zero, too.
 class Characters {
  public:
   using iterator_category = std::forward_iterator_tag;
@@ -39,6 +43,11 @@ class Characters {
       is_escaped_ = *at_ == '\\' && !is_escaped_;
     } else if (*at_ == '"') {
       in_string_ = true;
+      const char* end = at_ + 1;
+      while (is_plain(*end)) ++end;
+      if (*end == '"') at_ = end - 1;
+    } else if (*at_ == ',' || *at_ == ':') {
+      while (is_json_blank(at_[1])) ++at_;
     } else if (begins_digits()) {
       while (is_digit(at_[1])) ++at_;
     } else if (is_nan()) {
@@ -50,10 +59,10 @@ class Characters {
   bool operator==(const Characters& other) const { return at_ == other.at_; }
 
   const char* place() const { return at_; }
-
- private:
   /// A zero is given by itself, as another digit may not follow one that begins a number.
   bool begins_digits() const { return *at_ >= '1' && *at_ <= '9' && !in_string_; }
+
+ private:
   bool is_nan() const {
     return *at_ == 'N' && !in_string_ && std::strncmp(at_, "NaN", 3) == 0 && !is_word(at_[3]) &&
            (before_ == ',' || before_ == ':' || before_ == '[' || is_json_blank(before_));
@@ -136,18 +145,21 @@ class JsonTape::Events {
     return true;
   }
 
-  /// A text without escapes is as it is written.
+  /// A text without escapes is as it is written; `text` is empty for one that is plain.
   bool add_text(Kind kind, const std::string& text) {
     const char* const first = begin() + 1;
     const std::size_t left = text_.size() - static_cast<std::size_t>(first - text_.data());
-    const bool is_plain =
-        text.size() < left && first[text.size()] == '"' && std::memcmp(first, text.data(), text.size()) == 0;
     std::size_t size = text.size();
-    if (!is_plain) {
+    if (text.empty()) {
+      while (first[size] != '"') ++size;
+    }
+    const bool is_written =
+        text.empty() || (size < left && first[size] == '"' && std::memcmp(first, text.data(), size) == 0);
+    if (!is_written) {
       for (size = 0; first[size] != '"'; ++size) size += first[size] == '\\' ? 1 : 0;
     }
     add(kind, size + 2);
-    if (!is_plain) {
+    if (!is_written) {
       tape_.nodes_.back().has_escapes = true;
       tape_.unescaped_.emplace(tape_.nodes_.back().begin, text);
     }
@@ -178,9 +190,11 @@ class JsonTape::Events {
 
   /// The place of the last one of the characters that the parser has read.
   std::size_t last_place(std::size_t count) const {
-    Characters next(parsed_);
-    for (; count > 0 && next.place() < text_.data() + text_.size(); --count) ++next;
-    return static_cast<std::size_t>(next.place() - text_.data()) - (count > 0 ? 0 : 1);
+    Characters last(parsed_);
+    for (; count > 1 && last.place() < text_.data() + text_.size(); --count) ++last;
+    const char* place = last.place();
+    while (last.begins_digits() && is_digit(place[1])) ++place;
+    return static_cast<std::size_t>(place - text_.data());
   }
   std::size_t skip(std::size_t at) const { return std::min(text_.find_first_not_of(" \t\r\n", at), text_.size()); }
 
