@@ -91,8 +91,6 @@ TEST(MatchedColumns, without_names_are_found_by_order) {
 TEST(MatchedColumns, without_names_are_as_many_as_the_fields_have_and_one_is_the_place) {
   const Error few = error_of([] { match_columns(nameless(true, 1), keys_with({"x", "y"}), {}); });
   EXPECT_THAT(few.message(), HasSubstr("there are 2 columns without names; expected 3: t, x, y"));
-  const Error nowhere = error_of([] { match_columns(nameless(false, 1), keys_with({"x"}), {field_of("position")}); });
-  EXPECT_THAT(nowhere.message(), HasSubstr("--fields: the fields give no times"));
 }
 
 }  // namespace
