@@ -17,7 +17,7 @@
 namespace tcb {
 namespace {
 
-bool is_of_rotation(const FitGroup& group) { return group.angle.has_value(); }
+bool limits_angle(const FitGroup& group) { return group.angle.has_value(); }
 
 /// The samples of a recording from one to another one, with a share of the tolerances, which leaves room for the
 /// rounding of keys.
@@ -197,7 +197,7 @@ double share_for_times(const Recording& recording, const std::vector<Time>& time
 
 /// The number of keys that any curve within the tolerances of distances has.
 std::size_t least_keys(Recording recording, unsigned threads) {
-  std::erase_if(recording.groups, is_of_rotation);
+  std::erase_if(recording.groups, limits_angle);
   return longest_cubics(recording, threads).size() + 1;
 }
 
@@ -234,7 +234,7 @@ std::optional<FitResult> fit(const Recording& recording, const std::vector<Time>
   FirstTimes first_times{longest_cubics(recording, rules.threads), {}};
   first_times.knots = knots_of(recording, first_times.cubics.size(), rules.threads);
   if (rules.done) rules.done(recording.size());
-  const bool has_rotations = std::ranges::any_of(recording.groups, &is_of_rotation);
+  const bool has_rotations = std::ranges::any_of(recording.groups, &limits_angle);
   result.least_keys = has_rotations ? least_keys(recording, rules.threads) : first_times.cubics.size() + 1;
   const Verification verification(recording, times);
   const double limit = 1 - share_for_times(recording, times);
