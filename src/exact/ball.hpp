@@ -6,7 +6,7 @@
 //   M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
 //   arithmetic", ACM Trans. Math. Softw. 44 (2017), doi:10.1145/3121432,
 // and leave room for the operations of tcb/spline/scalar.hpp, which differ from theirs. Double-doubles whose products
-// could underflow are refused, as are comparisons that a ball does not decide: then more digits are needed. At the last
+// could overflow are refused, as are comparisons that a ball does not decide: then more digits are needed. At the last
 // precision (Real::is_last) numbers that a ball does not tell apart are equal.
 #pragma once
 
@@ -85,11 +85,10 @@ struct Middle<spline::DoubleDouble> {
   }
   static double rough(const M& a) { return a.hi; }
   static M number(double bound) { return bound; }
-  /// Whether products and squares of such numbers neither underflow nor overflow.
-  static bool is_in_range(const M& middle, double radius) {
-    const double size = std::abs(middle.hi);
-    return size < largest && radius < largest && (size > smallest || size == 0);
-  }
+  /// Whether products and squares of such numbers do not overflow.
+  static bool is_in_range(const M& middle, double radius) { return std::abs(middle.hi) < largest && radius < largest; }
+  /// Whether squares of such a number might underflow.
+  static bool is_tiny(const M& middle) { return std::abs(middle.hi) <= smallest && middle.hi != 0; }
 
  private:
   static constexpr double underflow = 0x1p-1000;  ///< below all errors of numbers that are in range
@@ -123,6 +122,7 @@ struct Middle<Real> {
   static double rough(const Real& a) { return a.rough(); }
   static Real number(const Bound& bound) { return ldexp(Real(bound.mantissa()), bound.exponent()); }
   static bool is_in_range(const Real&, const Bound&) { return true; }
+  static bool is_tiny(const Real&) { return false; }
 
  private:
   static Real with_error(const Real::Result& result, Bound& error) {
@@ -242,9 +242,10 @@ class BallOf {
   friend bool operator==(const BallOf& a, const BallOf& b) { return sign_of(a, b) == 0; }
 
  private:
-  /// Throws: Undecided for numbers that are beyond the range of the arithmetic.
+  /// A tiny middle is moved to 0. Throws: Undecided for numbers that are beyond the range of the arithmetic.
   static BallOf checked(const M& middle, const Bound& radius) {
     if (!Ops::is_in_range(middle, radius)) throw Undecided();
+    if (Ops::is_tiny(middle)) return BallOf(M(), Ops::up(radius + Ops::most(middle)));
     return BallOf(middle, radius);
   }
 

@@ -217,10 +217,9 @@ class Rows final : public BallRows {
   }
 
   std::vector<bool> zeros(const FastRow& row) override {
-    constexpr std::array places{0.328125, 0.578125, 0.859375};
     const IsZero is_zero = [](std::size_t) { return false; };
     std::vector<bool> zeros;
-    for (const double u : places) {
+    for (const double u : inner_places) {
       Point<B>* const point = point_.place_inside(row, u);
       std::vector<bool> here;
       for (const auto& field : fields_) {
@@ -234,6 +233,8 @@ class Rows final : public BallRows {
     }
     return zeros;
   }
+
+  bool is_symmetric() override { return point_.is_symmetric(); }
 
   std::optional<bool> key_at_end() const override { return at_end_; }
 

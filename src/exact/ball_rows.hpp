@@ -34,6 +34,9 @@ class BallRows {
   /// precision.
   virtual std::vector<bool> zeros(const FastRow& row) = 0;
 
+  /// Whether the curve is as fast as it is reversed. Requires: the last precision.
+  virtual bool is_symmetric() = 0;
+
   /// Whether the last row that had a place was at the key at its segment's end, or at its start; nothing if it was at
   /// none.
   virtual std::optional<bool> key_at_end() const = 0;

@@ -199,13 +199,14 @@ class ExactRows::Evaluation {
 
   /// Sets the cells that double-doubles leave open. They are nearly always halfway between two roundings, or 0, and are
   /// computed as rationals where they are rational; others in more and more digits.
-  void complete(const FastRow& row, std::span<const std::size_t> chosen, bool is_placed) {
+  void complete(FastRow row, std::span<const std::size_t> chosen, bool is_placed) {
+    row.is_middle = is_middle(row);
     if (!rows_.arc || is_placed) set_rationals(row, chosen, rows_.arc ? balls_->key_at_end() : std::nullopt);
     bool is_measured = false;
     for (Level& level : levels_) {
       if (!is_open()) return;
-      if (is_measured && level.measures_in_double_doubles) continue;
-      const RealPrecision precision(level.bits, is_last(level));
+      if (is_measured && level.measures_in_double_doubles && !row.is_middle) continue;
+      const RealPrecision precision(level.bits, level.bits == levels_.back().bits);
       try {
         const bool has_place = rows_at(level, chosen).set(row, notation_, is_zero_, cells_);
         if (rows_.arc && has_place) set_rationals(row, chosen, level.rows->key_at_end());
@@ -219,8 +220,6 @@ class ExactRows::Evaluation {
         "the row at time {} has a number that cannot be computed to the requested digits; request fewer with {} or {}",
         time_text(row.sample.t), option::digits, option::fixed);
   }
-
-  bool is_last(const Level& level) const { return &level == &levels_.back(); }
 
   BallRows& rows_at(Level& level, std::span<const std::size_t> chosen) {
     if (level.rows == nullptr) {
@@ -239,6 +238,23 @@ class ExactRows::Evaluation {
       found = zeros_.emplace(row_->segment.number, rows_at(levels_.back(), chosen_).zeros(*row_)).first;
     }
     return found->second[cell];
+  }
+
+  /// Whether a row is in the middle of a symmetric curve, and of a segment.
+  bool is_middle(const FastRow& row) {
+    const std::size_t keys = rows_.exact.keys.size(), segments = rows_.exact.closed ? keys : keys - 1;
+    const bool may_be = rows_.arc && rows_.arc->intervals != 0 && rows_.arc->from == 0 &&
+                        row.number == rows_.arc->intervals - row.number && segments % 2 == 1 &&
+                        row.segment.number == segments / 2;
+    if (may_be && !is_symmetric_) {
+      const RealPrecision precision(levels_.back().bits, true);
+      try {
+        is_symmetric_ = rows_at(levels_.back(), chosen_).is_symmetric();
+      } catch (const Undecided&) {
+        is_symmetric_ = false;
+      }
+    }
+    return may_be && *is_symmetric_;
   }
 
   /// Sets the open cells that are rational, if the place of the row is. `key_at_end`: where it is placed by length.
@@ -270,6 +286,7 @@ class ExactRows::Evaluation {
   std::vector<std::optional<Printed>> cells_;  ///< of the current row; nothing where they are not decided yet
   std::unique_ptr<RationalRows> rational_;     ///< null until it is needed
   std::vector<Level> levels_;
+  std::optional<bool> is_symmetric_;                  ///< nothing until it is needed
   const FastRow* row_ = nullptr;                      ///< the current one
   std::span<const std::size_t> chosen_;               ///< its fields
   std::map<std::uint64_t, std::vector<bool>> zeros_;  ///< of segments: the cells that are 0 all along it

@@ -27,6 +27,7 @@ struct FastRow {
   std::uint64_t number;
   const Sample* end = nullptr;          ///< of the piece that begins at the sample, if there is one
   std::optional<bool> key_at_end = {};  ///< it is at a key, the one at the segment's end or at its start
+  bool is_middle = false;               ///< it is in the middle of its segment, by the symmetry of the curve
   /// The exact times of the row and of the end of its piece, where they have more digits than those of the samples.
   std::optional<Rational> time = {}, end_time = {};
 };
@@ -46,6 +47,9 @@ struct RowsOfCurve {
   std::optional<ExactPlaces> arc;  ///< of rows that are placed by length
   spline::Side side;
 };
+
+/// Places of a segment at which no function is 0 by chance.
+inline constexpr std::array inner_places{0.328125, 0.578125, 0.859375};
 
 /// Whether fields need the length up to a point.
 inline bool needs_lengths(std::span<const std::size_t> chosen) {
@@ -84,6 +88,35 @@ class RowPoint {
     if (row.end != nullptr) end_ = row.end_time ? sample_at(*row.end_time) : sample_at(row.segment, row.end->t);
     point_.set_end(&end_);
     return point_;
+  }
+
+  /// Whether the speed is that of the reversed curve, as it is at three places of each segment.
+  bool is_symmetric() {
+    const auto square_of_speed = [&](std::size_t number, double place) {
+      const spline::Segments<S>& one = known(number).segments;
+      const spline::LocalParameter<S> at{S(place), S(place) - S(1)};
+      const std::vector<std::size_t>& metric = rows_.exact.rules.metric;
+      S square(0);
+      const auto add = [&](const S& rate) { square = square + rate * rate; };
+      if (spline::is_turn(metric)) {
+        for (const auto& rotation : one.rotations) std::ranges::for_each(rotation.rate(at), add);
+      } else {
+        for (std::size_t i = 0; i < one.channels; ++i) {
+          const bool counts = metric.empty() || std::ranges::find(metric, i) != metric.end();
+          if (counts) add(spline::first_derivative(one[0][i], at));
+        }
+      }
+      return square;
+    };
+    for (std::size_t before = curve_->size() / 2, after = curve_->size() - 1 - before; after < curve_->size();) {
+      for (const double u : inner_places) {
+        if (!(square_of_speed(before, u) - square_of_speed(after, 1 - u)).may_be_zero()) return false;
+      }
+      if (before == 0) break;
+      --before;
+      ++after;
+    }
+    return true;
   }
 
   /// The point at a place between the keys of the segment of the row that was placed last; null if the row was not on
@@ -235,6 +268,11 @@ class RowPoint {
       return place_at_key(true, segment_.s_end);
     }
     const S s = arc_length(row.number);
+    if (row.is_middle) {
+      const spline::LocalParameter<S> middle{S(0.5), S(-0.5)};
+      sample_ = {time_at(segment_, S(segment_.end - segment_.start), middle), middle, s};
+      return;
+    }
     const double shown = printed_length(s);
     if (shown <= printed_length(segment_.s_start)) return place_at_key(false, segment_.s_start);
     segment_.s_end = length_to(segment_.number + 1);

@@ -130,8 +130,11 @@ TEST(Ball, gives_whole_numbers_below_that_it_decides) {
   EXPECT_THROW((void)floor(Ball({3, 0}, 1e-20)), Undecided);
 }
 
-TEST(Ball, refuses_what_may_underflow_or_overflow) {
-  EXPECT_THROW((void)(Ball(0x1p-300) * Ball(0x1p-300)), Undecided);
+TEST(Ball, refuses_what_may_overflow_and_holds_what_may_underflow) {
+  const Ball tiny = Ball(0x1p-300) * Ball(0x1p-300);
+  EXPECT_TRUE(tiny.may_be_zero());
+  EXPECT_FALSE(tiny.is_zero());
+  EXPECT_GE(tiny.radius(), 0x1p-600);
   EXPECT_THROW((void)(Ball(0x1p300) * Ball(0x1p300)), Undecided);
   EXPECT_THROW((void)(Ball(1e308) + Ball(1e308)), Undecided);
 }
