@@ -172,15 +172,18 @@ class ExactRows::Evaluation {
   };
 
   static std::vector<Level> levels(const RowsOfCurve& rows) {
+    constexpr int most_measured = 256;  // more take minutes
+    const bool has_turns = spline::is_turn(rows.exact.rules.metric);
     std::vector<Level> levels;
     const int last = last_precision(rows);
-    for (const bool in_double_doubles : {true, false}) {
-      if (in_double_doubles && !spline::is_turn(rows.exact.rules.metric)) continue;
-      for (int bits = first_precision; bits < last; bits *= 2) levels.push_back({bits, in_double_doubles});
-      levels.push_back({last, in_double_doubles});
-    }
+    for (int bits = first_precision; bits < last; bits *= 2) levels.push_back({bits, has_turns});
+    levels.push_back({last, has_turns});
+    for (int bits = first_precision; has_turns && bits <= most_measured; bits *= 2) levels.push_back({bits, false});
     return levels;
   }
+
+  /// The last precision.
+  Level& last() { return *std::ranges::max_element(levels_, {}, &Level::bits); }
 
   bool is_open() const { return !std::ranges::all_of(cells_, &std::optional<Printed>::has_value); }
 
@@ -202,15 +205,15 @@ class ExactRows::Evaluation {
   void complete(FastRow row, std::span<const std::size_t> chosen, bool is_placed) {
     row.is_middle = is_middle(row);
     if (!rows_.arc || is_placed) set_rationals(row, chosen, rows_.arc ? balls_->key_at_end() : std::nullopt);
-    bool is_measured = false;
+    bool is_placed_here = false;
     for (Level& level : levels_) {
       if (!is_open()) return;
-      if (is_measured && level.measures_in_double_doubles && !row.is_middle) continue;
-      const RealPrecision precision(level.bits, level.bits == levels_.back().bits);
+      if (rows_.arc && is_placed_here && level.measures_in_double_doubles && !row.is_middle) continue;
+      const RealPrecision precision(level.bits, level.bits == last().bits);
       try {
         const bool has_place = rows_at(level, chosen).set(row, notation_, is_zero_, cells_);
         if (rows_.arc && has_place) set_rationals(row, chosen, level.rows->key_at_end());
-        is_measured = is_measured || has_place;
+        is_placed_here = is_placed_here || has_place;
       } catch (const Undecided&) {
         continue;
       }
@@ -234,8 +237,8 @@ class ExactRows::Evaluation {
     if (found == zeros_.end()) {
       constexpr std::size_t most_kept = 4096;
       if (zeros_.size() == most_kept) zeros_.clear();
-      const RealPrecision precision(levels_.back().bits, true);
-      found = zeros_.emplace(row_->segment.number, rows_at(levels_.back(), chosen_).zeros(*row_)).first;
+      const RealPrecision precision(last().bits, true);
+      found = zeros_.emplace(row_->segment.number, rows_at(last(), chosen_).zeros(*row_)).first;
     }
     return found->second[cell];
   }
@@ -247,9 +250,9 @@ class ExactRows::Evaluation {
                         row.number == rows_.arc->intervals - row.number && segments % 2 == 1 &&
                         row.segment.number == segments / 2;
     if (may_be && !is_symmetric_) {
-      const RealPrecision precision(levels_.back().bits, true);
+      const RealPrecision precision(last().bits, true);
       try {
-        is_symmetric_ = rows_at(levels_.back(), chosen_).is_symmetric();
+        is_symmetric_ = rows_at(last(), chosen_).is_symmetric();
       } catch (const Undecided&) {
         is_symmetric_ = false;
       }
