@@ -138,6 +138,18 @@ spline::LocalParameter<B> local(std::size_t half, const B& place) {
                    : spline::LocalParameter<B>{place + B(1.0), place};
 }
 
+/// Whether a cubic moves in one direction: the Bernstein coefficients of its derivative have one sign.
+template <class B>
+bool is_monotone(const spline::Cubic<B>& x) {
+  const std::array slopes{x.out, x.out + x.c, x.in};
+  const auto has_sign = [&](bool negative) {
+    return std::ranges::all_of(slopes, [&](const B& slope) {
+      return slope.is_zero() || (!slope.may_be_zero() && (slope.rough() < 0) == negative);
+    });
+  };
+  return has_sign(false) || has_sign(true);
+}
+
 /// The last panel that begins at a length or before it.
 template <class Panel, class M>
 const Panel& panel_at_length(const std::vector<Panel>& panels, const M& length) {
@@ -245,6 +257,8 @@ template <class M>
 void BallArc<M>::assign(std::span<const spline::Cubic<B>> segment, std::span<const std::size_t> metric) {
   panels_.clear();
   total_ = B();
+  monotone_.reset();
+  std::size_t moving = 0;
   for (Half& half : halves_) {
     half.channels.clear();
     half.zeros = 0;
@@ -254,6 +268,9 @@ void BallArc<M>::assign(std::span<const spline::Cubic<B>> segment, std::span<con
   for (std::size_t i = 0; i < size; ++i) {
     const spline::Cubic<B>& x = segment[metric.empty() ? i : metric[i]];
     const B two(2.0), three(3.0);
+    if (!(x.out.is_zero() && x.c.is_zero() && x.d.is_zero())) {
+      monotone_ = ++moving == 1 && is_monotone(x) ? std::optional(x) : std::nullopt;
+    }
     halves_[0].channels.push_back({x.out, two * x.c, three * x.d});
     halves_[1].channels.push_back({x.in, two * x.e, three * x.d});
     error =
@@ -270,6 +287,7 @@ void BallArc<M>::assign(std::span<const spline::Cubic<B>> segment, std::span<con
     add(panel(i, M(i == 0 ? 0.25 : -0.25), M(0.25)),
         Ops::power_of_two(-Ops::bits() - 2) * longest + Bound(0.25) * error);
   }
+  if (monotone_) total_ = abs(monotone_->p1 - monotone_->p0);
 }
 
 /// The rule on a panel from its start to z, without a bound.
@@ -337,6 +355,7 @@ template <class M>
 typename BallArc<M>::B BallArc<M>::to(const spline::LocalParameter<B>& place) const {
   if (place.u.is_zero() || panels_.empty()) return {};
   if (place.w.is_zero()) return total_;
+  if (monotone_) return abs(spline::position(*monotone_, place) - monotone_->p0);
   const std::size_t half = M(0.5) < place.u.middle() ? 1 : 0;  // either will do in the middle
   const B& at = half == 0 ? place.u : place.w;
   const auto ends_before = [&](const Panel& panel) {

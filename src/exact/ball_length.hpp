@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -67,6 +68,7 @@ class BallArc {
   std::array<Half, 2> halves_;
   std::vector<Panel> panels_;
   B total_;
+  std::optional<spline::Cubic<B>> monotone_;  ///< the only channel that moves, if it does so in one direction
 };
 
 /// The angle that rotations turn through on a segment.
