@@ -12,6 +12,7 @@
 #include "io/atomic_output.hpp"
 #include "io/system.hpp"
 #include "io/terminal.hpp"
+#include "limits/limits_job.hpp"
 #include "plot/plot_job.hpp"
 #include "run/batch.hpp"
 #include "run/explain.hpp"
@@ -40,6 +41,16 @@ struct Run {
   tcb::Exit operator()(const tcb::PlotJob& job) const { return tcb::plot(job); }
   tcb::Exit operator()(const tcb::FitJob& job) const { return tcb::fit(job); }
   tcb::Exit operator()(const tcb::CompareJob& job) const { return tcb::compare(job); }
+  tcb::Exit operator()(const tcb::LimitsJob& job) const { return tcb::measure_limits(job); }
+  tcb::Exit operator()(const tcb::RetimeJob& job) const {
+    const tcb::Retiming retiming = tcb::retiming_within(job.limits);
+    return std::visit(
+        [&](auto rows) {
+          rows.keys.rules.retiming = retiming;
+          return (*this)(rows);
+        },
+        job.rows);
+  }
 };
 
 tcb::Exit run(int argc, const char* const* argv) {

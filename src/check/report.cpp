@@ -37,12 +37,6 @@ std::string number_text(double value) {
 /// A number for JSON; null if it is not finite.
 std::string number_json(double value) { return std::isfinite(value) ? number_text(value) : "null"; }
 
-std::string list_json(const std::vector<std::string>& texts) {
-  std::string list;
-  for (const std::string& text : texts) list += (list.empty() ? "" : ",") + json_text(text);
-  return "[" + list + "]";
-}
-
 /// The last lines that all reports have.
 std::string remarks(const ComparisonSummary& summary) {
   std::string out;
@@ -109,7 +103,7 @@ std::string json(const Coverage& coverage) {
   const std::string to = coverage.covered ? time_text(coverage.covered->second) : "null";
   const std::string expected = coverage.expected_rows ? fmt::format("{}", *coverage.expected_rows) : "null";
   return fmt::format("{{\"curve\":{},\"rows\":{},\"expected_rows\":{},\"from\":{},\"to\":{},\"first\":{},\"last\":{}}}",
-                     list_json(coverage.curve), coverage.rows, expected, from, to, time_text(coverage.first),
+                     json_list(coverage.curve), coverage.rows, expected, from, to, time_text(coverage.first),
                      time_text(coverage.last));
 }
 
@@ -176,7 +170,7 @@ std::string row_json(const Identification& found, const Candidate& candidate, bo
       "\"rows_off\":{}}}",
       fits, json_text(name_of(convention.tangents)), found.parts.closed ? "null" : json_text(ends_of(convention)),
       convention.equal_speed, others, json_text(order_of(found, candidate).order.name()),
-      list_json(presets_of(convention, found.parts)), number_json(candidate.largest), candidate.rows_off);
+      json_list(presets_of(convention, found.parts)), number_json(candidate.largest), candidate.rows_off);
 }
 
 }  // namespace
@@ -208,7 +202,7 @@ std::string json(const Check& check) {
       "\"first\":{},\n\"worst\":{},\n\"columns\":[{}],\n\"coverage\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
       check.passed(), json_text(check.file), json_text(check.keys), samples_at(check.by_length), check.rows,
       check.values, check.mismatches, json(check.first), json(check.worst), columns, coverage,
-      list_json(check.problems), list_json(check.ignored));
+      json_list(check.problems), json_list(check.ignored));
 }
 
 std::string text(const Identification& found) {
@@ -237,8 +231,8 @@ std::string json(const Identification& found) {
       "\"same_orders\":{},\n\"first\":{},\n\"worst\":{},\n\"ranking\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
       found.fits(), ranking.precision ? json_text(name_of(*ranking.precision)) : "null", json_text(found.file),
       json_text(found.keys), samples_at(found.by_length), found.rows, found.conventions,
-      list_json(order_of(found, best).same), json(best.first), json(best.worst), rows, list_json(found.problems),
-      list_json(found.ignored));
+      json_list(order_of(found, best).same), json(best.first), json(best.worst), rows, json_list(found.problems),
+      json_list(found.ignored));
 }
 
 std::string in_short(const Check& check) {

@@ -55,6 +55,7 @@ bool writes_no_text(const Typed& typed) { return !typed.output.format->has_marks
 bool writes_no_csv(const Typed& typed) { return !typed.output.format->has_any_delimiter; }
 
 bool is_comparison(const Typed& typed) { return typed.has(option::check) || typed.has(option::identify); }
+bool prints_limits(const Typed& typed) { return typed.has(option::limits) && !typed.has(option::retime); }
 bool writes_no_report(const Typed& typed) { return !typed.output.format->has_reports && !writes_picture(typed); }
 bool has_no_samples(const Typed& typed) { return !has_sampling_option(typed); }
 
@@ -86,6 +87,7 @@ bool has_one_mark_for_two(const Typed& typed) {
 
 constexpr std::string_view folder_reason = ", an output for each file";
 constexpr std::string_view report_reason = ", which takes the samples of its file and prints a report";
+constexpr std::string_view limits_reason = ", which prints a report on whole curves";
 constexpr std::string_view picture_reason = ", which draws the curve and has no rows";
 constexpr std::string_view no_picture_reason = " on an output that is not a picture";
 constexpr std::string_view on_curve_reason = " alone, whose samples are on the curve";
@@ -157,6 +159,26 @@ constexpr Conflict conflicts[] = {
      disables,
      {option::preset, option::tangents, option::ends, option::equal_speed, option::no_overshoot, option::side},
      ", which tries all rules on positions"},
+    {option::limits, excludes, {option::check, option::identify}},
+    {option::limits, disables, some(sampling_options), limits_reason, prints_limits},
+    {option::limits,
+     disables,
+     {option::fields, option::side, option::end, option::keys, option::max_rows, option::extrapolate},
+     limits_reason,
+     prints_limits},
+    {option::limits, disables, options_of_rows, limits_reason, prints_limits},
+    {option::limits,
+     disables,
+     {option::output_format, option::plot},
+     ", whose report is text or json",
+     [](const Typed& typed) { return prints_limits(typed) && !typed.output.format->has_reports; }},
+    {option::retime, needs, {option::limits}},
+    {option::retime, excludes, {option::max_gap}, ", whose gaps would have other lengths"},
+    {option::retime, disables, {option::fit, option::explain}, ", which prints samples"},
+    {option::retime,
+     disables,
+     {option::exact_input, option::output_dir, option::files},
+     ", which computes the times of one file"},
 
     {option::input_format,
      disables,
@@ -353,8 +375,9 @@ constexpr Conflict conflicts[] = {
 
 /// A name, with the value if the conflict depends on values.
 std::string shown(const Typed& typed, std::string_view option, When when) {
-  const bool with_value = when != nullptr && row_of(option).kind != ValueKind::flag && typed.has(option);
-  return std::string(option) + (with_value ? " " + typed.value(option) : "");
+  const ValueKind kind = row_of(option).kind;
+  const bool with_value = when != nullptr && kind != ValueKind::flag && typed.has(option);
+  return std::string(option) + (with_value ? (kind == ValueKind::attached ? "=" : " ") + typed.value(option) : "");
 }
 
 /// Throws: Error (usage) if the options that are given are in this conflict.
@@ -386,7 +409,7 @@ bool has_sampling_option(const TypedOptions& typed) {
 bool needs_no_metric(const TypedOptions& typed) {
   const bool by_metric = by_length(typed.sampling.mode) || typed.has(option::tolerance) || typed.has(option::fit) ||
                          needs_all_channels(typed);
-  return !is_comparison(typed) && !writes_picture(typed) && !by_metric &&
+  return !is_comparison(typed) && !typed.has(option::limits) && !writes_picture(typed) && !by_metric &&
          !any_field(typed, [](const Field& field) { return field.needs_lengths || field.over_metric; });
 }
 

@@ -37,6 +37,12 @@ struct UnitPolicy {
 };
 constexpr std::array unit_policies{UnitPolicy{"error", false}, UnitPolicy{"strip", true}};
 
+struct RetimingName {
+  std::string_view name;
+  bool fits;
+};
+constexpr std::array retiming_names{RetimingName{"slower", false}, RetimingName{"fit", true}};
+
 constexpr std::array side_names{SideName{"right", false}, SideName{"left", true}};
 
 /// The option changes the rows, so it is part of their provenance.
@@ -112,6 +118,16 @@ constexpr OptionRow option_rows[] = {
      "Finds the rules, and the order and signs of T, C, B, that produce the positions in FILE, and prints a ranked "
      "table",
      "", file, recorded, [](Typed& to, Text text) { to.comparison.file = text; }},
+    {option::limits, "", "[=LIST]", comparison_group,
+     "Prints the largest speed, acceleration and jerk of each curve, and of each channel the range and the largest "
+     "velocity, acceleration and jerk: a value that is attained, and a bound that is not exceeded. LIST chooses "
+     "some, with limits, as in speed=2,acceleration_x=5,velocity_y=-1:2,position_z=0:3",
+     "all", attached, recorded, [](Typed& to, Text text) { to.limits.limits = limit_list(text); }},
+    {option::retime, "", "[=fit]", comparison_group,
+     "With limits, prints samples at times that are scaled by the smallest factor of at least 1 by which all limits "
+     "hold; with fit by the smallest factor, so that the curve may also become faster",
+     "slower", attached, recorded,
+     [](Typed& to, Text text) { to.limits.fits = named_row(retiming_names, text).fits; }},
 
     {option::input_format, "-i", "FORMAT", input_group,
      "The format of the input: @NAMES@; see tcbsample-input(5). By default it follows from the first bytes and the "

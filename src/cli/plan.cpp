@@ -43,7 +43,8 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
 /// for the ending of a format that is not written.
 void set_output_format(TypedOptions& typed, bool earlier) {
   const std::string& path = typed.files.outputs.file;
-  const bool is_report = typed.has(option::check) || typed.has(option::identify);
+  const bool prints_limits = typed.has(option::limits) && !typed.has(option::retime);
+  const bool is_report = typed.has(option::check) || typed.has(option::identify) || prints_limits;
   const Format* const named = find_output_format(path);
   const std::string other(other_ending(path));
   if (named == nullptr && !other.empty()) {
@@ -372,6 +373,18 @@ CompareJob compare_job(const TypedOptions& typed) {
           typed.picture, verbosity_of(typed), files.other_inputs};
 }
 
+/// Throws: Error (usage) for several files of keys.
+LimitsJob limits_job(const TypedOptions& typed) {
+  const InputListOptions files = files_of(typed);
+  if (files.files.size() > 1) {
+    throw usage_error("there are {} files of keys; expected one; remove the others", files.files.size())
+        .about(option::limits);
+  }
+  require_forward_range(typed);
+  return {files.files[0],      keys_of(typed), typed.limits,        typed.sampling,    files.outputs.file,
+          typed.output.format, typed.threads,  verbosity_of(typed), files.other_inputs};
+}
+
 ExplainJob explain_job(const TypedOptions& typed) {
   const bool has_samples = has_sampling_option(typed) || typed.has(option::plot);
   return {files_of(typed),  keys_of(typed),   samples_of(typed),   has_samples,
@@ -398,11 +411,34 @@ ResampleJob resample_job(const TypedOptions& typed, std::optional<ProvenanceRequ
           typed.threads,     verbosity_of(typed)};
 }
 
+/// Throws: Error (usage) for keys that cannot be read twice, and without limits or samples.
+RetimeJob retime_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
+  const auto has_limit = [](const Limit& limit) { return limit.most.has_value(); };
+  if (std::ranges::none_of(typed.limits.limits, has_limit)) {
+    throw usage_error("{} gives no limit; expected one to keep, as in {}=speed=2; give its number", option::limits,
+                      option::limits)
+        .about(option::retime);
+  }
+  const bool is_picture = typed.output.format->is_picture;
+  if (!has_sampling_option(typed) && !is_picture) throw no_sampling_option();
+  require_forward_range(typed);
+  LimitsJob limits = limits_job(typed);
+  limits.part = {};
+  if (limits.keys_file == "-") {
+    throw usage_error("the keys are read twice, but standard input only once; write them to a file, and give its name")
+        .about(option::retime);
+  }
+  if (is_picture) return {std::move(limits), plot_job(typed)};
+  return {std::move(limits), resample_job(typed, std::move(provenance))};
+}
+
 }  // namespace
 
 Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
   require_one_reader(typed);
   if (typed.has(option::check) || typed.has(option::identify)) return compare_job(typed);
+  if (typed.has(option::retime)) return retime_job(typed, std::move(provenance));
+  if (typed.has(option::limits)) return limits_job(typed);
   require_samples(typed);
   if (typed.explain) return explain_job(typed);
   if (typed.has(option::fit)) return fit_job(typed, std::move(provenance));

@@ -9,6 +9,7 @@
 #include "cli/typed_options.hpp"
 #include "error.hpp"
 #include "fit/fit_job.hpp"
+#include "limits/limits_job.hpp"
 #include "plot/plot_job.hpp"
 #include "run/explain.hpp"
 #include "run/pipeline.hpp"
@@ -22,8 +23,14 @@ struct PrintText {
   Exit exit = Exit::done;  ///< after the text; where it is another one, the text is an error message
 };
 
+/// Samples or a picture of curves whose times are scaled so that limits hold.
+struct RetimeJob {
+  LimitsJob limits;
+  std::variant<ResampleJob, PlotJob> rows;
+};
+
 /// What the command line requests.
-using Job = std::variant<PrintText, ResampleJob, ExplainJob, PlotJob, FitJob, CompareJob>;
+using Job = std::variant<PrintText, ResampleJob, ExplainJob, PlotJob, FitJob, CompareJob, LimitsJob, RetimeJob>;
 
 /// Reads the command line. Throws: Error (usage) that names the option, what was expected, and the remedy. `color`: as
 /// requested, so that errors have it too.

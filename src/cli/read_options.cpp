@@ -163,15 +163,19 @@ void require_two_dashes(const std::vector<std::string>& words) {
   }
 }
 
-/// The option whose value may be left out has it in the same word, so that it does not take the name of a file.
-/// Throws: Error (usage) for one without the value that its = announces, and for an empty value.
+/// An option whose value may be left out has it in its own word, so that it does not take the name of a file. Throws:
+/// Error (usage) for one without the value that its = announces, and for an empty value.
 std::vector<std::string> with_values(std::vector<std::string> words) {
-  const std::string name(option::file_column);
   for (auto word = words.begin(); word != words.end() && *word != "--"; ++word) {
-    if (*word == name + "=") throw value_missing(name);
-    if (*word != name) continue;
-    if (word + 1 != words.end() && word[1].empty()) throw value_empty().about(name);
-    *word += fmt::format("={}", row_of(name).default_value);
+    for (const OptionRow& row : option_table()) {
+      if (row.kind != ValueKind::attached) continue;
+      const std::string name(row.name);
+      if (*word == name + "=") throw value_missing(name);
+      if (*word != name) continue;
+      if (word + 1 != words.end() && word[1].empty()) throw value_empty().about(name);
+      *word += fmt::format("={}", row.default_value);
+      break;
+    }
   }
   return words;
 }

@@ -13,6 +13,7 @@
 #include "formats/formats.hpp"
 #include "io/input_list.hpp"
 #include "io/terminal.hpp"
+#include "limits/limit_options.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
 #include "write/writer_options.hpp"
@@ -47,6 +48,7 @@ struct TypedOptions {
   PlacesOption places;
   FitOptions fit;
   Comparison comparison;
+  LimitOptions limits;
   WriterOptions output{.format = &formats().front()};
   PictureOptions picture;
   ThreadOptions threads;

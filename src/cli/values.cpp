@@ -230,6 +230,34 @@ std::pair<std::vector<Tolerance>, std::optional<double>> fit_limits(const std::s
   return {list, angle};
 }
 
+std::vector<Limit> limit_list(const std::string& text) {
+  std::vector<Limit> limits;
+  if (text == "all") return limits;
+  for (const std::string_view part : split(text, ',')) {
+    const std::size_t mark = part.rfind('=');
+    Limit limit{std::string(part.substr(0, mark)), {}, {}};
+    bool is_limit = !limit.name.empty();
+    if (mark != std::string_view::npos) {
+      const std::string_view numbers = part.substr(mark + 1);
+      const std::size_t colon = numbers.find(':');
+      const bool is_range = colon != std::string_view::npos;
+      limit.most = parse_rational(is_range ? numbers.substr(colon + 1) : numbers);
+      if (is_range) limit.least = parse_rational(numbers.substr(0, colon));
+      is_limit &= limit.most && within_doubles(*limit.most);
+      if (is_range) is_limit &= limit.least && within_doubles(*limit.least) && is_limit && *limit.least <= *limit.most;
+      if (!is_range) is_limit &= is_limit && *limit.most >= 0;
+    }
+    if (!is_limit) {
+      throw usage_error(
+          "{} is not a limit; expected NAME, NAME=LIMIT or NAME=LEAST:MOST, as in speed=2 or position_z=0:3; correct "
+          "it",
+          in_quotes(part));
+    }
+    limits.push_back(std::move(limit));
+  }
+  return limits;
+}
+
 double corner_angle(const std::string& text) {
   const auto value = parse_number(text);
   if (!value || *value <= 0 || *value >= 180)

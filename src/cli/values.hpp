@@ -96,6 +96,8 @@ int digit_count(const std::string& text, int least);
 CurveTolerance curve_tolerance(const std::string& text);
 /// "D", "NAME=D" or an angle such as "0.5deg", or several separated by commas, above 0; the angle in radians.
 std::pair<std::vector<Tolerance>, std::optional<double>> fit_limits(const std::string& text);
+/// "NAME", "NAME=LIMIT" or "NAME=LEAST:MOST", or several separated by commas; none for "all".
+std::vector<Limit> limit_list(const std::string& text);
 /// Degrees above 0 and below 180.
 double corner_angle(const std::string& text);
 /// "1e-9", "x=1e-6", or several separated by commas.

@@ -147,6 +147,7 @@ Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs) 
   blocks = with_clear_angles(std::move(blocks), needs.angles, needs.channels, needs.closed);
   if (needs.may_be_timed) blocks = with_clear_times(std::move(blocks), needs.channels[0]);
   if (needs.exponent) blocks = parameterized(std::move(blocks), *needs.exponent, needs.metric);
+  if (needs.retiming) blocks = retimed(std::move(blocks), *needs.retiming, needs.frames);
   if (needs.unlikely_scale) blocks = within_tcb_scale(std::move(blocks), *needs.unlikely_scale);
   if (!needs.ease) blocks = without_ease(std::move(blocks));
   if (needs.monotone) blocks = with_rules_alone(std::move(blocks));
@@ -180,6 +181,22 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) 
     held.pop_front();
     return first;
   };
+}
+
+Source<KeyBlock> retimed(Source<KeyBlock> blocks, const Retiming& retiming, const std::optional<FrameTimes>& frames) {
+  return mapped(std::move(blocks), [retiming, frames](KeyBlock block) {
+    const auto& [factor, origin] = retiming;
+    const double number = nearest_double(factor);
+    for (Time& time : block.keys.times) {
+      const auto frame = frames ? frames->exact(time) : std::nullopt;
+      time = nearest_time(origin + (frame.value_or(Rational(time.hi) + Rational(time.lo)) - origin) * factor);
+    }
+    for (auto& [in, out] : block.keys.velocities) {
+      in /= number;
+      out /= number;
+    }
+    return block;
+  });
 }
 
 Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown) {

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "keys/rotations.hpp"
+#include "numbers/frame_times.hpp"
 #include "schema/curve_channels.hpp"
+#include "schema/curve_settings.hpp"
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/scalar.hpp"
@@ -29,6 +31,8 @@ struct KeyPreparation {
   bool may_be_timed = false;                         ///< keys have no times, but the first channel may be one
   std::optional<double> exponent = {};               ///< of the distances that make the times; nothing: keys have times
   std::vector<std::size_t> metric = {};              ///< the channels of these distances; empty: all
+  std::optional<Retiming> retiming = {};             ///< their times change
+  std::optional<FrameTimes> frames = {};             ///< where the times before that are frames in seconds
   std::optional<ShownTcbScale> unlikely_scale = {};  ///< on which tension, continuity and bias must not seem to be
   bool ease = true;                                  ///< that of keys is used
   bool monotone = false;                             ///< the timing, which has no ease, velocities or missing positions
@@ -44,6 +48,9 @@ Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs);
 /// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases
 /// from key to key, up to the thousandth: then it may be the time.
 Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel);
+
+/// Keys with other times, and velocities that fit. `frames`: where the times are frames in seconds.
+Source<KeyBlock> retimed(Source<KeyBlock> blocks, const Retiming& retiming, const std::optional<FrameTimes>& frames);
 
 /// Passes keys on. Throws: Error (data) for tension, continuity or bias beyond 5 in size: they are probably on the
 /// scale on which the product shows them.

@@ -194,6 +194,16 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     }
     std::ranges::for_each(request_.places, take_frame);
   }
+  if (spec_.retiming) {
+    frames_of_keys_ = std::exchange(spec_.frames, std::nullopt);
+    request_.frames.reset();
+    if (!spec_.timed && ((spec_.closed && !spec_.period) || (golden_ && time_exponent() != 0))) {
+      throw usage_error(
+          "the times are made by the program; expected times of keys; name their column with {} time=NAME",
+          option::columns)
+          .about(option::retime);
+    }
+  }
   if (spec_.timed && spec_.parameter) {
     throw data_error(
         "column \"{}\" has times already; expected keys without times; remove {}, or choose the columns with {}",
@@ -217,6 +227,8 @@ Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t le
                         .may_be_timed = may_be_timed_,
                         .exponent = spec_.timed ? std::nullopt : std::optional(spec_.parameter.value_or(0)),
                         .metric = spec_.rules.metric,
+                        .retiming = spec_.retiming,
+                        .frames = frames_of_keys_,
                         .unlikely_scale = has_tcb_scale_ ? std::nullopt : shown_tcb_scale(spec_.preset),
                         .ease = spec_.ease,
                         .monotone = spec_.rules.timing == spline::Timing::monotone,
@@ -387,8 +399,9 @@ CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const 
 Rational CurvePipeline::exact_end(const ExactKeys& exact, const StreamedCurve& curve) const {
   const std::size_t keys = curve.keys.size();
   if (keys < exact.size()) return exact.times()[keys];  // of the key that repeats the first one
-  if (spec_.period && golden_->decimal) return exact.times()[0] + *spec_.period;
-  return exact_number(*curve.extent.last, golden_->decimal, spec_.frames);
+  const bool decimal = golden_ && golden_->decimal;
+  if (spec_.period && decimal) return exact.times()[0] + *spec_.period;
+  return exact_number(*curve.extent.last, decimal, spec_.frames);
 }
 
 /// Requests take the times of keys with all their digits.
@@ -400,21 +413,33 @@ void CurvePipeline::set_key_times(const StreamedCurve& curve, const ExactKeys& e
   request_.key_times = std::make_shared<const std::map<Time, Rational>>(std::move(times));
 }
 
+ExactCurve CurvePipeline::exact(const StreamedCurve& curve) const {
+  KeyBlock block{.keys = curve.keys.all()};
+  block.text_positions.lines.resize(curve.keys.size());
+  ExactKeys exact(false, {}, spec_.frames);
+  exact.add(block);
+  return exact_curve(exact, curve);
+}
+
+ExactCurve CurvePipeline::exact_curve(const ExactKeys& exact, const StreamedCurve& curve) const {
+  std::optional<Rational> end;
+  if (spec_.closed) end = exact_end(exact, curve);
+  ExactCurve result = exact.curve(curve.keys.size(), spec_.rules, end);
+  result.channels = spec_.channels();
+  if (time_exponent() != 0) {
+    result.exponent = time_exponent();
+    if (!spec_.period) result.end.reset();
+  }
+  result.closed = spec_.closed;
+  result.extrapolations = spec_.extrapolations;
+  return result;
+}
+
 /// Evaluates rows exactly, and rounds each number once. `times`: of rows in any order, or none.
 Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, const StreamedCurve& curve, std::vector<Rational> times,
                                    std::shared_ptr<const Locator> locator) const {
-  std::optional<Rational> end;
-  if (spec_.closed) end = exact_end(exact, curve);
-  ExactCurve exact_curve = exact.curve(curve.keys.size(), spec_.rules, end);
-  exact_curve.channels = spec_.channels();
-  if (time_exponent() != 0) {
-    exact_curve.exponent = time_exponent();
-    if (!spec_.period) exact_curve.end.reset();
-  }
-  exact_curve.closed = spec_.closed;
-  exact_curve.extrapolations = spec_.extrapolations;
-  const auto rows =
-      std::make_shared<ExactRows>(std::move(exact_curve), request_, curve.extent, golden_->notation, std::move(times));
+  const auto rows = std::make_shared<ExactRows>(exact_curve(exact, curve), request_, curve.extent, golden_->notation,
+                                                std::move(times));
   return [rows, locator = std::move(locator)](const SampleBlock& block, std::span<const std::size_t> chosen) {
     return rows->evaluate(block, *locator, chosen);
   };

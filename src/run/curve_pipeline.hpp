@@ -24,6 +24,7 @@
 
 namespace tcb {
 
+struct ExactCurve;
 class ExactKeys;
 class KeptCurve;
 class Locator;
@@ -102,6 +103,9 @@ class CurvePipeline {
   /// The samples of the request on a curve of this pipeline. `exact`: its keys, if rows are exact.
   CurveSamples samples(StreamedCurve curve, const ExactKeys* exact = nullptr);
 
+  /// A curve of this pipeline without any rounding; the numbers of rotations are rounded.
+  ExactCurve exact(const StreamedCurve& curve) const;
+
   const CurveSpec& spec() const { return spec_; }
   const CurveNeeds& needs() const { return needs_; }
 
@@ -122,6 +126,7 @@ class CurvePipeline {
   bool take_places_of_part(const Extent& extent);
   void set_key_times(const StreamedCurve& curve, const ExactKeys& exact);
   Rational exact_end(const ExactKeys& exact, const StreamedCurve& curve) const;
+  ExactCurve exact_curve(const ExactKeys& exact, const StreamedCurve& curve) const;
   Evaluate exact_rows(const ExactKeys& exact, const StreamedCurve& curve, std::vector<Rational> times,
                       std::shared_ptr<const Locator> locator) const;
 
@@ -130,6 +135,7 @@ class CurvePipeline {
   std::optional<GoldenOptions> golden_;
   bool may_be_timed_, has_tcb_scale_;
   CurveNeeds needs_;
+  std::optional<FrameTimes> frames_of_keys_ = {};  ///< where they get other times
   unsigned threads_;
   std::vector<std::string> channels_;
   RotationsOfKeys rotations_;

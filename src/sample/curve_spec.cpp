@@ -137,6 +137,21 @@ Rational parse_period(const TextSetting& setting) {
   return *period;
 }
 
+/// Multiplies times, also those of velocities. Throws: Error (usage) for a rule that depends on an absolute time.
+void retime(CurveSpec& spec, const Rational& factor) {
+  if (spec.period) *spec.period *= factor;
+  for (auto* end : {&spec.rules.start, &spec.rules.end}) {
+    if (end->rule == spline::EndRule::lightwave && !spec.closed && factor != 1) {
+      throw usage_error(
+          "the end rule lightwave depends on 1/3600 of a second, so that other times make another curve; give {} "
+          "another rule",
+          option::ends)
+          .about(option::retime);
+    }
+    for (double& velocity : end->velocity) velocity /= nearest_double(factor);
+  }
+}
+
 }  // namespace
 
 std::optional<std::size_t> find_channel(const std::string& name, const std::vector<std::string>& channels) {
@@ -208,6 +223,8 @@ CurveSpec make_spec(const CurveSettings& settings) {
   if (settings.parameter) spec.parameter_name = settings.parameter->value;
   if (settings.extrapolate) spec.extrapolations = parse_extrapolations(*settings.extrapolate);
   spec.ease = !settings.no_ease;
+  spec.retiming = settings.retiming;
+  if (spec.retiming) retime(spec, spec.retiming->factor);
   return spec;
 }
 

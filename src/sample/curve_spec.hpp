@@ -30,7 +30,8 @@ struct CurveSpec {
   std::optional<FrameTimes> frames = {};           ///< where the times of the keys are frames in seconds
   bool is_period_in_seconds = false;               ///< it is a duration, not in the unit of the times
   Extrapolations extrapolations;
-  bool ease = true;  ///< ease columns are used, if there are any
+  bool ease = true;                       ///< ease columns are used, if there are any
+  std::optional<Retiming> retiming = {};  ///< of the keys; the period and the velocities at ends have it already
 
   /// There are rotations alone, which have no lengths.
   bool lacks_metric = false;

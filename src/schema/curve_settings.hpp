@@ -35,6 +35,11 @@ struct Setting {
 using TextSetting = Setting<std::string>;
 
 /// Settings of a curve as values of options or JSON members, before names are looked up.
+/// Times that are multiplied by a factor, from one on that stays.
+struct Retiming {
+  Rational factor, origin;
+};
+
 struct CurveSettings {
   std::optional<TextSetting> preset;
   std::optional<TextSetting> tangents;
@@ -50,6 +55,7 @@ struct CurveSettings {
   bool equal_speed = false;
   bool no_overshoot = false;
   bool no_ease = false;
+  std::optional<Retiming> retiming = {};
 };
 
 /// The frames in which a viewer plays a curve: one at 0, step, 2 step, ... in the unit of the times.

@@ -130,6 +130,12 @@ std::string json_text(std::string_view text) {
   return quoted + '"';
 }
 
+std::string json_list(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ",") + json_text(text);
+  return "[" + list + "]";
+}
+
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, bool first) {
   const std::size_t begin = out.size();

@@ -42,6 +42,8 @@ std::string delimited_text(std::string_view text, char delimiter);
 
 /// A text as a JSON string.
 std::string json_text(std::string_view text);
+/// Texts as a JSON list.
+std::string json_list(const std::vector<std::string>& texts);
 
 /// Rows of delimited text, below the names if there is a header.
 Layout delimited_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool header);

@@ -1,0 +1,330 @@
+// Extremes: the certified maximum of a measure over a curve.
+#include "limits/extremes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <queue>
+#include <utility>
+
+#include "error.hpp"
+#include "exact/rounding.hpp"
+
+namespace tcb::limits {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 0x1p-40;  ///< relative: of the segments, and of hundreds of operations on them
+
+/// A part of a piece of a segment with a measure on it in Bernstein's form, and how far rounding may move that.
+struct Candidate {
+  std::size_t segment, piece;
+  Polynomial<double> value;
+  double slack = 0;
+  double begin = 0, size = 1;  ///< of the part
+  double upper = infinity;     ///< a bound
+
+  /// The largest value at its ends, at least.
+  double attained() const { return std::max(value.front(), value.back()) - slack; }
+  bool is_narrow(double other) const { return upper - other <= 8 * slack; }
+  bool operator<(const Candidate& other) const { return upper < other.upper; }
+};
+
+/// The parts that may hold the maximum of one measure.
+class Search {
+ public:
+  explicit Search(const Measure& measure) : measure_(&measure) {}
+
+  void add(const Piece<double>& piece, std::size_t segment, std::size_t number, const MeasuredCurve& curve) {
+    const Measured<double> x = measured(piece, *measure_, curve.unit, curve.scale);
+    constexpr double least = 1e-290;  // below it, squares may be 0
+    Candidate one{segment, number, bernstein(x.value, x.value.size() - 1)};
+    one.slack = x.scale == 0 ? 0 : rounding * x.scale + least;
+    if (!std::isfinite(x.scale)) {
+      candidates_.push_back(std::move(one));  // doubles do not bound it
+      return;
+    }
+    add(std::move(one));
+    if (candidates_.size() < 2 * kept_ + 64) return;
+    std::erase_if(candidates_, [this](const Candidate& other) { return !(other.upper >= attained_); });
+    kept_ = candidates_.size();
+  }
+
+  /// The parts that are left, those with the largest bounds first.
+  std::vector<Candidate> rest() {
+    std::vector<Candidate> final;
+    std::priority_queue<Candidate> queue({}, std::exchange(candidates_, {}));
+    while (!queue.empty()) {
+      Candidate top = queue.top();
+      queue.pop();
+      if (!(top.upper >= attained_)) break;
+      constexpr double smallest = 0x1p-30;
+      if (!std::isfinite(top.slack) || top.size <= smallest || top.is_narrow(attained_)) {
+        final.push_back(std::move(top));
+        continue;
+      }
+      const auto [left, right] = halves(top.value);
+      for (const bool second : {false, true}) {
+        Candidate half = top;
+        half.size = top.size / 2;
+        if (second) half.begin += half.size;
+        half.value = second ? right : left;
+        add(std::move(half));
+      }
+      for (Candidate& half : candidates_) queue.push(std::move(half));
+      candidates_.clear();
+    }
+    std::erase_if(final, [this](const Candidate& one) { return !(one.upper >= attained_); });
+    return final;
+  }
+
+ private:
+  void add(Candidate&& one) {
+    one.upper = *std::ranges::max_element(one.value) + one.slack;
+    const double value = one.attained();
+    if (!(one.upper > attained_)) return;
+    attained_ = std::max(attained_, value);
+    candidates_.push_back(std::move(one));
+  }
+
+  const Measure* measure_;
+  std::vector<Candidate> candidates_;
+  std::size_t kept_ = 0;
+  double attained_ = -infinity;
+};
+
+/// A bound of r on [low, high], which contains 0, with r(0) = 0: from r = x (r1 + x (r2 + ...)).
+Rational bound_from(const Polynomial<Rational>& r, const Rational& low, const Rational& high) {
+  const Rational reach = std::max(abs(low), abs(high));
+  Rational after_first = 0, after_second = 0, power = 1;  // the most that later terms add to r1, and to r2
+  for (std::size_t i = 2; i < r.size(); ++i) {
+    if (i > 2) after_second += abs(r[i]) * power * reach;
+    if (i > 2) power *= reach;
+    after_first += abs(r[i]) * power * reach;
+  }
+  const Rational first = r.size() > 1 ? r[1] : 0, second = r.size() > 2 ? r[2] : 0;
+  if (low == 0 && first + after_first <= 0) return 0;
+  if (high == 0 && first - after_first >= 0) return 0;
+  const Rational bend = second + after_second;
+  if (bend < 0) return first * first / (bend * -4);
+  return abs(first) * reach + bend * reach * reach;
+}
+
+/// Bounds parts of pieces with rationals.
+class ExactSearch {
+ public:
+  std::optional<Extreme> best;
+  Rational place;  ///< of the best, in its piece
+  std::size_t best_candidate = 0;
+
+  void add(const Polynomial<Rational>& x, const Candidate& part, std::size_t number) {
+    candidate_ = number;
+    bound(x, Rational(part.begin), Rational(part.begin + part.size), 0);
+  }
+
+ private:
+  void attain(const Rational& value, const Rational& where) {
+    if (best && value <= best->low) return;
+    best = Extreme{value, best ? std::max(best->high, value) : value, {}};
+    place = where;
+    best_candidate = candidate_;
+  }
+
+  void bound(const Polynomial<Rational>& x, const Rational& begin, const Rational& end, int depth) {
+    static const Rational close = Rational(0x1p-80);
+    const Rational at = likely_place(x, begin, end);
+    Polynomial<Rational> rest = shifted(x, at);
+    const Rational value = rest[0];
+    attain(value, at);
+    const Rational most = value + bound_from(rest, begin - at, end - at);
+    constexpr int deepest = 120;
+    if (most <= best->low) return;
+    if (depth == deepest || most - best->low <= close * abs(most)) {
+      best->high = std::max(best->high, most);
+      return;
+    }
+    const Rational middle = (begin + end) / 2;
+    const bool is_first = at < middle;  // the half that has the largest value, probably
+    bound(x, is_first ? begin : middle, is_first ? middle : end, depth + 1);
+    bound(x, is_first ? middle : begin, is_first ? end : middle, depth + 1);
+  }
+
+  /// Where the largest value on [begin, end] probably is: the root of the derivative, as the simplest fraction near it
+  /// that is one, or better by a step of Newton's method.
+  static Rational likely_place(const Polynomial<Rational>& x, const Rational& begin, const Rational& end) {
+    Rational largest = 0;
+    for (const Rational& coefficient : x) largest = std::max(largest, abs(coefficient));
+    if (largest == 0) return begin;
+    Polynomial<double> rounded(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) rounded[i] = nearest_double(x[i] / largest);
+    const Polynomial<double> rate = derivative(rounded);
+    double low = nearest_double(begin), high = nearest_double(end);
+    if (!(value_at(rate, low) > 0)) return begin;
+    if (value_at(rate, high) > 0) return end;
+    const double near = std::min(0x1p-36, (high - low) / 4);
+    for (int i = 0; i < 60; ++i) {
+      const double middle = low + (high - low) / 2;
+      if (middle == low || middle == high) break;
+      (value_at(rate, middle) > 0 ? low : high) = middle;
+    }
+    const Polynomial<Rational> exact = derivative(x);
+    const auto is_inside = [&](const Rational& u) { return begin <= u && u <= end; };
+    const Rational simple =
+        low - near <= 0 ? Rational(0) : simplest_between(Rational(low - near), Rational(low + near));
+    if (is_inside(simple) && value_at(exact, simple) == 0) return simple;
+    const Rational rough(low), bend = value_at(derivative(exact), rough);
+    if (bend == 0) return rough;
+    const Rational step = -value_at(exact, rough) / bend;
+    const bool is_quadratic = x.size() == 3;
+    const Rational better = rough + (is_quadratic ? step : Rational(nearest_double(step)));
+    return is_inside(better) ? better : rough;
+  }
+
+  std::size_t candidate_ = 0;
+};
+
+Rational exactly(const Time& time, const std::optional<FrameTimes>& frames) {
+  const auto frame = frames ? frames->exact(time) : std::nullopt;
+  return frame ? *frame : Rational(time.hi) + Rational(time.lo);
+}
+
+/// The fractions of the duration of a segment that are measured; nothing: none.
+std::optional<std::pair<Rational, Rational>> fractions(const MeasuredCurve& curve, const Rational& start,
+                                                       const Rational& end) {
+  if ((curve.from && end <= *curve.from) || (curve.to && start >= *curve.to)) return std::nullopt;
+  Rational first = 0, last = 1;
+  if (curve.from && start < *curve.from) first = (*curve.from - start) / (end - start);
+  if (curve.to && *curve.to < end) last = (*curve.to - start) / (end - start);
+  return std::pair(first, last);
+}
+
+/// Lists the keys at which velocities jump.
+class Corners {
+ public:
+  explicit Corners(const std::vector<std::size_t>& channels) : channels_(channels) {}
+
+  std::vector<Corner> found;
+
+  void add(const std::vector<Piece<double>>& pieces, const Time& start) {
+    if (pieces.empty()) return;
+    const std::vector<End> out = ends(pieces.front(), false);
+    if (first_.empty()) first_ = out;
+    if (!before_.empty()) compare(before_, out, start);
+    before_ = ends(pieces.back(), true);
+  }
+  void close(const Time& end) {
+    if (!first_.empty()) compare(before_, first_, end);
+  }
+
+ private:
+  struct End {
+    double velocity, size;
+  };
+
+  std::vector<End> ends(const Piece<double>& piece, bool at_end) const {
+    std::vector<End> result;
+    for (const std::size_t channel : channels_) {
+      const auto [rate, sizes] = rate_of(piece, channel, 1, 1.0);
+      result.push_back({value_at(rate, at_end ? 1.0 : 0.0), sizes});
+    }
+    return result;
+  }
+
+  void compare(const std::vector<End>& in, const std::vector<End>& out, const Time& time) {
+    Corner corner{time, 0, {}};
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      const double jump = std::abs(out[i].velocity - in[i].velocity);
+      if (!(jump > rounding * std::max(out[i].size, in[i].size))) continue;
+      corner.jump = std::hypot(corner.jump, jump);
+      corner.channels.push_back(channels_[i]);
+    }
+    if (!corner.channels.empty()) found.push_back(std::move(corner));
+  }
+
+  const std::vector<std::size_t>& channels_;
+  std::vector<End> first_, before_;
+};
+
+/// The maximum among the parts that may hold it.
+std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const Measure& measure,
+                                     const MeasuredCurve& curve,
+                                     const std::function<const spline::Segments<Rational>&(std::size_t)>& segment) {
+  const auto piece_of = [&](const Candidate& part) {
+    const spline::Segments<Rational>& one = segment(part.segment);
+    const Rational duration = one.times[1] - one.times[0];
+    const auto range = fractions(curve, one.times[0], one.times[1]).value_or(std::pair<Rational, Rational>(0, 1));
+    const auto pieces = pieces_of(one, 0, duration == 0 ? Rational(1) : duration, range.first, range.second);
+    return pieces[std::min(part.piece, pieces.size() - 1)];
+  };
+  constexpr std::size_t most = 2000;  // parts; more are bounded with doubles alone
+  ExactSearch search;
+  for (std::size_t i = 0; i < std::min(parts.size(), most); ++i) {
+    search.add(measured(piece_of(parts[i]), measure).value, parts[i], i);
+  }
+  if (!search.best) return std::nullopt;
+  Extreme& best = *search.best;
+  Rational factor = Rational(1) / Rational(curve.scale);
+  for (int order = 0; order < measure.derivative; ++order) factor /= Rational(curve.unit);
+  if (measure.is_size()) factor *= factor;
+  for (std::size_t i = most; i < parts.size(); ++i) {
+    if (!std::isfinite(parts[i].upper))
+      throw data_error("numbers are too far apart to bound; expected fewer such keys");
+    best.high = std::max(best.high, Rational(parts[i].upper) * factor);
+  }
+  const Candidate& part = parts[search.best_candidate];
+  const Piece<Rational> piece = piece_of(part);
+  const Rational fraction = piece.begin + search.place * (piece.end - piece.begin);
+  const spline::Segments<Rational>& one = segment(part.segment);
+  best.time = one.times[0] + fraction * (one.times[1] - one.times[0]);
+  best.is_at_key = fraction == 0 || fraction == 1;
+  if (fraction == 1) best.side = spline::Side::left;
+  return search.best;
+}
+
+}  // namespace
+
+Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measures,
+                  const std::vector<std::size_t>& channels) {
+  std::vector<Search> searches(measures.begin(), measures.end());
+  Corners corners(channels);
+  const Source<SegmentBlock> blocks = curve.segments();
+  std::size_t number = 0;
+  Time end;
+  while (const std::optional<SegmentBlock> block = blocks()) {
+    const spline::Segments<double>& segments = block->segments;
+    for (std::size_t i = 0; i < segments.size(); ++i, ++number) {
+      const Time start = segments.times[i];
+      end = segments.times[i + 1];
+      double first = 0, last = 1;
+      if (curve.from || curve.to) {
+        const auto part = fractions(curve, exactly(start, curve.frames), exactly(end, curve.frames));
+        if (!part) continue;
+        first = nearest_double(part->first);
+        last = nearest_double(part->second);
+      }
+      const Time duration = curve.frames ? curve.frames->elapsed(end) - curve.frames->elapsed(start) : end - start;
+      const std::vector<Piece<double>> pieces =
+          pieces_of(segments, i, duration.hi > 0 ? duration.hi : 1.0, first, last);
+      for (std::size_t k = 0; k < measures.size(); ++k) {
+        for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+          searches[k].add(pieces[piece], number, piece, curve);
+      }
+      corners.add(pieces, start);
+    }
+  }
+  if (curve.closed && !curve.from && !curve.to) corners.close(end);
+  std::map<std::size_t, spline::Segments<Rational>> exact;
+  const auto exact_segment = [&](std::size_t segment) -> const spline::Segments<Rational>& {
+    const auto found = exact.find(segment);
+    return found != exact.end() ? found->second : exact.emplace(segment, curve.exact(segment)).first->second;
+  };
+  Extremes result;
+  for (std::size_t k = 0; k < measures.size(); ++k) {
+    result.maxima.push_back(exact_maximum(searches[k].rest(), measures[k], curve, exact_segment));
+  }
+  result.corners = std::move(corners.found);
+  return result;
+}
+
+}  // namespace tcb::limits

@@ -1,0 +1,59 @@
+// Extremes: the certified maximum of a measure over a curve.
+//
+// All pieces are bounded with doubles and a bound on their rounding; the parts that may hold the maximum are bounded
+// again with rationals, from the exact keys. Nothing is sampled: a part is left out where its bound is below a value
+// that is attained.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "limits/pieces.hpp"
+#include "numbers/frame_times.hpp"
+#include "numbers/rational.hpp"
+#include "sample/build.hpp"
+#include "stream/source.hpp"
+
+namespace tcb::limits {
+
+/// A curve whose segments can be read again, as doubles and as exact numbers.
+struct MeasuredCurve {
+  std::function<Source<SegmentBlock>()> segments;
+  std::function<spline::Segments<Rational>(std::size_t)> exact;  ///< the segment with this number
+  std::optional<FrameTimes> frames;                              ///< where the times of the keys are frames in seconds
+  std::optional<Rational> from, to;                              ///< the times that are measured; nothing: all
+  bool closed = false;
+  // Powers of two that keep doubles in their range:
+  double unit = 1;   ///< of time; segments are hardly shorter
+  double scale = 1;  ///< for positions; no product with it is much above 1
+};
+
+/// The maximum of a measure: of a size its square, of a smallest number its negative.
+struct Extreme {
+  Rational low;                             ///< a value that is attained
+  Rational high;                            ///< a bound that is not exceeded
+  Rational time;                            ///< where `low` is attained
+  spline::Side side = spline::Side::right;  ///< of a key there, on whose segment
+  bool is_at_key = false;
+};
+
+/// A sudden change of the velocity.
+struct Corner {
+  Time time;
+  double jump = 0;                    ///< the root of the sum of squares over the channels
+  std::vector<std::size_t> channels;  ///< that change
+};
+
+struct Extremes {
+  std::vector<std::optional<Extreme>> maxima;  ///< of the measures, in their order; nothing where no time is measured
+  std::vector<Corner> corners;
+};
+
+/// The maxima, and the keys at which velocities of `channels` change by more than 2^-40 of their size, which is more
+/// than rounding.
+Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measures,
+                  const std::vector<std::size_t>& channels);
+
+}  // namespace tcb::limits

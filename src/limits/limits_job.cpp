@@ -1,0 +1,370 @@
+// Limits job: certified maxima of the curves of a file, against limits, from the bytes of keys to the report.
+#include "limits/limits_job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "exact/ball_angle.hpp"
+#include "exact/exact_curve.hpp"
+#include "formats/formats.hpp"
+#include "io/atomic_output.hpp"
+#include "io/input_file.hpp"
+#include "io/input_list.hpp"
+#include "keys/curves.hpp"
+#include "limits/report.hpp"
+#include "option_names.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
+#include "run/batch.hpp"
+#include "run/curve_pipeline.hpp"
+#include "run/file_notes.hpp"
+#include "run/progress.hpp"
+#include "schema/texts.hpp"
+#include "stream/ordered_map.hpp"
+#include "text/suggest.hpp"
+#include "text/utf8.hpp"
+
+namespace tcb {
+namespace limits {
+namespace {
+
+/// Measures of a channel, such as velocity_x, and those over the metric channels.
+struct Quantity {
+  std::string_view name;
+  int derivative;
+};
+constexpr std::array of_channels{Quantity{"position", 0}, Quantity{"velocity", 1}, Quantity{"acceleration", 2},
+                                 Quantity{"jerk", 3}};
+constexpr std::array norms{Quantity{"speed", 1}, Quantity{"acceleration", 2}, Quantity{"jerk", 3}};
+
+/// What can be measured of a curve.
+struct MeasuredChannels {
+  std::vector<std::string> names;
+  std::vector<std::size_t> numbers;    ///< of those that are none of a rotation
+  std::vector<std::size_t> positions;  ///< of those of them that are no angles, which have no range
+  std::vector<std::size_t> metric;
+};
+
+MeasuredChannels channels_of(const CurveSpec& spec, const std::vector<std::string>& names) {
+  MeasuredChannels channels{names, {}, {}, spline::metric_of(spec.rules, names.size())};
+  if (spline::is_turn(channels.metric)) channels.metric.clear();
+  if (channels.metric.empty() && spec.rules.rotations.empty() && spec.rules.angles.empty()) {
+    for (std::size_t i = 0; i < names.size(); ++i) channels.metric.push_back(i);
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!spline::is_in_rotation(spec.rules.rotations, i)) channels.numbers.push_back(i);
+    if (spline::is_plain(spec.rules, i)) channels.positions.push_back(i);
+  }
+  return channels;
+}
+
+/// All measures of a curve, as sizes.
+std::vector<Measure> known_measures(const MeasuredChannels& channels) {
+  std::vector<Measure> known;
+  for (const Quantity& norm : norms) {
+    if (!channels.metric.empty())
+      known.push_back({std::string(norm.name), Measure::Kind::size, norm.derivative, channels.metric});
+  }
+  for (const Quantity& quantity : of_channels) {
+    for (const std::size_t channel : quantity.derivative == 0 ? channels.positions : channels.numbers) {
+      known.push_back({fmt::format("{}_{}", quantity.name, channels.names[channel]),
+                       Measure::Kind::size,
+                       quantity.derivative,
+                       {channel}});
+    }
+  }
+  return known;
+}
+
+/// A maximum that is asked for, with its limit.
+struct Wanted {
+  Measure measure;
+  std::optional<Rational> limit = {};
+};
+
+/// Throws: Error (usage) for a limit of something that the curve does not have.
+std::vector<Wanted> wanted_of(const LimitOptions& options, const MeasuredChannels& channels) {
+  const std::vector<Measure> known = known_measures(channels);
+  std::vector<Wanted> wanted;
+  const auto add = [&](Measure measure, Measure::Kind kind, const std::optional<Rational>& limit) {
+    measure.kind = kind;
+    wanted.push_back({std::move(measure), limit});
+  };
+  const auto add_range = [&](const Measure& measure, const Limit& limit) {
+    add(measure, Measure::Kind::smallest, limit.least);
+    add(measure, Measure::Kind::largest, limit.most);
+  };
+  for (const Limit& limit : options.limits) {
+    const auto measure = std::ranges::find(known, limit.name, &Measure::name);
+    if (measure == known.end()) {
+      std::vector<std::string> names;
+      for (const Measure& one : known) names.push_back(one.name);
+      const std::string reason =
+          limit.name == "angular_speed" || limit.name == "curvature" ? "its maximum has no proved bound; " : "";
+      throw usage_error("nothing is measured as {}; {}expected one of {}{}", in_quotes(limit.name), reason,
+                        listed(names), did_you_mean(limit.name, names))
+          .about(option::limits);
+    }
+    const bool is_number = measure->kind == Measure::Kind::size && measure->name.find('_') != std::string::npos;
+    if (limit.least && !is_number) {
+      throw usage_error("{} is never below 0; expected {}=LIMIT; give its largest value", limit.name, limit.name)
+          .about(option::limits);
+    }
+    if (limit.least || (!limit.most && measure->derivative == 0 && is_number))
+      add_range(*measure, limit);
+    else
+      add(*measure, measure->kind, limit.most);
+  }
+  if (!options.limits.empty()) return wanted;
+  for (const Measure& measure : known) {
+    const bool is_position = measure.derivative == 0;
+    if (is_position)
+      add_range(measure, {});
+    else
+      add(measure, measure.kind, {});
+  }
+  return wanted;
+}
+
+/// A segment of floats of many digits as rationals.
+spline::Segments<Rational> rational(const spline::Segments<RealBall>& from) {
+  const auto exact = [](const RealBall& x) { return x.middle().rational(); };
+  spline::Segments<Rational> to{from.channels, {exact(from.times[0]), exact(from.times[1])}, {}, {}};
+  for (const auto& x : from.cubics) {
+    to.cubics.push_back({exact(x.p0), exact(x.out), exact(x.c), exact(x.c_low), exact(x.p1), exact(x.in), exact(x.e),
+                         exact(x.e_low), exact(x.d)});
+  }
+  for (const auto& warp : from.warps) {
+    if (warp.is_cubic()) {
+      to.warps.push_back(spline::Warp<Rational>::cubic(exact(warp.first_derivative(RealBall(0.0), {})),
+                                                       exact(warp.first_derivative(RealBall(1.0), {}))));
+    } else if (warp.has_ease()) {
+      const Rational first = exact(warp.end_of_first_part()), last = exact(warp.start_of_last_part());
+      const Rational k = Rational(1) + (first - last) / 2;
+      to.warps.emplace_back(first / k, (Rational(1) - last) / k);
+    } else {
+      to.warps.emplace_back();
+    }
+  }
+  return to;
+}
+
+/// A segment of a curve by its number, as exact numbers; where these are irrational, to 120 digits.
+std::function<spline::Segments<Rational>(std::size_t)> exact_segments(ExactCurve exact) {
+  exact.rules.rotations.clear();  // whose numbers are not measured
+  if (exact.keys.size() == 1) {
+    return [one = spline::constant_segment(exact.keys, exact.rules)](std::size_t) { return one; };
+  }
+  if (exact.is_rational()) {
+    return [curve = std::shared_ptr(curve_at<Rational>(exact))](std::size_t number) {
+      return curve->segments(number, number + 1);
+    };
+  }
+  constexpr int bits = 400;
+  const RealPrecision precision(bits, true);
+  return [curve = std::shared_ptr(curve_at<RealBall>(exact))](std::size_t number) {
+    const RealPrecision used(bits, true);
+    return rational(curve->segments(number, number + 1));
+  };
+}
+
+/// `streamed`: with exact derivatives where keys lack positions.
+MeasuredCurve measured_curve(const StreamedCurve& streamed, const CurvePipeline& pipeline) {
+  MeasuredCurve curve{[streamed] { return streamed.segments(); },
+                      exact_segments(pipeline.exact(streamed)),
+                      pipeline.spec().frames,
+                      pipeline.request().from,
+                      pipeline.request().to,
+                      streamed.extent.closed};
+  double largest = 0, shortest = 0;
+  std::optional<Time> before;
+  const Source<Keys> blocks = streamed.keys.source();
+  while (const std::optional<Keys> block = blocks()) {
+    for (const double position : block->positions) largest = std::max(largest, std::abs(position));
+    for (const Time& time : block->times) {
+      const double duration = before ? (time - *before).hi : 0;
+      if (duration > 0 && (shortest == 0 || duration < shortest)) shortest = duration;
+      before = time;
+    }
+  }
+  const auto power = [](double value, int sign) {
+    constexpr int most = 1000;
+    return value == 0 ? 1 : std::ldexp(1.0, sign * std::clamp(std::ilogb(value), -most, most));
+  };
+  curve.unit = power(shortest, 1);
+  curve.scale = power(largest, -1);
+  return curve;
+}
+
+/// The limit in the form of an Extreme.
+Rational as_measured(const Measure& measure, const Rational& limit) {
+  if (measure.is_size()) return limit * limit;
+  return measure.kind == Measure::Kind::smallest ? -limit : limit;
+}
+
+void measure(const MeasuredCurve& curve, const std::vector<std::string>& title, const MeasuredChannels& channels,
+             const LimitOptions& options, LimitsReport& report) {
+  std::vector<Wanted> wanted = wanted_of(options, channels);
+  std::vector<Measure> measures;
+  for (const Wanted& one : wanted) measures.push_back(one.measure);
+  Extremes found = extremes(curve, measures, channels.numbers);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const Measure& one = measures[i];
+    LimitResult result{title, one, std::move(found.maxima[i]), wanted[i].limit};
+    if (result.limit && result.extreme) {
+      const bool needs_smooth = one.derivative > 1;
+      const auto breaks = [&](const Corner& corner) {
+        return std::ranges::any_of(corner.channels,
+                                   [&](std::size_t channel) { return std::ranges::count(one.channels, channel) > 0; });
+      };
+      result.is_broken = needs_smooth && std::ranges::any_of(found.corners, breaks);
+      result.passed = !result.is_broken && result.extreme->high <= as_measured(one, *result.limit);
+    }
+    report.results.push_back(std::move(result));
+  }
+  for (Corner& corner : found.corners) report.corners.push_back({title, std::move(corner)});
+}
+
+LimitsReport report_of(const LimitsJob& job, Report& progress) {
+  LimitsReport report{shown_name(job.keys_file), {}};
+  FileNotes notes(progress, job.keys_file);
+  const auto file = progress.begin_file(job.keys_file, 0);
+  InputOptions options = job.keys.input;
+  options.threads = job.threads.count();
+  const Input input = open_input(job.keys_file, file->observe_bytes(read_file(job.keys_file)), options);
+  notes.add_input(input, job.keys);
+  report.channels = input.schema.channels;
+  Curves curves(input.schema, input.keys, job.keys.curves, false);
+  while (const std::optional<InputCurve> keys = curves.next()) {
+    const CurveRequest request{.samples = job.part, .rules = job.keys.rules, .threads = options.threads};
+    CurvePipeline pipeline(request, input.schema, input.keys.traits, *keys->curve_info, keys->part);
+    StreamedCurve streamed = pipeline.streamed(keys->keys);
+    streamed.options.expanded = true;
+    if (!report.first) report.first = exact_number(streamed.keys.key(0).times[0], false, pipeline.spec().frames);
+    measure(measured_curve(streamed, pipeline), group_title(input.schema.groups, keys->group),
+            channels_of(pipeline.spec(), input.schema.channels), job.options, report);
+  }
+  notes.end(curves);
+  const auto is_measured = [](const LimitResult& result) { return result.extreme.has_value(); };
+  if (!report.results.empty() && std::ranges::none_of(report.results, is_measured)) {
+    throw usage_error("no curve is in the range of times; give times on a curve")
+        .about(job.part.from ? option::from : option::to);
+  }
+  return report;
+}
+
+/// x^(1/n) for whole n from 1 to 6, by Newton's method. Requires: x > 0, finite.
+double root_of(double x, int n) {
+  if (n % 2 == 0) return root_of(std::sqrt(x), n / 2);
+  if (n == 1) return x;
+  int exponent = 0;
+  double rest = std::frexp(x, &exponent);
+  for (; exponent % 3 != 0; ++exponent) rest /= 2;
+  double root = 1;
+  for (int i = 0; i < 60; ++i) root -= (root * root * root - rest) / (3 * root * root);
+  return std::ldexp(root, exponent / 3);
+}
+
+Rational power_of(const Rational& x, int exponent) {
+  Rational power = 1;
+  for (int i = 0; i < exponent; ++i) power *= x;
+  return power;
+}
+
+/// The smallest factor of 14 digits by which all limits hold, with a margin for the rounding of times.
+Rational factor_within(const LimitsReport& report, bool fits) {
+  if (report.passed() && !fits) return 1;
+  struct Pace {
+    Rational ratio;  ///< of the maximum to its limit
+    int power;       ///< of the factor, by which the maximum becomes smaller
+    std::string name;
+  };
+  std::vector<Pace> least, most;  // what the factor has to reach, and what it cannot exceed
+  const auto refuse = [](const std::string& name, std::string_view reason) {
+    return data_error("no factor of the times meets the limit of {}: {}; give another limit", name, reason)
+        .about(option::limits);
+  };
+  for (const LimitResult& result : report.results) {
+    if (!result.limit || !result.extreme) continue;
+    const Measure& measure = result.measure;
+    if (result.is_broken) throw refuse(measure.name, "the velocity jumps");
+    if (measure.derivative == 0 && !result.passed) throw refuse(measure.name, "it does not depend on time");
+    if (measure.derivative == 0) continue;
+    const Rational limit = as_measured(measure, *result.limit), &high = result.extreme->high;
+    const int power = measure.derivative * (measure.is_size() ? 2 : 1);
+    if (limit < 0) {  // slower is farther from it
+      if (!result.passed) throw refuse(measure.name, "the curve is too slow");
+      most.push_back({high / limit, power, measure.name});
+    } else if (high > 0) {
+      if (limit == 0) throw refuse(measure.name, "only rest would meet it");
+      least.push_back({high / limit, power, measure.name});
+    }
+  }
+  if (least.empty()) {
+    throw data_error("no limit depends on the pace; expected one of a speed, acceleration or jerk; add one")
+        .about(option::limits);
+  }
+  Rational factor = fits ? 0 : 1;
+  for (const Pace& pace : least) {
+    const double ratio = nearest_double(pace.ratio);
+    if (!std::isfinite(ratio) || ratio < 1e-300) throw refuse(pace.name, "it is too far from the maximum");
+    constexpr double margin = 1 + 0x1p-44;
+    const double near = root_of(ratio, pace.power) * margin;
+    constexpr int digits = 14;
+    const Rational unit = power_of_ten(decimal_exponent(near) - digits + 1);
+    Rational wanted = -floor(-(Rational(near) / unit)) * unit;
+    while (power_of(wanted, pace.power) < pace.ratio) wanted += unit;
+    factor = std::max(factor, wanted);
+  }
+  for (const Pace& pace : most) {
+    if (power_of(factor, pace.power) > pace.ratio) throw refuse(pace.name, "slower times break it");
+  }
+  return factor;
+}
+
+}  // namespace
+}  // namespace limits
+
+Retiming retiming_within(const LimitsJob& job) {
+  Verbosity quiet = job.verbosity;
+  quiet.quiet = true;
+  Retiming retiming{1, 0};
+  {
+    const ThreadPool pool(job.threads.count());
+    Report silent(quiet);
+    in_file(shown_name(job.keys_file), [&] {
+      const limits::LimitsReport report = limits::report_of(job, silent);
+      retiming = {limits::factor_within(report, job.options.fits), report.first.value_or(0)};
+    });
+  }
+  Report(job.verbosity)
+      .note(job.keys_file, {fmt::format("the times are scaled by {}, so that all limits hold",
+                                        time_text(nearest_time(retiming.factor))),
+                            true});
+  return retiming;
+}
+
+Exit measure_limits(const LimitsJob& job) {
+  std::vector<std::string> inputs = job.other_inputs;
+  inputs.push_back(job.keys_file);
+  require_no_input_replaced(job.output, inputs);
+  if (job.output != "-") remove_unfinished_when_interrupted();
+  const ThreadPool pool(job.threads.count());
+  Report progress(job.verbosity);
+  progress.expect(1, 0);
+  const limits::LimitsReport report =
+      in_file(shown_name(job.keys_file), [&] { return limits::report_of(job, progress); });
+  Output output(job.output);
+  output.write(job.format->has_reports ? json(report) : text(report));
+  output.commit();
+  return report.passed() ? Exit::done : Exit::data;
+}
+
+}  // namespace tcb

@@ -1,0 +1,129 @@
+// Polynomials over the scalars double and Rational: arithmetic, and Bernstein's form, which bounds them.
+//
+// On [0, 1] a polynomial is within the smallest and the largest of its coefficients in Bernstein's form, and has the
+// first and the last one as its values at 0 and 1; halving the interval brings them together quadratically.
+// Source: R. T. Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29 (2012),
+//   doi:10.1016/j.cagd.2012.03.001.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <utility>
+
+namespace tcb::limits {
+
+/// Coefficients by rising powers, or in Bernstein's form; at least one.
+template <class S>
+class Polynomial {
+ public:
+  Polynomial() : Polynomial({S(0)}) {}
+  Polynomial(std::initializer_list<S> coefficients) : size_(coefficients.size()) {
+    std::ranges::copy(coefficients, coefficients_.begin());
+  }
+  explicit Polynomial(std::size_t size) : size_(size) {}
+
+  std::size_t size() const { return size_; }
+  S& operator[](std::size_t i) { return coefficients_[i]; }
+  const S& operator[](std::size_t i) const { return coefficients_[i]; }
+  const S& front() const { return coefficients_[0]; }
+  const S& back() const { return coefficients_[size_ - 1]; }
+  S* begin() { return coefficients_.data(); }
+  S* end() { return begin() + size_; }
+  const S* begin() const { return coefficients_.data(); }
+  const S* end() const { return begin() + size_; }
+
+  bool is_zero() const {
+    return std::all_of(begin(), end(), [](const S& x) { return x == S(0); });
+  }
+  friend bool operator==(const Polynomial& a, const Polynomial& b) { return std::ranges::equal(a, b); }
+
+ private:
+  static constexpr std::size_t most = 13;  ///< of the sixth power of a speed
+
+  std::array<S, most> coefficients_{};
+  std::size_t size_;
+};
+
+/// a + factor b.
+template <class S>
+Polynomial<S> sum(const Polynomial<S>& a, const Polynomial<S>& b, const S& factor = S(1)) {
+  Polynomial<S> result(std::max(a.size(), b.size()));
+  std::ranges::copy(a, result.begin());
+  for (std::size_t i = 0; i < b.size(); ++i) result[i] = result[i] + factor * b[i];
+  return result;
+}
+
+template <class S>
+Polynomial<S> product(const Polynomial<S>& a, const Polynomial<S>& b) {
+  Polynomial<S> result(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) result[i + j] = result[i + j] + a[i] * b[j];
+  }
+  return result;
+}
+
+/// outer(inner(x)).
+template <class S>
+Polynomial<S> composed(const Polynomial<S>& outer, const Polynomial<S>& inner) {
+  Polynomial<S> result{outer.back()};
+  for (std::size_t i = outer.size() - 1; i-- > 0;) {
+    result = product(result, inner);
+    result[0] = result[0] + outer[i];
+  }
+  return result;
+}
+
+/// a(x + shift), by Horner's scheme.
+template <class S>
+Polynomial<S> shifted(Polynomial<S> a, const S& shift) {
+  for (std::size_t done = 0; done + 1 < a.size(); ++done) {
+    for (std::size_t i = a.size() - 1; i-- > done;) a[i] = a[i] + shift * a[i + 1];
+  }
+  return a;
+}
+
+template <class S>
+Polynomial<S> derivative(const Polynomial<S>& a) {
+  if (a.size() == 1) return Polynomial<S>();
+  Polynomial<S> result(a.size() - 1);
+  for (std::size_t i = 1; i < a.size(); ++i) result[i - 1] = S(static_cast<int>(i)) * a[i];
+  return result;
+}
+
+template <class S>
+S value_at(const Polynomial<S>& a, const S& x) {
+  S value = a.back();
+  for (std::size_t i = a.size() - 1; i-- > 0;) value = value * x + a[i];
+  return value;
+}
+
+/// From rising powers to Bernstein's form of a degree that is not below its own: b_j is the sum over i of
+/// a_i C(j, i) / C(n, i).
+inline Polynomial<double> bernstein(const Polynomial<double>& a, std::size_t degree) {
+  Polynomial<double> result(degree + 1);
+  double of_n = 1;  // C(n, i)
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    double of_j = 1;  // C(j, i)
+    for (std::size_t j = i; j <= degree; ++j) {
+      result[j] += a[i] * of_j / of_n;
+      of_j = of_j * static_cast<double>(j + 1) / static_cast<double>(j + 1 - i);
+    }
+    of_n = of_n * static_cast<double>(degree - i) / static_cast<double>(i + 1);
+  }
+  return result;
+}
+
+/// Bernstein's forms on [0, 1/2] and [1/2, 1].
+inline std::pair<Polynomial<double>, Polynomial<double>> halves(Polynomial<double> b) {
+  Polynomial<double> left(b.size());
+  left[0] = b[0];
+  for (std::size_t level = b.size() - 1; level > 0; --level) {
+    for (std::size_t i = 0; i < level; ++i) b[i] = 0.5 * (b[i] + b[i + 1]);
+    left[b.size() - level] = b[0];
+  }
+  return {left, b};
+}
+
+}  // namespace tcb::limits

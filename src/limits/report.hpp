@@ -1,0 +1,55 @@
+// Reports of limits: maxima as decimals around them, as text and as JSON.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "limits/extremes.hpp"
+
+namespace tcb::limits {
+
+/// A maximum, and whether it is within its limit.
+struct LimitResult {
+  std::vector<std::string> curve;  ///< NAME=VALUE for each column of its group
+  Measure measure;
+  std::optional<Extreme> extreme;  ///< nothing: no time of the curve is measured
+  std::optional<Rational> limit = {};
+  bool passed = true;
+  bool is_broken = false;  ///< by a jump of the velocity
+};
+
+struct CornerOfCurve {
+  std::vector<std::string> curve;
+  Corner corner;
+};
+
+struct LimitsReport {
+  std::string keys;  ///< name of their file
+  std::vector<std::string> channels;
+  std::vector<LimitResult> results = {};
+  std::vector<CornerOfCurve> corners = {};
+
+  std::optional<Rational> first = {};  ///< the time of the first key
+
+  bool passed() const { return std::ranges::all_of(results, &LimitResult::passed); }
+};
+
+/// Two numbers that differ by one unit of the last digit at most, unless the bounds do not allow that.
+struct DecimalBounds {
+  double low = 0, high = 0;  ///< their shortest texts have 15 digits at most
+};
+
+/// The exponent of the first digit of a decimal. Requires: value > 0, finite.
+int decimal_exponent(double value);
+Rational power_of_ten(int exponent);
+
+/// Decimals around a number within bounds; with `root`, around the root of one.
+DecimalBounds decimal_bounds(const Rational& low, const Rational& high, bool root);
+
+/// The report as text, and as a JSON object.
+std::string text(const LimitsReport& report);
+std::string json(const LimitsReport& report);
+
+}  // namespace tcb::limits

@@ -1,0 +1,311 @@
+"""--limits and --retime against Sturm sequences of fractions: limits.py PROGRAM [CURVES] [SEED].
+
+Random curves by all rules: cusps, corners, tension 1, |T|, |C|, |B| to 8, closed curves, ease, ranges, positions that are
+missing, sizes from 1e-100 to 1e100. The maximum that is printed is attained, its bound is not exceeded, and they differ by
+one unit of the last digit at most. With scaled times all limits hold, and the tightest is met within 1e-12.
+Exit 1: a number is wrong, and its command is printed.
+"""
+import json
+import math
+import random
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction as F
+
+sys.dont_write_bytecode = True
+from cubics import Cubics
+
+program = sys.argv[1]
+curves = int(sys.argv[2]) if len(sys.argv) > 2 else 20
+rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
+rules = ["velocity", "uniform", "interval", "interval-c", "finite-difference", "kb1984", "synfig"]
+end_rules = ["half", "one-sided", "mirror", "chord", "zero", "natural", "natural-tension", "cry", "lightwave", "velocity"]
+orders = {"position": 0, "velocity": 1, "speed": 1, "acceleration": 2, "jerk": 3, "curvature": 0}
+
+
+def add(a, b):
+    n = max(len(a), len(b))
+    return [(a[i] if i < len(a) else 0) + (b[i] if i < len(b) else 0) for i in range(n)]
+
+
+def times(a, b):
+    r = [F(0)] * (len(a) + len(b) - 1)
+    for i, x in enumerate(a):
+        for j, y in enumerate(b):
+            r[i + j] += x * y
+    return r
+
+
+def compose(outer, inner):
+    r = [outer[-1]]
+    for c in reversed(outer[:-1]):
+        r = times(r, inner)
+        r[0] += c
+    return r
+
+
+def derive(a):
+    return [i * a[i] for i in range(1, len(a))] or [F(0)]
+
+
+def trim(a):
+    a = list(a)
+    while len(a) > 1 and a[-1] == 0:
+        a.pop()
+    return a
+
+
+def value(a, x):
+    r = F(0)
+    for c in reversed(a):
+        r = r * x + c
+    return r
+
+
+def divide(a, b):
+    """Quotient and remainder."""
+    a, q = list(a), []
+    while len(a) >= len(b):
+        q.append(F(a[-1]) / b[-1])
+        for i in range(len(b)):
+            a[len(a) - len(b) + i] -= q[-1] * b[i]
+        a.pop()
+    return q[::-1] or [F(0)], trim(a or [F(0)])
+
+
+def whole(a):
+    """a times a positive number, with whole coefficients."""
+    scale = math.lcm(*(F(c).denominator for c in a))
+    numbers = [int(c * scale) for c in a]
+    divisor = math.gcd(*numbers) or 1
+    return [c // divisor for c in numbers]
+
+
+def sturm(p):
+    chain = [whole(p), whole(trim(derive(p)))]
+    while len(chain[-1]) > 1:
+        r = divide(chain[-2], chain[-1])[1]
+        if not any(r):
+            break
+        chain.append(whole([-c for c in r]))
+    return chain
+
+
+def changes(chain, x):
+    signs = [s for s in (value(p, x) for p in chain) if s != 0]
+    return sum((a < 0) != (b < 0) for a, b in zip(signs, signs[1:]))
+
+
+def roots(p):
+    """Points within 2^-80 of each root in (0, 1)."""
+    p = trim(p)
+    if len(p) < 2:
+        return
+    chain = sturm(p)
+    if len(chain[-1]) > 1:  # roots that are multiple become single
+        chain = sturm(trim(divide(p, chain[-1])[0]))
+    todo = [(F(0), F(1), changes(chain, F(0)), changes(chain, F(1)))]
+    while todo:
+        a, b, at_a, at_b = todo.pop()
+        if at_a == at_b:
+            continue
+        if at_a - at_b == 1:
+            if value(chain[0], b) == 0:
+                yield b
+                continue
+            falls = value(chain[0], b) < 0
+            for _ in range(80):
+                m = (a + b) / 2
+                y = value(chain[0], m)
+                if y == 0:
+                    a = b = m
+                    break
+                a, b = (a, m) if (y < 0) == falls else (m, b)
+            yield (a + b) / 2
+            continue
+        m = (a + b) / 2
+        at_m = changes(chain, m)
+        todo += [(a, m, at_a, at_m), (m, b, at_m, at_b)]
+
+
+def largest(over, under):
+    """The largest value on [0, 1], within 2^-100 of the size of the terms; None: it has no bound."""
+    slope = trim(add(times(derive(over), under), [-x for x in times(over, derive(under))]))
+    if not any(over):
+        return F(0)
+    best = None
+    for x in [F(0), F(1), *roots(slope), *(roots(under) if len(trim(under)) > 1 else ())]:
+        y = value(under, x)
+        if y < F(1, 2 ** 120) * sum(abs(c) for c in under):
+            return None
+        best = value(over, x) / y if best is None else max(best, value(over, x) / y)
+    return best
+
+
+def pieces(cubics, eases, steps):
+    """(begin, duration, polynomials over time, polynomials over u) of each part."""
+    begin = F(0)
+    for segment, (e, f), h in zip(cubics, eases, steps):
+        if f + e > 1:
+            f, e = f / (f + e), e / (f + e)
+        parts = [(F(1), [F(0), F(1)])]
+        if f or e:
+            k = 1 / (2 - f - e)
+            parts = [(f, [0, 0, k * f]), (1 - f - e, [k * f, 2 * k * (1 - f - e)]), (e, [1 - k * e, 2 * k * e, -k * e])]
+        for size, warp in parts:
+            if size:
+                yield h * size, [compose(list(x), [F(c) for c in warp]) for x in segment], [list(x) for x in segment]
+
+
+def squares(vectors):
+    total = [F(0)]
+    for x in vectors:
+        total = add(total, times(x, x))
+    return total
+
+
+def exact_maximum(parts, name, kind, channels):
+    """Of a size its square, of a minimum its negative."""
+    order = orders[name.split("_")[0]]
+    best = None
+    for duration, by_time, by_u in parts:
+        if name == "curvature":
+            v = [derive(by_u[c]) for c in channels]
+            crosses = [add(times(v[i], derive(v[j])), [-x for x in times(derive(v[i]), v[j])])
+                       for i in channels for j in channels if i < j]
+            s = squares(v)
+            found = largest(trim(squares(crosses)), trim(times(times(s, s), s)))
+            if found is None:
+                return None
+        else:
+            vectors = []
+            for c in channels:
+                p = by_time[c]
+                for _ in range(order):
+                    p = derive(p)
+                vectors.append([x / duration ** order for x in p])
+            over = squares(vectors) if kind == "size" else [x if kind == "maximum" else -x for x in vectors[0]]
+            found = largest(trim(over), [F(1)])
+        best = found if best is None else max(best, found)
+    return best
+
+
+def unit(*texts):
+    """One unit of the last digit of decimals, which may have lost zeros at their ends."""
+    def last(text):
+        mantissa, _, exponent = text.lower().partition("e")
+        return int(exponent or 0) - len(mantissa.partition(".")[2])
+    return F(10) ** min(map(last, texts))
+
+
+def random_curve():
+    channels, closed = rng.randint(1, 3), rng.random() < 0.3
+    n = rng.randint(3 if closed else 2, 6)
+    size = 10.0 ** rng.choice([0, 0, 0, rng.randint(-100, 100)])
+    pace = 10.0 ** rng.choice([0, 0, 0, rng.randint(-8, 8)])
+    is_whole, eased = rng.random() < 0.3, rng.random() < 0.25
+    kind = rng.choice(["plain", "tcb", "large", "tense", "cusp"])
+    reach = {"plain": 0, "tcb": 1, "large": 8, "tense": 1, "cusp": 1}[kind]
+    keys, t = [], 0.0
+    for i in range(n):
+        p = [float(rng.randint(-5, 5)) if is_whole else rng.uniform(-1, 1) * size for _ in range(channels)]
+        if kind == "cusp" and i and rng.random() < 0.4:
+            p = list(keys[-1][1])
+        tcb = [rng.uniform(-reach, reach) for _ in range(3)]
+        if is_whole:
+            tcb = [float(round(x)) for x in tcb]
+        if kind == "tense" and rng.random() < 0.6:
+            tcb[0] = 1.0
+        ease = [rng.choice([0.0, 0.25, 0.5, 1.0, rng.random()]) for _ in range(2)] if eased else [0.0, 0.0]
+        keys.append((t, p, tcb, ease))
+        t += (1.0 if is_whole else rng.uniform(0.05, 2)) * pace
+    return keys, t if closed else None, eased, kind
+
+
+def exact_parts(keys, key_times, rule, ends, period, velocity):
+    of = lambda numbers: [F(x) for x in numbers]
+    stamps = of(key_times)
+    end = None if period is None else F(period)
+    curve = Cubics(stamps, [(0, of(p), of(tcb)) for _, p, tcb, _ in keys], rule, ends, end, of(velocity))
+    stops = curve.times
+    eases = [(F(keys[(i + 1) % len(keys)][3][0]), F(keys[i][3][1])) for i in range(len(curve.cubics))]
+    return list(pieces(curve.cubics, eases, [b - a for a, b in zip(stops, stops[1:])]))
+
+
+def run(command, text, codes=(0,)):
+    done = subprocess.run([program, *command], input=text, capture_output=True, text=True, timeout=60)
+    if done.returncode not in codes:
+        sys.exit(f"{' '.join(command)}: {done.stderr}\n{text}")
+    return done.stdout
+
+
+maxima = wide = unbounded = retimed = 0
+for number in range(curves):
+    keys, period, eased, kind = random_curve()
+    channels = len(keys[0][1])
+    rule, ends = rng.choice(rules), (rng.choice(end_rules), rng.choice(end_rules))
+    velocity = [rng.uniform(-2, 2) for _ in range(channels)]
+    header = ["t", *"xyz"[:channels], "tension", "continuity", "bias"] + (["ease_in", "ease_out"] if eased else [])
+    lines = [[t, *p, *tcb, *(ease if eased else [])] for t, p, tcb, ease in keys]
+    text = "\n".join([",".join(header)] + [",".join(map(repr, line)) for line in lines]) + "\n"
+    with_velocity = ":".join(map(repr, velocity))
+    options = ["--tangents", rule, "-q"]
+    options += [f"--period={period!r}"] if period else \
+        ["--ends", ",".join(e + (f"={with_velocity}" if e == "velocity" else "") for e in ends)]
+    names = ["speed", "acceleration", "jerk", "position_x", "velocity_x", "acceleration_x", "jerk_x"]
+    wanted = rng.sample(names, 2 if eased else 4)
+    command = [*options, "--limits=" + ",".join(wanted), "-f", "json", "-"]
+    report = json.loads(run(command, text), parse_float=str, parse_int=str)
+    exact = exact_parts(keys, [key[0] for key in keys], rule, ends, period, velocity)
+    for entry in report["limits"]:
+        extreme, name = entry["extreme"], entry["name"]
+        measured = [0] if name.endswith("_x") else list(range(channels))
+        best = exact_maximum(exact, name, extreme, measured)
+        maxima += 1
+        if best is None or entry["maximum"] is None:
+            unbounded += 1
+            if (best is None) != (entry["maximum"] is None):
+                sys.exit(f"curve {number}: {name}: {entry['maximum']}, but {best and float(best)}\n{' '.join(command)}\n{text}")
+            continue
+        shown, bound = F(entry["maximum"]), F(entry["bound"])
+        doubt = abs(best) / 2 ** 70
+        if extreme == "size":
+            good = shown * shown <= best + doubt and bound * bound >= best - doubt
+        else:
+            sign = -1 if extreme == "minimum" else 1
+            good = sign * shown <= best + doubt and sign * bound >= best - doubt
+        wide += abs(bound - shown) > unit(entry["maximum"], entry["bound"])
+        if not good or abs(bound - shown) > F(3, 10 ** 14) * max(abs(shown), abs(bound)):
+            sys.exit(f"curve {number}: {name} {extreme}: {entry['maximum']} to {entry['bound']}, exactly {float(best)}\n"
+                     f"{' '.join(command)}\n{text}")
+    if period or eased or number % 2 or "lightwave" in ends or "velocity" in ends:
+        continue
+    limits = {}
+    for entry in report["limits"]:
+        if orders[entry["name"].split("_")[0]] and F(entry["maximum"]) != 0:
+            limits[entry["name"]] = abs(float(entry["maximum"])) * rng.uniform(0.01, 1.2)
+    corners = {channel for corner in report["corners"] for channel in corner["channels"]}
+    if corners:
+        limits = {name: limit for name, limit in limits.items() if orders[name.split("_")[0]] == 1}
+    if not limits:
+        continue
+    with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
+        file.write(text)
+        file.flush()
+        asked = "--limits=" + ",".join(f"{name}={limit!r}" for name, limit in limits.items())
+        rows = run([*options, asked, "--retime=fit", "--per-segment", "1", file.name], "").splitlines()[1:]
+    new_times = [float(row.split(",")[0]) for row in rows]
+    scaled = exact_parts(keys, new_times, rule, ends, None, velocity)
+    closest = 0.0
+    for name, limit in limits.items():
+        best = exact_maximum(scaled, name, "size", [0] if name.endswith("_x") else list(range(channels)))
+        part = math.sqrt(float(best / F(limit) ** 2))
+        closest = max(closest, part)
+    retimed += 1
+    if not 1 - 1e-12 <= closest <= 1:
+        sys.exit(f"curve {number}: the tightest limit is met to {closest!r}: {' '.join(options)} {asked} --retime=fit\n{text}")
+print(f"{curves} curves: {maxima} maxima, {unbounded} without a bound, {wide} bounds more than one unit away, "
+      f"{retimed} with scaled times")
+if wide:
+    sys.exit("bounds are more than one unit away")
