@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "sample/sampler.hpp"
 
 namespace tcb {
 namespace {
