@@ -42,6 +42,12 @@ std::string number_text(double value) {
   return text;
 }
 
+/// A decimal of at most 15 digits. The shortest text of a large double may have more.
+std::string decimal_text(double value) {
+  const bool is_large = std::isfinite(value) && std::abs(value) >= 1e15;
+  return is_large ? fmt::format("{:.15g}", value) : number_text(value);
+}
+
 ResultTexts texts_of(const LimitResult& result) {
   ResultTexts texts;
   if (result.limit) {
@@ -57,8 +63,8 @@ ResultTexts texts_of(const LimitResult& result) {
     low = 0 - low;
     high = 0 - high;
   }
-  texts.maximum = number_text(low);
-  texts.bound = number_text(high);
+  texts.maximum = decimal_text(low);
+  texts.bound = decimal_text(high);
   if (result.limit) texts.factor = number_text(low / nearest_double(*result.limit) + 0);
   return texts;
 }
