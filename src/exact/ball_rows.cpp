@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -216,20 +217,26 @@ class Rows final : public BallRows {
     }
   }
 
-  std::vector<bool> zeros(const FastRow& row) override {
+  std::vector<std::optional<Cell>> zeros(const FastRow& row) override {
     const IsZero is_zero = [](std::size_t) { return false; };
-    std::vector<bool> zeros;
+    const auto kept = [](const std::optional<Printed>& cell) {
+      const bool is_kept = cell && (is_empty(cell->cell) || cell->cell == Cell(0));
+      return is_kept ? std::optional(cell->cell) : std::nullopt;
+    };
+    std::vector<std::optional<Cell>> zeros;
     for (const double u : inner_places) {
       Point<B>* const point = point_.place_inside(row, u);
-      std::vector<bool> here;
+      std::vector<std::optional<Cell>> here;
       for (const auto& field : fields_) {
         std::vector<std::optional<Printed>> cells(field.size);
         BallCells of{cells, 0, {}, rows_, row, is_zero};
         if (point != nullptr && field.write != nullptr && !field.is_of_more_than_place) set(of, field, *point);
-        for (const auto& cell : cells) here.push_back(cell && cell->cell == Cell(0));
+        std::ranges::transform(cells, std::back_inserter(here), kept);
       }
       if (zeros.empty()) zeros = here;
-      for (std::size_t i = 0; i < here.size(); ++i) zeros[i] = zeros[i] && here[i];
+      for (std::size_t i = 0; i < here.size(); ++i) {
+        if (!here[i] || !zeros[i] || is_empty(*here[i]) != is_empty(*zeros[i])) zeros[i].reset();
+      }
     }
     return zeros;
   }

@@ -30,9 +30,9 @@ class BallRows {
   virtual bool set(const FastRow& row, const Notation& notation, const IsZero& is_zero,
                    std::vector<std::optional<Printed>>& cells) = 0;
 
-  /// The cells that are 0 all along the segment of a row, as they are at several places of it. Requires: the last
-  /// precision.
-  virtual std::vector<bool> zeros(const FastRow& row) = 0;
+  /// The cells that are 0 all along the segment of a row, or empty, as they are at several places of it; nothing for
+  /// the others. Requires: the last precision.
+  virtual std::vector<std::optional<Cell>> zeros(const FastRow& row) = 0;
 
   /// Whether the curve is as fast as it is reversed. Requires: the last precision.
   virtual bool is_symmetric() = 0;

@@ -205,6 +205,10 @@ class ExactRows::Evaluation {
   void complete(FastRow row, std::span<const std::size_t> chosen, bool is_placed) {
     row.is_middle = is_middle(row);
     if (!rows_.arc || is_placed) set_rationals(row, chosen, rows_.arc ? balls_->key_at_end() : std::nullopt);
+    try {
+      set_empty();
+    } catch (const Undecided&) {  // the levels show it again
+    }
     bool is_placed_here = false;
     for (Level& level : levels_) {
       if (!is_open()) return;
@@ -231,8 +235,8 @@ class ExactRows::Evaluation {
     return *level.rows;
   }
 
-  /// Whether a cell is 0 all along the segment of the current row.
-  bool is_zero(std::size_t cell) {
+  /// What a cell is all along the segment of the current row: 0, or empty.
+  const std::optional<Cell>& zero_of(std::size_t cell) {
     auto found = zeros_.find(row_->segment.number);
     if (found == zeros_.end()) {
       constexpr std::size_t most_kept = 4096;
@@ -241,6 +245,20 @@ class ExactRows::Evaluation {
       found = zeros_.emplace(row_->segment.number, rows_at(last(), chosen_).zeros(*row_)).first;
     }
     return found->second[cell];
+  }
+  bool is_zero(std::size_t cell) { return is_on_segment() && zero_of(cell) && !is_empty(*zero_of(cell)); }
+
+  /// Whether the current row is not beyond the keys.
+  bool is_on_segment() const {
+    const Time& t = row_->sample.t;
+    return rows_.arc || (t >= row_->segment.start && t <= row_->segment.end);
+  }
+
+  /// Sets the open cells that are empty all along the segment of the current row.
+  void set_empty() {
+    for (std::size_t i = 0; is_on_segment() && i < cells_.size(); ++i) {
+      if (!cells_[i] && zero_of(i) && is_empty(*zero_of(i))) cells_[i] = Printed{empty_cell};
+    }
   }
 
   /// Whether a row is in the middle of a symmetric curve, and of a segment.
@@ -289,10 +307,10 @@ class ExactRows::Evaluation {
   std::vector<std::optional<Printed>> cells_;  ///< of the current row; nothing where they are not decided yet
   std::unique_ptr<RationalRows> rational_;     ///< null until it is needed
   std::vector<Level> levels_;
-  std::optional<bool> is_symmetric_;                  ///< nothing until it is needed
-  const FastRow* row_ = nullptr;                      ///< the current one
-  std::span<const std::size_t> chosen_;               ///< its fields
-  std::map<std::uint64_t, std::vector<bool>> zeros_;  ///< of segments: the cells that are 0 all along it
+  std::optional<bool> is_symmetric_;                                 ///< nothing until it is needed
+  const FastRow* row_ = nullptr;                                     ///< the current one
+  std::span<const std::size_t> chosen_;                              ///< its fields
+  std::map<std::uint64_t, std::vector<std::optional<Cell>>> zeros_;  ///< of segments: zero_of() each cell
   const BallRows::IsZero is_zero_ = [this](std::size_t cell) { return is_zero(cell); };
 };
 
