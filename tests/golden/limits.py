@@ -220,6 +220,8 @@ def random_curve():
         ease = [rng.choice([0.0, 0.25, 0.5, 1.0, rng.random()]) for _ in range(2)] if eased else [0.0, 0.0]
         keys.append((t, p, tcb, ease))
         t += (1.0 if is_whole else rng.uniform(0.05, 2)) * pace
+    if closed and keys[-1][1] == keys[0][1]:  # it would be the end of the period
+        keys[-1][1][0] += size
     return keys, t if closed else None, eased, kind
 
 
