@@ -473,7 +473,7 @@ class Curves(unittest.TestCase):
         rows = tcbsample.resample(keys, at=times, preset="3dsmax", fields="position,velocity")
         np.testing.assert_array_equal(curve(times)[:, 0], rows["x"])
         np.testing.assert_array_equal(curve(times, 1)[:, 0], rows["x_v"])
-        with self.assertRaisesRegex(ValueError, "no cubic"):
+        with self.assertRaisesRegex(ValueError, "not a cubic"):
             curve.to_ppoly()
         poses = tcbsample.Curve(str(SAMPLES / "poses.csv"))
         found = poses.rotation(np.array([[0, 3.5]]))
