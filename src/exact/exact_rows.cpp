@@ -35,10 +35,6 @@ std::optional<ExactPlaces> arc_lengths(const SamplingRequest& request, const Ext
   return arc;
 }
 
-}  // namespace
-
-namespace {
-
 /// Bits of the floats with the least precision: some 38 digits.
 constexpr int first_precision = 128;
 
@@ -146,7 +142,7 @@ struct ExactRows::Request {
 class ExactRows::Evaluation {
  public:
   explicit Evaluation(const Request& request)
-      : rows_(request.rows), times_(request.times), notation_(request.notation), levels_(levels(request.rows)) {}
+      : rows_(request.rows), times_(request.times), notation_(request.notation) {}
 
   void add_row(FastRow row, std::span<const std::size_t> chosen, Table& table) {
     times_.set(row);
@@ -171,7 +167,7 @@ class ExactRows::Evaluation {
     std::unique_ptr<BallRows> rows = nullptr;  ///< null until it is needed
   };
 
-  static std::vector<Level> levels(const RowsOfCurve& rows) {
+  static std::vector<Level> levels_of(const RowsOfCurve& rows) {
     constexpr int most_measured = 256;  // more take minutes
     const bool has_turns = spline::is_turn(rows.exact.rules.metric);
     std::vector<Level> levels;
@@ -182,8 +178,13 @@ class ExactRows::Evaluation {
     return levels;
   }
 
+  std::vector<Level>& levels() {
+    if (levels_.empty()) levels_ = levels_of(rows_);
+    return levels_;
+  }
+
   /// The last precision.
-  Level& last() { return *std::ranges::max_element(levels_, {}, &Level::bits); }
+  Level& last() { return *std::ranges::max_element(levels(), {}, &Level::bits); }
 
   bool is_open() const { return !std::ranges::all_of(cells_, &std::optional<Printed>::has_value); }
 
@@ -209,8 +210,10 @@ class ExactRows::Evaluation {
       set_empty();
     } catch (const Undecided&) {  // the levels show it again
     }
+    if (!is_open()) return;  // before levels are made
     bool is_placed_here = false;
-    for (Level& level : levels_) {
+    for (Level& level : levels()) {
+      if (!is_open()) return;
       if (!is_open()) return;
       if (rows_.arc && is_placed_here && level.measures_in_double_doubles && !row.is_middle) continue;
       const RealPrecision precision(level.bits, level.bits == last().bits);
@@ -306,10 +309,10 @@ class ExactRows::Evaluation {
   bool has_balls_ = false;                     ///< balls_ is set
   std::vector<std::optional<Printed>> cells_;  ///< of the current row; nothing where they are not decided yet
   std::unique_ptr<RationalRows> rational_;     ///< null until it is needed
-  std::vector<Level> levels_;
-  std::optional<bool> is_symmetric_;                                 ///< nothing until it is needed
-  const FastRow* row_ = nullptr;                                     ///< the current one
-  std::span<const std::size_t> chosen_;                              ///< its fields
+  std::vector<Level> levels_;                  ///< none until they are needed
+  std::optional<bool> is_symmetric_;           ///< nothing until it is needed
+  const FastRow* row_ = nullptr;               ///< the current one
+  std::span<const std::size_t> chosen_;        ///< its fields
   std::map<std::uint64_t, std::vector<std::optional<Cell>>> zeros_;  ///< of segments: zero_of() each cell
   const BallRows::IsZero is_zero_ = [this](std::size_t cell) { return is_zero(cell); };
 };

@@ -17,6 +17,7 @@
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
 #include "option_names.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

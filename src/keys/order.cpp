@@ -21,6 +21,7 @@
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "schema/usual_names.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

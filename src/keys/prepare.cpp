@@ -15,6 +15,7 @@
 #include "option_names.hpp"
 #include "schema/roles.hpp"
 #include "tcb/spline/scalar.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

@@ -111,6 +111,18 @@ Rational bound_from(const Polynomial<Rational>& r, const Rational& low, const Ra
   return abs(first) * reach + bend * reach * reach;
 }
 
+/// The largest coefficient in Bernstein's form on [begin, end]: the largest value where that is at one of the ends.
+Rational largest_coefficient(const Polynomial<Rational>& x, const Rational& begin, const Rational& end) {
+  Polynomial<Rational> part = shifted(x, begin);
+  Rational power = 1;
+  for (Rational& coefficient : part) {
+    coefficient *= power;
+    power *= end - begin;
+  }
+  const Polynomial<Rational> form = bernstein(part, part.size() - 1);
+  return *std::max_element(form.begin(), form.end());
+}
+
 /// Bounds parts of pieces with rationals.
 class ExactSearch {
  public:
@@ -137,7 +149,9 @@ class ExactSearch {
     Polynomial<Rational> rest = shifted(x, at);
     const Rational value = rest[0];
     attain(value, at);
-    const Rational most = value + bound_from(rest, begin - at, end - at);
+    Rational most = value + bound_from(rest, begin - at, end - at);
+    if (most > best->low)
+      most = std::min(most, largest_coefficient(x, begin, end));  // it is enough near a flat maximum
     constexpr int deepest = 120;
     if (most <= best->low) return;
     if (depth == deepest || most - best->low <= close * abs(most)) {

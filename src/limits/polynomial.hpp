@@ -101,16 +101,18 @@ S value_at(const Polynomial<S>& a, const S& x) {
 
 /// From rising powers to Bernstein's form of a degree that is not below its own: b_j is the sum over i of
 /// a_i C(j, i) / C(n, i).
-inline Polynomial<double> bernstein(const Polynomial<double>& a, std::size_t degree) {
-  Polynomial<double> result(degree + 1);
-  double of_n = 1;  // C(n, i)
+template <class S>
+Polynomial<S> bernstein(const Polynomial<S>& a, std::size_t degree) {
+  const auto whole = [](std::size_t i) { return S(static_cast<int>(i)); };
+  Polynomial<S> result(degree + 1);
+  S of_n(1);  // C(n, i)
   for (std::size_t i = 0; i < a.size(); ++i) {
-    double of_j = 1;  // C(j, i)
+    S of_j(1);  // C(j, i)
     for (std::size_t j = i; j <= degree; ++j) {
-      result[j] += a[i] * of_j / of_n;
-      of_j = of_j * static_cast<double>(j + 1) / static_cast<double>(j + 1 - i);
+      result[j] = result[j] + a[i] * of_j / of_n;
+      of_j = of_j * whole(j + 1) / whole(j + 1 - i);
     }
-    of_n = of_n * static_cast<double>(degree - i) / static_cast<double>(i + 1);
+    of_n = of_n * whole(degree - i) / whole(i + 1);
   }
   return result;
 }

@@ -78,7 +78,7 @@ if own_draw:
     sys.exit(0)
 
 promised = {}
-lines = open(manual, encoding="utf-8").read().replace("\\-", "-").splitlines()
+lines = [line.strip() for line in open(manual, encoding="utf-8").read().replace("\\-", "-").splitlines()]
 for line in lines[lines.index(head) + 1:]:
     row = re.fullmatch(r"(.*?\S) {2,}" + " +".join([r"([\d.e+]+)"] * len(classes)), line)
     if not row:
