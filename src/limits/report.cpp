@@ -117,8 +117,8 @@ DecimalBounds decimal_bounds(const Rational& low, const Rational& high, bool roo
   int beyond = 0;  // of the exponents of doubles
   for (; size >= power_of_ten(300); beyond += 200) size /= power_of_ten(200);
   for (; size < power_of_ten(-200); beyond -= 200) size *= power_of_ten(200);
-  const double near = nearest_double(size);
-  const int exponent = root ? beyond / 2 + decimal_exponent(std::sqrt(near)) : beyond + decimal_exponent(near);
+  const double rough = nearest_double(size);
+  const int exponent = root ? beyond / 2 + decimal_exponent(std::sqrt(rough)) : beyond + decimal_exponent(rough);
   for (const int most_apart : {1, 2, 1'000'000'000}) {
     for (int digits = most_digits; digits > 0; --digits) {
       const Rational unit = power_of_ten(exponent - digits + 1);

@@ -66,7 +66,7 @@ struct StreamedCurve {
 
   Source<SegmentBlock> segments(bool measured = false) const;
   /// The curve with random access. `measured`: with the lengths of its segments.
-  KeptCurve kept(const CurveChannels& channels, const Extrapolations& extrapolations, bool measured) const;
+  KeptCurve kept(const CurveChannels& channels, const Extrapolations& extrapolation, bool measured) const;
 };
 
 /// Throws: Error (data) if the length of the curve up to a time is beyond the range of doubles.

@@ -24,13 +24,12 @@ KeptCurve::KeptCurve(spline::Curve<double> curve, CurveChannels channels, const 
   for (std::size_t i = 0; i < first.cubics.size(); ++i) cycle_.push_back(last.cubics[i].p1 - first.cubics[i].p0);
 }
 
-KeptCurve StreamedCurve::kept(const CurveChannels& channels, const Extrapolations& extrapolations,
-                              bool measured) const {
+KeptCurve StreamedCurve::kept(const CurveChannels& channels, const Extrapolations& extrapolation, bool measured) const {
   const std::size_t count = extent.closed ? keys.size() : std::max<std::size_t>(keys.size() - 1, 1);
   spline::Curve<double> curve(rules, extent.closed, count);
   const Source<SegmentBlock> all = segments(measured);
   while (std::optional<SegmentBlock> block = all()) curve.append(std::move(block->segments), block->lengths);
-  return {std::move(curve), channels, extent, extrapolations};
+  return {std::move(curve), channels, extent, extrapolation};
 }
 
 double KeptCurve::length() const { return curve_->length().value; }

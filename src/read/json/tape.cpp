@@ -135,9 +135,9 @@ class JsonTape::Events {
       has_exponent = has_exponent || is_exponent;
     }
     add(Kind::number, static_cast<std::size_t>(end - now_));
-    constexpr std::size_t most_digits = 308;  // of a number that is no double only by its exponent
+    constexpr std::size_t longest = 308;  // of a number that is no double only by its exponent
     const std::string_view number = tape_.written(tape_.size() - 1);
-    if ((has_exponent || number.size() > most_digits) && !parse_number(number)) {
+    if ((has_exponent || number.size() > longest) && !parse_number(number)) {
       throw data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
                        in_quotes(number))
           .at(tape_.position(tape_.size() - 1));
