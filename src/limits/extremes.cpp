@@ -111,16 +111,35 @@ Rational bound_from(const Polynomial<Rational>& r, const Rational& low, const Ra
   return abs(first) * reach + bend * reach * reach;
 }
 
-/// The largest coefficient in Bernstein's form on [begin, end]: the largest value where that is at one of the ends.
-Rational largest_coefficient(const Polynomial<Rational>& x, const Rational& begin, const Rational& end) {
+/// Bernstein's form on [begin, end].
+Polynomial<Rational> form_on(const Polynomial<Rational>& x, const Rational& begin, const Rational& end) {
   Polynomial<Rational> part = shifted(x, begin);
   Rational power = 1;
   for (Rational& coefficient : part) {
     coefficient *= power;
     power *= end - begin;
   }
-  const Polynomial<Rational> form = bernstein(part, part.size() - 1);
-  return *std::max_element(form.begin(), form.end());
+  return bernstein(part, part.size() - 1);
+}
+
+Rational largest_coefficient(const Polynomial<Rational>& form) { return *std::max_element(form.begin(), form.end()); }
+
+/// The simplest fraction between two numbers.
+Rational simplest_within(const Rational& low, const Rational& high) {
+  if (low > 0) return simplest_between(low, high);
+  return high < 0 ? -simplest_between(-high, -low) : Rational(0);
+}
+
+/// The maximum on [begin, end], which is within [low, high], if it is a simple fraction; its place may be irrational.
+/// There x less the maximum has a double root, and x is concave.
+std::optional<Rational> simple_maximum(const Polynomial<Rational>& x, const Rational& begin, const Rational& end,
+                                       const Rational& low, const Rational& high) {
+  const Rational simplest = simplest_within(low, high), size = denominator(simplest);
+  if (size * size * (high - low) > Rational(0x1p-20)) return std::nullopt;  // as simple as that of any such interval
+  const Polynomial<Rational> rate = derivative(x);
+  if (!(largest_coefficient(form_on(derivative(rate), begin, end)) < 0)) return std::nullopt;
+  const Polynomial<Rational> root = common_divisor(sum(x, {simplest}, Rational(-1)), rate);
+  return value_at(root, begin) * value_at(root, end) <= 0 ? std::optional(simplest) : std::nullopt;
 }
 
 /// Bounds parts of pieces with rationals.
@@ -150,11 +169,12 @@ class ExactSearch {
     const Rational value = rest[0];
     attain(value, at);
     Rational most = value + bound_from(rest, begin - at, end - at);
-    if (most > best->low)
-      most = std::min(most, largest_coefficient(x, begin, end));  // it is enough near a flat maximum
+    // Near a flat maximum the coefficients are the better bound.
+    if (most > best->low) most = std::min(most, largest_coefficient(form_on(x, begin, end)));
     constexpr int deepest = 120;
     if (most <= best->low) return;
     if (depth == deepest || most - best->low <= close * abs(most)) {
+      if (const auto exact = simple_maximum(x, begin, end, value, most)) return attain(*exact, at);
       best->high = std::max(best->high, most);
       return;
     }

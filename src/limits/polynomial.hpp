@@ -99,6 +99,34 @@ S value_at(const Polynomial<S>& a, const S& x) {
   return value;
 }
 
+/// The common divisor of the largest degree, by Euclid's algorithm; a constant: there is none.
+template <class S>
+Polynomial<S> common_divisor(Polynomial<S> a, Polynomial<S> b) {
+  const auto without_last = [](const Polynomial<S>& x) {
+    Polynomial<S> result(x.size() - 1);
+    std::copy(x.begin(), x.begin() + result.size(), result.begin());
+    return result;
+  };
+  const auto trimmed = [&](Polynomial<S> x) {
+    while (x.size() > 1 && x.back() == S(0)) x = without_last(x);
+    return x;
+  };
+  a = trimmed(a);
+  b = trimmed(b);
+  while (b.size() > 1) {
+    while (a.size() >= b.size()) {
+      const S factor = a.back() / b.back();
+      for (std::size_t i = 1; i <= b.size(); ++i) {
+        S& coefficient = a[a.size() - i];
+        coefficient = coefficient - factor * b[b.size() - i];
+      }
+      a = trimmed(without_last(a));
+    }
+    std::swap(a, b);
+  }
+  return b.is_zero() ? a : b;
+}
+
 /// From rising powers to Bernstein's form of a degree that is not below its own: b_j is the sum over i of
 /// a_i C(j, i) / C(n, i).
 template <class S>
