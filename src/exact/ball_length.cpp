@@ -334,9 +334,15 @@ DoubleDouble BallArc<DoubleDouble>::sum(const Panel& panel, const DoubleDouble& 
 }
 
 /// From the start of a smooth panel to z. The disc about the middle of that part, R times as wide as it, is within the
-/// panel's disc.
+/// panel's disc. Where one channel moves in one direction, it is the difference of its positions.
 template <class M>
 typename BallArc<M>::B BallArc<M>::length(const Panel& panel, const M& z) const {
+  if (monotone_) {
+    const auto position = [&](const M& at) {
+      return spline::position(*monotone_, local(panel.half, B(panel.middle) + B(panel.width) * B(at)));
+    };
+    return abs(position(z) - position(M(-1.0)));
+  }
   const M root = sqrt(panel.square[0]);
   const Bound width = Ops::most(panel.width) * (Ops::most(z + M(1.0)) + Bound(0x1p-40));
   return B(sum(panel, z))
@@ -407,7 +413,7 @@ spline::LocalParameter<BallOf<M>> BallArc<M>::place(const B& length) const {
   const B into = length - panel.before;
   M z(rough_place(panel, rough_ratio(into.middle(), panel.length.middle())));
   for (int known = 48; known < Ops::bits(); known *= 2) {
-    const M missing = into.middle() - sum(panel, z);
+    const M missing = into.middle() - this->length(panel, z).middle();
     z = z + missing / speed(panel, z);
   }
   // The speed v is at least half of v(z) up to a distance d from z, if the integral of |v'/v| over it is below ln 2:

@@ -5,7 +5,7 @@
 // of rationals. What remains is computed in balls of more and more digits, until no choice is left. Lengths, angles and
 // rotations are irrational, and no ball proves that one is 0, or halfway between two doubles: what some 400 digits
 // beyond the size of the curve do not distinguish from 0, or from a short number, is that. A number that is 0 so at
-// three places of a segment is 0 all along it, also where the place of a row is known to fewer digits. Source: A. Ziv,
+// eleven places of a segment is 0 all along it, also where the place of a row is known to fewer digits. Source: A. Ziv,
 // "Fast evaluation of elementary mathematical functions with correctly rounded last bit", doi:10.1145/114697.116813.
 #pragma once
 

@@ -48,8 +48,10 @@ struct RowsOfCurve {
   spline::Side side;
 };
 
-/// Places of a segment at which no function is 0 by chance.
-inline constexpr std::array inner_places{0.328125, 0.578125, 0.859375};
+/// Places of a segment: more than any number of a row has zeros, as these are roots of polynomials of at most ten
+/// degrees, but for rotations, whose numbers are not 0 at all of them by chance.
+inline constexpr std::array inner_places{0.0546875, 0.140625, 0.234375, 0.328125, 0.4140625, 0.515625,
+                                         0.578125,  0.671875, 0.765625, 0.859375, 0.9453125};
 
 /// Whether fields need the length up to a point.
 inline bool needs_lengths(std::span<const std::size_t> chosen) {
@@ -90,7 +92,7 @@ class RowPoint {
     return point_;
   }
 
-  /// Whether the speed is that of the reversed curve, as it is at three places of each segment.
+  /// Whether the speed is that of the reversed curve, as it is at the places of each segment.
   bool is_symmetric() {
     const auto square_of_speed = [&](std::size_t number, double place) {
       const spline::Segments<S>& one = known(number).segments;
