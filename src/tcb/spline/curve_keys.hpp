@@ -163,10 +163,13 @@ class ChannelKeys {
     const std::ptrdiff_t count = last() + 1;
     for (std::ptrdiff_t number = from; number <= to; ++number) {
       const std::ptrdiff_t own = (number % count + count) % count;
-      append_key(keys, numbers_[static_cast<std::size_t>(own)]);
+      const std::size_t key = numbers_[static_cast<std::size_t>(own)];
+      append_key(keys, key);
       if (!period_) continue;
       const auto periods = static_cast<int>((number - own) / count);
-      keys.times.back() = after_periods<S>(keys.times.back(), period_->start, period_->end, periods);
+      const bool is_end = key == 0 && periods == 1;  // known also where times are not exact
+      Time<S>& time = keys.times.back();
+      time = is_end ? period_->end : after_periods<S>(time, period_->start, period_->end, periods);
       if ((periods - (number_at(0) < 0 ? -1 : 0)) % 2 != 0) negate_last(keys);
     }
   }
