@@ -462,23 +462,25 @@ void BallTurn<M>::accept(Panel panel) {
 }
 
 /// Adds the halves of a panel if the rule agrees with them, which for panels as short as these err by far less than the
-/// rule on the whole; else their halves.
+/// rule on the whole, or if rounding errors hide whether it does, as they do next to a jump; else their halves.
 template <class M>
 void BallTurn<M>::add(const Panel& panel, const Bound& negligible) {
   if (panel.is_constant) return accept(panel);
   const M half = spline::halved(panel.width);
   std::array<Panel, 2> halves{{{panel.begin, half}, {panel.begin + half, half}}};
   for (Panel& part : halves) part.length = sum(part, B(half));
-  const Bound least_width = Ops::power_of_two(-Ops::bits() * 6 / 10);
-  const Bound difference = Ops::most((halves[0].length + halves[1].length - panel.length).middle());
+  const Bound least_width = Ops::power_of_two(-Ops::bits());  // next to a jump of the speed panels get as short as that
+  const B together = halves[0].length + halves[1].length;
+  const Bound difference = Ops::most((together - panel.length).middle());
   const bool is_full = panels_.size() > 10 * static_cast<std::size_t>(Ops::bits());
-  if (difference > negligible && (is_full || !(Ops::most(panel.width) > least_width))) throw Undecided();
+  const bool agrees = difference <= negligible || difference <= together.radius();
+  if (!agrees && (is_full || !(Ops::most(panel.width) > least_width))) throw Undecided();
   for (Panel& part : halves) {
-    if (difference > negligible) {
-      add(part, negligible);
-    } else {
+    if (agrees) {
       part.length = part.length.widened(difference);
       accept(part);
+    } else {
+      add(part, negligible);
     }
   }
 }
