@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <map>
+#include <type_traits>
 #include <utility>
 
 namespace tcb {
@@ -334,10 +335,11 @@ DoubleDouble BallArc<DoubleDouble>::sum(const Panel& panel, const DoubleDouble& 
 }
 
 /// From the start of a smooth panel to z. The disc about the middle of that part, R times as wide as it, is within the
-/// panel's disc. Where one channel moves in one direction, it is the difference of its positions.
+/// panel's disc. Where one channel moves in one direction, it is the difference of its positions: this has fewer digits
+/// next to a rest, but floats have more of them, and the rule hundreds of points.
 template <class M>
 typename BallArc<M>::B BallArc<M>::length(const Panel& panel, const M& z) const {
-  if (monotone_) {
+  if (std::is_same_v<M, Real> && monotone_) {
     const auto position = [&](const M& at) {
       return spline::position(*monotone_, local(panel.half, B(panel.middle) + B(panel.width) * B(at)));
     };
