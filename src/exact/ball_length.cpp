@@ -407,14 +407,34 @@ double BallArc<M>::rough_place(const Panel& panel, double fraction) const {
   return z;
 }
 
+/// Where the search for a place on a smooth panel begins: next to a rest at its end, where lengths are a power of the
+/// distance to it, with as many digits of that distance.
+template <class M>
+M BallArc<M>::first_guess(const Panel& panel, const B& into) const {
+  const int zeros = halves_[panel.half].zeros;
+  const M end(panel.half == 0 ? -1.0 : 1.0);
+  const M part = panel.half == 0 ? into.middle() : (panel.length - into).middle();  // between the rest and the place
+  const bool ends_at_rest = zeros > 0 && Ops::is_zero(panel.middle + panel.width * end);
+  const double fraction = rough_ratio(part, panel.length.middle());
+  if (!ends_at_rest || !(fraction > 0 && fraction < (zeros == 1 ? 0x1p-60 : 0x1p-90))) {
+    return M(rough_place(panel, rough_ratio(into.middle(), panel.length.middle())));
+  }
+  const M speed_at_one = sqrt(quartic(panel.square, end)) * power_of(panel.width, zeros) * panel.width;
+  const double power = (zeros + 1) * rough_ratio(part, speed_at_one);
+  double distance = std::sqrt(power);
+  for (int step = 0; zeros == 2 && step < 24; ++step) distance = std::sqrt(std::sqrt(power * distance));  // cube root
+  return end + M(panel.half == 0 ? distance : -distance);
+}
+
 template <class M>
 spline::LocalParameter<BallOf<M>> BallArc<M>::place(const B& length) const {
   if (panels_.empty()) throw Undecided();
   const Panel& panel = panel_at_length(panels_, length.middle());
   if (!panel.is_smooth) return local(panel.half, B(panel.middle).widened(Ops::most(panel.width)));
   const B into = length - panel.before;
-  M z(rough_place(panel, rough_ratio(into.middle(), panel.length.middle())));
-  for (int known = 48; known < Ops::bits(); known *= 2) {
+  const int zeros = halves_[panel.half].zeros;
+  M z = first_guess(panel, into);
+  for (int known = zeros > 0 ? 8 : 48; known < Ops::bits(); known *= 2) {
     const M missing = into.middle() - this->length(panel, z).middle();
     z = z + missing / speed(panel, z);
   }
@@ -425,7 +445,6 @@ spline::LocalParameter<BallOf<M>> BallArc<M>::place(const B& length) const {
   if (!(at_z > M(0.0))) throw Undecided();
   const Bound distance = Ops::up(Bound(2.01) * rest.most() / Ops::least(at_z));
   const Bound to_end = Ops::least(panel.middle + panel.width * z) / Ops::most(panel.width);
-  const int zeros = halves_[panel.half].zeros;
   const bool is_clear =
       distance < Bound(0.01) && Ops::most(z) < Bound(1 + 0x1p-40) && (zeros == 0 || distance * Bound(17.0) < to_end);
   if (!is_clear) throw Undecided();

@@ -64,6 +64,7 @@ class BallArc {
   M speed(const Panel& panel, const M& z) const;
   Bound farthest(const Panel& panel) const;
   double rough_place(const Panel& panel, double fraction) const;
+  M first_guess(const Panel& panel, const B& into) const;
 
   std::array<Half, 2> halves_;
   std::vector<Panel> panels_;
