@@ -53,10 +53,10 @@ struct Run {
   }
 };
 
-tcb::Exit run(int argc, const char* const* argv) {
+tcb::Exit run(const std::vector<std::string>& words) {
   tcb::ColorWhen color = tcb::ColorWhen::by_terminal;
   try {
-    return std::visit(Run(), tcb::parse(argc, argv, &color));
+    return std::visit(Run(), tcb::parse(words, &color));
   } catch (const std::exception& failure) {
     const tcb::Error error = tcb::failure_of(failure);
     return refuse(error.exit(), tcb::error_text(error, tcb::colors_messages(color)));
@@ -68,9 +68,5 @@ tcb::Exit run(int argc, const char* const* argv) {
 int main(int argc, char** argv) {
   tcb::system::keep_standard_streams();
   tcb::end_when_interrupted();
-  const std::vector<std::string> texts = tcb::system::arguments(argc, argv);
-  std::vector<const char*> words;
-  words.reserve(texts.size());
-  for (const std::string& text : texts) words.push_back(text.c_str());
-  return static_cast<int>(run(static_cast<int>(words.size()), words.data()));
+  return static_cast<int>(run(tcb::system::arguments(argc, argv)));
 }

@@ -27,7 +27,6 @@
 #include "text/utf8.hpp"
 
 namespace tcb {
-
 namespace {
 
 bool has_content(const std::vector<std::string>& group) {
@@ -103,96 +102,6 @@ Pairs pairs_by_group(const KeptInput& kept, SampleTable& table) {
   return result;
 }
 
-}  // namespace
-
-Pairs pair_up(const KeptInput& kept, SampleTable& table) {
-  if (!kept.curves.empty() && kept.curves[0].part && table.timed) divide_at_gaps(kept, table);
-  if (!kept.curves.empty() && has_content(kept.curves[0].group) && !table.curves.empty() &&
-      has_content(table.curves[0].group)) {
-    return pairs_by_group(kept, table);
-  }
-  Pairs result;
-  if (kept.curves.size() == 1) {
-    result.pairs.push_back({&kept.curves[0], concatenated(table.curves)});
-    return result;
-  }
-  const std::size_t both = std::min(kept.curves.size(), table.curves.size());
-  for (std::size_t i = 0; i < both; ++i) result.pairs.push_back({&kept.curves[i], std::move(table.curves[i])});
-  if (kept.curves.size() != table.curves.size()) {
-    result.problems.push_back(fmt::format("number of curves: {} in the rows, {} in the keys, {} compared",
-                                          table.curves.size(), kept.curves.size(), both));
-  }
-  return result;
-}
-
-ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs) {
-  const MatchedColumns& columns = inputs.columns;
-  ComparisonSummary result{inputs.file, inputs.keys, columns.by_length, columns.ignored, columns.problems};
-  result.problems.insert(result.problems.end(), pairs.problems.begin(), pairs.problems.end());
-  return result;
-}
-
-Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
-                 const KeptCurve& curve, const Limits& limits) {
-  const Time first = columns.by_length ? Time(0.0) : curve.extent().first;
-  const Time last = columns.by_length ? Time(curve.length()) : *curve.extent().last;
-  const auto is_extended_to = [&](const Time& place) {
-    const auto& [before, after] = curve.extrapolations();
-    return !columns.by_length && (place < first ? before : after) != Extrapolation::error;
-  };
-  Places result;
-  std::uint64_t off_curve = 0;
-  std::pair<std::size_t, Time> first_off;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    Time place = columns.place                 ? Time(rows.numbers[row * table.columns.size() + *columns.place])
-                 : curve.extent().decimals > 0 ? with_all_digits(rows.times[row])
-                                               : as_double(rows.times[row]);
-    const bool on_curve = place >= first && place <= last;
-    const Time end = place < first ? first : last;
-    const bool extended = is_extended_to(place);
-    if (place == place && !on_curve && !extended && limits.admit(distance(place.hi, end.hi))) place = end;
-    if ((place >= first && place <= last) || (extended && place == place)) {
-      result.rows.push_back(row);
-      result.places.push_back(place);
-      continue;
-    }
-    if (off_curve++ == 0) first_off = {row, place};
-  }
-  if (off_curve > 0) {
-    const auto& [row, place] = first_off;
-    const bool has_place = place == place;
-    result.off_curve =
-        has_place
-            ? fmt::format("rows outside the curve: {}; the first, in line {}, has {} {}; {} of the curve is {}",
-                          off_curve, rows.lines[row], columns.by_length ? "arc length" : "time", time_text(place),
-                          columns.by_length ? "the nearest one" : "the nearest time",
-                          time_text(place < first ? first : last))
-            : fmt::format("rows without a time or arc length: {}; the first is in line {}", off_curve, rows.lines[row]);
-  }
-  return result;
-}
-
-void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
-                  const std::shared_ptr<const KeptCurve>& curve, spline::Side side, unsigned threads,
-                  const std::function<void(std::size_t, std::span<const Cell>)>& use) {
-  const FoundRows rows = find_rows(curve, places.places, columns.by_length, side);
-  const auto cells_of = [&columns, &rows](const SampleBlock& block) {
-    return evaluate(block, *rows.locator, columns.fields);
-  };
-  const auto cells = ordered_map(rows.blocks, cells_of, threads);
-  std::size_t next = 0;
-  while (std::optional<std::vector<Cell>> block = cells()) {
-    const std::size_t width = block->size() / std::min<std::size_t>(SampleBlock::most_rows, places.rows.size() - next);
-    for (std::size_t at = 0; at < block->size(); at += width) {
-      const std::span row = std::span(*block).subspan(at, width);
-      columns.align(row, given.row(places.rows[next]));
-      use(places.rows[next++], row);
-    }
-  }
-}
-
-namespace {
-
 /// How the rows of a curve differ from those that are expected.
 struct RowCounts {
   std::uint64_t expected = 0, found = 0;
@@ -258,8 +167,8 @@ class RowMatcher {
   double rounding_ = 0;  ///< differences up to this are those of rounding
 };
 
-}  // namespace
-
+/// The places that the rows of a curve should have, in increasing order: arc lengths if the given rows are at these,
+/// otherwise times. Throws: Error if the request does not fit the curve.
 std::vector<Time> expected_places(const ExpectedSamples& expected, const Comparison& comparison,
                                   const ComparisonInputs& inputs, const KeptKeys& curve) {
   const std::vector<std::size_t> fields{field_of(inputs.columns.by_length ? "s" : "time")};
@@ -281,6 +190,9 @@ std::vector<Time> expected_places(const ExpectedSamples& expected, const Compari
   return places;
 }
 
+/// Compares the rows of a curve with those that are expected. A row counts as the expected one from which it is less
+/// than an eighth of the way to the next one, within `limits`, or different only as printed in `notation`. Nothing:
+/// they are the same; otherwise the problem.
 std::optional<std::string> rows_differ(std::span<const Time> expected, const Places& found, const SampleRows& rows,
                                        const Notation& notation, const Limits& limits) {
   std::vector<std::size_t> order(found.places.size());
@@ -315,6 +227,7 @@ std::optional<std::string> rows_differ(std::span<const Time> expected, const Pla
   return rows_not_as_expected(counts);
 }
 
+/// The part of a curve that its rows cover.
 Coverage coverage_of(const KeptKeys& curve, const ComparisonInputs& inputs, const KeptCurve& whole,
                      const Places& found) {
   Coverage coverage{group_title(inputs.kept.schema.groups, curve.group), inputs.place_name()};
@@ -326,8 +239,6 @@ Coverage coverage_of(const KeptKeys& curve, const ComparisonInputs& inputs, cons
   coverage.covered = {least, most};
   return coverage;
 }
-
-namespace {
 
 /// An index of the doubles in increasing order; both zeros have index 0.
 std::int64_t index_of(double value) {
@@ -448,6 +359,92 @@ void check_pair(const Pair& pair, const Comparison& comparison, const Comparison
 }
 
 }  // namespace
+
+Pairs pair_up(const KeptInput& kept, SampleTable& table) {
+  if (!kept.curves.empty() && kept.curves[0].part && table.timed) divide_at_gaps(kept, table);
+  if (!kept.curves.empty() && has_content(kept.curves[0].group) && !table.curves.empty() &&
+      has_content(table.curves[0].group)) {
+    return pairs_by_group(kept, table);
+  }
+  Pairs result;
+  if (kept.curves.size() == 1) {
+    result.pairs.push_back({&kept.curves[0], concatenated(table.curves)});
+    return result;
+  }
+  const std::size_t both = std::min(kept.curves.size(), table.curves.size());
+  for (std::size_t i = 0; i < both; ++i) result.pairs.push_back({&kept.curves[i], std::move(table.curves[i])});
+  if (kept.curves.size() != table.curves.size()) {
+    result.problems.push_back(fmt::format("number of curves: {} in the rows, {} in the keys, {} compared",
+                                          table.curves.size(), kept.curves.size(), both));
+  }
+  return result;
+}
+
+ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs) {
+  const MatchedColumns& columns = inputs.columns;
+  ComparisonSummary result{inputs.file, inputs.keys, columns.by_length, columns.ignored, columns.problems};
+  result.problems.insert(result.problems.end(), pairs.problems.begin(), pairs.problems.end());
+  return result;
+}
+
+Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
+                 const KeptCurve& curve, const Limits& limits) {
+  const Time first = columns.by_length ? Time(0.0) : curve.extent().first;
+  const Time last = columns.by_length ? Time(curve.length()) : *curve.extent().last;
+  const auto is_extended_to = [&](const Time& place) {
+    const auto& [before, after] = curve.extrapolations();
+    return !columns.by_length && (place < first ? before : after) != Extrapolation::error;
+  };
+  Places result;
+  std::uint64_t off_curve = 0;
+  std::pair<std::size_t, Time> first_off;
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    Time place = columns.place                 ? Time(rows.numbers[row * table.columns.size() + *columns.place])
+                 : curve.extent().decimals > 0 ? with_all_digits(rows.times[row])
+                                               : as_double(rows.times[row]);
+    const bool on_curve = place >= first && place <= last;
+    const Time end = place < first ? first : last;
+    const bool extended = is_extended_to(place);
+    if (place == place && !on_curve && !extended && limits.admit(distance(place.hi, end.hi))) place = end;
+    if ((place >= first && place <= last) || (extended && place == place)) {
+      result.rows.push_back(row);
+      result.places.push_back(place);
+      continue;
+    }
+    if (off_curve++ == 0) first_off = {row, place};
+  }
+  if (off_curve > 0) {
+    const auto& [row, place] = first_off;
+    const bool has_place = place == place;
+    result.off_curve =
+        has_place
+            ? fmt::format("rows outside the curve: {}; the first, in line {}, has {} {}; {} of the curve is {}",
+                          off_curve, rows.lines[row], columns.by_length ? "arc length" : "time", time_text(place),
+                          columns.by_length ? "the nearest one" : "the nearest time",
+                          time_text(place < first ? first : last))
+            : fmt::format("rows without a time or arc length: {}; the first is in line {}", off_curve, rows.lines[row]);
+  }
+  return result;
+}
+
+void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
+                  const std::shared_ptr<const KeptCurve>& curve, spline::Side side, unsigned threads,
+                  const std::function<void(std::size_t, std::span<const Cell>)>& use) {
+  const FoundRows rows = find_rows(curve, places.places, columns.by_length, side);
+  const auto cells_of = [&columns, &rows](const SampleBlock& block) {
+    return evaluate(block, *rows.locator, columns.fields);
+  };
+  const auto cells = ordered_map(rows.blocks, cells_of, threads);
+  std::size_t next = 0;
+  while (std::optional<std::vector<Cell>> block = cells()) {
+    const std::size_t width = block->size() / std::min<std::size_t>(SampleBlock::most_rows, places.rows.size() - next);
+    for (std::size_t at = 0; at < block->size(); at += width) {
+      const std::span row = std::span(*block).subspan(at, width);
+      columns.align(row, given.row(places.rows[next]));
+      use(places.rows[next++], row);
+    }
+  }
+}
 
 Distance distance(double given, double computed) {
   constexpr double infinity = std::numeric_limits<double>::infinity();

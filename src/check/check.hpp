@@ -82,6 +82,11 @@ struct Check : ComparisonSummary {
   bool passed() const { return mismatches == 0 && problems.empty(); }
 };
 
+// Its report as text and as a JSON object, and its result in a line, as a subtitle of a picture.
+std::string text(const Check& check);
+std::string json(const Check& check);
+std::string in_short(const Check& check);
+
 /// A curve and its given rows.
 struct Pair {
   const KeptKeys* curve;
@@ -109,21 +114,6 @@ struct Places {
 /// Where rows lie on a curve. A place before or after the curve, but within `limits` of its end, counts as that end.
 Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
                  const KeptCurve& curve, const Limits& limits);
-
-/// The places that the rows of a curve should have, in increasing order: arc lengths if the given rows are at these,
-/// otherwise times. Throws: Error if the request does not fit the curve.
-std::vector<Time> expected_places(const ExpectedSamples& expected, const Comparison& comparison,
-                                  const ComparisonInputs& inputs, const KeptKeys& curve);
-
-/// Compares the rows of a curve with those that are expected. A row counts as the expected one from which it
-/// is less than an eighth of the way to the next one, within `limits`, or different only as printed in `notation`.
-/// Nothing: they are the same; otherwise the problem.
-std::optional<std::string> rows_differ(std::span<const Time> expected, const Places& found, const SampleRows& rows,
-                                       const Notation& notation, const Limits& limits);
-
-/// The part of a curve that its rows cover.
-Coverage coverage_of(const KeptKeys& curve, const ComparisonInputs& inputs, const KeptCurve& whole,
-                     const Places& found);
 
 /// Calls `use` for each of the rows, in order, with its cells. They are aligned with the given row. Throws: Error
 /// (data) for a number beyond the range.

@@ -8,7 +8,6 @@
 
 #include "check/check.hpp"
 #include "check/ranking.hpp"
-#include "check/report.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_list.hpp"
 #include "picture/differences.hpp"

@@ -44,43 +44,6 @@ std::vector<TcbOrder> all_orders() {
   return orders;
 }
 
-}  // namespace
-
-spline::Tcb<double> TcbOrder::of(const spline::Tcb<double>& tcb) const {
-  const Triple values = triple_of(tcb);
-  const auto value = [&](std::size_t i) { return negative[i] ? -values[source[i]] : values[source[i]]; };
-  return {value(0), value(1), value(2)};
-}
-
-std::string TcbOrder::name() const {
-  std::string text;
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    text += std::string(i > 0 ? "," : "") + (negative[i] ? "-" : "") + "TCB"[source[i]];
-  }
-  return text;
-}
-
-std::vector<TcbOrders> distinct_orders(const KeptInput& kept) {
-  const std::set<Triple> known = triples(kept);
-  std::vector<TcbOrders> distinct;
-  for (const TcbOrder& order : all_orders()) {
-    const auto is_same = [&](const TcbOrders& other) {
-      return std::ranges::all_of(known, [&](const Triple& triple) {
-        const spline::Tcb<double> tcb{triple[0], triple[1], triple[2]};
-        return order.of(tcb) == other.order.of(tcb);
-      });
-    };
-    const auto same = std::ranges::find_if(distinct, is_same);
-    if (same == distinct.end())
-      distinct.push_back({order, {}});
-    else
-      same->same.push_back(order.name());
-  }
-  return distinct;
-}
-
-namespace {
-
 /// Whether keys can have this curve of rotations, which some have not with velocities or whole turns.
 bool is_curve_of(spline::RotationCurve curve, const KeptInput& kept) {
   if (curve == spline::RotationCurve::squad) return true;
@@ -110,32 +73,6 @@ bool has_rules_alone(const KeptKeys& curve) {
     return block.keys.eases.empty() && block.keys.velocities.empty() && !block.keys.is_sparse();
   });
 }
-
-}  // namespace
-
-ComparedParts compared_parts(const CurveSettings& rules, const ComparisonInputs& inputs) {
-  ComparedParts parts{.positions = false};
-  const Schema& keys = inputs.kept.schema;
-  const std::vector<PositionCell> cells = position_cells(keys.channels.size(), rotation_columns(keys));
-  bool rotations = false;
-  for (const MatchedColumn& column : inputs.columns.compared) {
-    const bool is_position = cells[column.computed].rotation == PositionCell::none;
-    (is_position ? parts.positions : rotations) = true;
-  }
-  for (const KeptKeys& curve : inputs.kept.curves) {
-    const CurveSpec spec = make_spec(merged(rules, curve.curve_info->settings));
-    parts.closed = parts.closed || spec.closed;
-    parts.may_be_timed = parts.may_be_timed && has_rules_alone(curve);
-    if (rotations && rules.rotation_curve) parts.rotation_curves = {spec.rules.rotation_rules.curve};
-  }
-  for (const auto& row : spline::rotation_curves) {
-    const bool is_tried = rotations && !rules.rotation_curve && is_curve_of(row.id, inputs.kept);
-    if (is_tried) parts.rotation_curves.push_back(row.id);
-  }
-  return parts;
-}
-
-namespace {
 
 /// A convention with each curve of rotations that is tried. Without positions, slerp is one convention alone.
 void add_with_curves(std::vector<Convention>& all, Convention convention, const ComparedParts& parts) {
@@ -177,7 +114,83 @@ void add_presets(std::vector<Convention>& all, std::size_t orders, const Compare
   }
 }
 
+/// Whether the rules of rotations of a preset are those of a convention.
+bool has_rotations_of(const Convention& convention, const spline::PresetRow& preset, bool closed) {
+  spline::RotationRules rules;
+  if (convention.rotation_preset) rules = row_of(*convention.rotation_preset).rotations;
+  const auto tangents = [](const spline::RotationRules& own, spline::TangentRule of_positions) {
+    return own.tangents.value_or(of_positions);
+  };
+  const auto ends = [](const spline::RotationRules& own, spline::EndRule of_positions) {
+    return own.ends.value_or(of_positions);
+  };
+  const spline::EndRule own_ends = ends(preset.rotations, preset.ends);
+  const bool same_ends = ends(rules, convention.start) == own_ends && ends(rules, convention.end) == own_ends;
+  return preset.rotations.curve == convention.rotation_curve && (closed || same_ends) &&
+         tangents(rules, convention.tangents) == tangents(preset.rotations, preset.tangents);
+}
+
+bool has_positions_of(const Convention& convention, const spline::PresetRow& preset, bool closed) {
+  return preset.tangents == convention.tangents && preset.timing == convention.timing &&
+         (closed || (preset.ends == convention.start && preset.ends == convention.end));
+}
+
 }  // namespace
+
+spline::Tcb<double> TcbOrder::of(const spline::Tcb<double>& tcb) const {
+  const Triple values = triple_of(tcb);
+  const auto value = [&](std::size_t i) { return negative[i] ? -values[source[i]] : values[source[i]]; };
+  return {value(0), value(1), value(2)};
+}
+
+std::string TcbOrder::name() const {
+  std::string text;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    text += std::string(i > 0 ? "," : "") + (negative[i] ? "-" : "") + "TCB"[source[i]];
+  }
+  return text;
+}
+
+std::vector<TcbOrders> distinct_orders(const KeptInput& kept) {
+  const std::set<Triple> known = triples(kept);
+  std::vector<TcbOrders> distinct;
+  for (const TcbOrder& order : all_orders()) {
+    const auto is_same = [&](const TcbOrders& other) {
+      return std::ranges::all_of(known, [&](const Triple& triple) {
+        const spline::Tcb<double> tcb{triple[0], triple[1], triple[2]};
+        return order.of(tcb) == other.order.of(tcb);
+      });
+    };
+    const auto same = std::ranges::find_if(distinct, is_same);
+    if (same == distinct.end())
+      distinct.push_back({order, {}});
+    else
+      same->same.push_back(order.name());
+  }
+  return distinct;
+}
+
+ComparedParts compared_parts(const CurveSettings& rules, const ComparisonInputs& inputs) {
+  ComparedParts parts{.positions = false};
+  const Schema& keys = inputs.kept.schema;
+  const std::vector<PositionCell> cells = position_cells(keys.channels.size(), rotation_columns(keys));
+  bool rotations = false;
+  for (const MatchedColumn& column : inputs.columns.compared) {
+    const bool is_position = cells[column.computed].rotation == PositionCell::none;
+    (is_position ? parts.positions : rotations) = true;
+  }
+  for (const KeptKeys& curve : inputs.kept.curves) {
+    const CurveSpec spec = make_spec(merged(rules, curve.curve_info->settings));
+    parts.closed = parts.closed || spec.closed;
+    parts.may_be_timed = parts.may_be_timed && has_rules_alone(curve);
+    if (rotations && rules.rotation_curve) parts.rotation_curves = {spec.rules.rotation_rules.curve};
+  }
+  for (const auto& row : spline::rotation_curves) {
+    const bool is_tried = rotations && !rules.rotation_curve && is_curve_of(row.id, inputs.kept);
+    if (is_tried) parts.rotation_curves.push_back(row.id);
+  }
+  return parts;
+}
 
 std::vector<Convention> conventions(std::size_t orders, const ComparedParts& parts) {
   std::vector<Convention> all;
@@ -227,31 +240,6 @@ CurveSettings settings_of(const Convention& convention, CurveSettings others, co
   others.rotation_preset = convention.rotation_preset;
   return others;
 }
-
-namespace {
-
-/// Whether the rules of rotations of a preset are those of a convention.
-bool has_rotations_of(const Convention& convention, const spline::PresetRow& preset, bool closed) {
-  spline::RotationRules rules;
-  if (convention.rotation_preset) rules = row_of(*convention.rotation_preset).rotations;
-  const auto tangents = [](const spline::RotationRules& own, spline::TangentRule of_positions) {
-    return own.tangents.value_or(of_positions);
-  };
-  const auto ends = [](const spline::RotationRules& own, spline::EndRule of_positions) {
-    return own.ends.value_or(of_positions);
-  };
-  const spline::EndRule own_ends = ends(preset.rotations, preset.ends);
-  const bool same_ends = ends(rules, convention.start) == own_ends && ends(rules, convention.end) == own_ends;
-  return preset.rotations.curve == convention.rotation_curve && (closed || same_ends) &&
-         tangents(rules, convention.tangents) == tangents(preset.rotations, preset.tangents);
-}
-
-bool has_positions_of(const Convention& convention, const spline::PresetRow& preset, bool closed) {
-  return preset.tangents == convention.tangents && preset.timing == convention.timing &&
-         (closed || (preset.ends == convention.start && preset.ends == convention.end));
-}
-
-}  // namespace
 
 std::vector<std::string> presets_of(const Convention& convention, const ComparedParts& parts) {
   std::vector<std::string> names;

@@ -25,7 +25,6 @@
 #include "text/suggest.hpp"
 
 namespace tcb {
-
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -52,43 +51,6 @@ void append(SampleRows& rows, const KeyBlock& block) {
   rows.numbers.insert(rows.numbers.end(), block.keys.positions.begin(), block.keys.positions.end());
   rows.lines.insert(rows.lines.end(), block.text_positions.lines.begin(), block.text_positions.lines.end());
 }
-
-}  // namespace
-
-SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes, const Schema& keys,
-                         std::optional<std::size_t> time_place) {
-  bytes = decompressed(std::move(bytes));
-  EarlierOutputReader provenance(comparison.keys.input.max_memory);
-  if (comparison.recorded) {
-    bytes = mapped(std::move(bytes), [&provenance](std::string text) {
-      provenance.add(text);
-      return text;
-    });
-  }
-  std::string beginning = bytes().value_or("");
-  InputOptions options;
-  options.columns.samples =
-      SampleNames{keys.time.name, keys.groups, keys.labels, time_place.value_or(0), comparison.maps};
-  options.keys.missing = Missing::skip_cell;
-  options.columns.timeless = !time_place;
-  options.threads = comparison.threads.count();
-  options.max_memory = comparison.keys.input.max_memory;
-  const UnitOptions& units = comparison.keys.input.units;
-  options.units = {.frame_rate = units.frame_rate, .date_order = units.date_order, .are_optional = true};
-  options.delimited.marks.decimal = decimal_mark_of(beginning, comparison.keys.input.delimited.marks.decimal);
-  const Input input = open_input(comparison.file, preceded_by(std::move(beginning), std::move(bytes)), options);
-  const Schema& schema = input.schema;
-  SampleTable table{schema.named, schema.time.is_given, schema.time.name, schema.channels, input.facts.ignored, {}};
-  Curves curves(schema, input.keys, {.any_order = true}, false);
-  while (const std::optional<InputCurve> curve = curves.next()) {
-    SampleRows& rows = table.curves.emplace_back(SampleRows{curve->group, {}, {}, {}});
-    while (const std::optional<KeyBlock> block = curve->keys()) append(rows, *block);
-  }
-  if (comparison.recorded) table.provenance = provenance.end();
-  return table;
-}
-
-namespace {
 
 using Names = std::vector<std::string>;
 using Fields = std::vector<std::size_t>;
@@ -242,7 +204,64 @@ MatchedColumns match_by_order(const SampleTable& table, const Schema& keys, cons
   return result;
 }
 
+/// The time from which those of the samples count: that of the job, or of the provenance of the samples.
+std::optional<Rational> time_zero_of(const Comparison& comparison, const ComparisonInputs& inputs) {
+  std::optional<TimeZero> zero = comparison.time_zero;
+  if (!zero && inputs.table.provenance) {
+    if (const auto recorded = comparison.recorded(*inputs.table.provenance)) zero = recorded->time_zero;
+  }
+  if (!zero || zero->time) return zero ? zero->time : std::nullopt;
+  const bool has_key = !inputs.kept.curves.empty() && !inputs.kept.curves.front().blocks.empty();
+  if (!has_key || !inputs.kept.schema.time.is_given) return std::nullopt;
+  return exact_time(inputs.kept.curves.front().blocks.front().keys.times.front());
+}
+
+/// Adds a time to those of all samples, exactly where that is a decimal.
+void add_to_times(SampleTable& table, const Rational& zero) {
+  for (SampleRows& rows : table.curves) {
+    for (Time& time : rows.times) {
+      if (std::isnan(time.hi)) continue;
+      const Rational sum = exact_time(time) + zero;
+      const Time decimal = nearest_time(sum, digits_of_time);
+      time = exact_time(decimal) == sum ? decimal : nearest_time(sum);
+    }
+  }
+}
+
 }  // namespace
+
+SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes, const Schema& keys,
+                         std::optional<std::size_t> time_place) {
+  bytes = decompressed(std::move(bytes));
+  EarlierOutputReader provenance(comparison.keys.input.max_memory);
+  if (comparison.recorded) {
+    bytes = mapped(std::move(bytes), [&provenance](std::string text) {
+      provenance.add(text);
+      return text;
+    });
+  }
+  std::string beginning = bytes().value_or("");
+  InputOptions options;
+  options.columns.samples =
+      SampleNames{keys.time.name, keys.groups, keys.labels, time_place.value_or(0), comparison.maps};
+  options.keys.missing = Missing::skip_cell;
+  options.columns.timeless = !time_place;
+  options.threads = comparison.threads.count();
+  options.max_memory = comparison.keys.input.max_memory;
+  const UnitOptions& units = comparison.keys.input.units;
+  options.units = {.frame_rate = units.frame_rate, .date_order = units.date_order, .are_optional = true};
+  options.delimited.marks.decimal = decimal_mark_of(beginning, comparison.keys.input.delimited.marks.decimal);
+  const Input input = open_input(comparison.file, preceded_by(std::move(beginning), std::move(bytes)), options);
+  const Schema& schema = input.schema;
+  SampleTable table{schema.named, schema.time.is_given, schema.time.name, schema.channels, input.facts.ignored, {}};
+  Curves curves(schema, input.keys, {.any_order = true}, false);
+  while (const std::optional<InputCurve> curve = curves.next()) {
+    SampleRows& rows = table.curves.emplace_back(SampleRows{curve->group, {}, {}, {}});
+    while (const std::optional<KeyBlock> block = curve->keys()) append(rows, *block);
+  }
+  if (comparison.recorded) table.provenance = provenance.end();
+  return table;
+}
 
 void MatchedColumns::align(std::span<Cell> computed, std::span<const double> given_row) const {
   for (const auto& [i, degrees] : angles) {
@@ -316,34 +335,6 @@ KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes) {
   }
   return kept;
 }
-
-namespace {
-
-/// The time from which those of the samples count: that of the job, or of the provenance of the samples.
-std::optional<Rational> time_zero_of(const Comparison& comparison, const ComparisonInputs& inputs) {
-  std::optional<TimeZero> zero = comparison.time_zero;
-  if (!zero && inputs.table.provenance) {
-    if (const auto recorded = comparison.recorded(*inputs.table.provenance)) zero = recorded->time_zero;
-  }
-  if (!zero || zero->time) return zero ? zero->time : std::nullopt;
-  const bool has_key = !inputs.kept.curves.empty() && !inputs.kept.curves.front().blocks.empty();
-  if (!has_key || !inputs.kept.schema.time.is_given) return std::nullopt;
-  return exact_time(inputs.kept.curves.front().blocks.front().keys.times.front());
-}
-
-/// Adds a time to those of all samples, exactly where that is a decimal.
-void add_to_times(SampleTable& table, const Rational& zero) {
-  for (SampleRows& rows : table.curves) {
-    for (Time& time : rows.times) {
-      if (std::isnan(time.hi)) continue;
-      const Rational sum = exact_time(time) + zero;
-      const Time decimal = nearest_time(sum, digits_of_time);
-      time = exact_time(decimal) == sum ? decimal : nearest_time(sum);
-    }
-  }
-}
-
-}  // namespace
 
 ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std::size_t>& chosen,
                              FileProgress* progress) {

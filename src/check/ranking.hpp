@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "check/check.hpp"
@@ -42,6 +43,11 @@ struct Identification : ComparisonSummary {
 
   bool fits() const { return ranking.precision.has_value(); }
 };
+
+// Its report, as that of a check.
+std::string text(const Identification& found);
+std::string json(const Identification& found);
+std::string in_short(const Identification& found);
 
 /// Compares the positions with those of every convention. If there are more, a subset of 1,000 rows and 256
 /// keys selects the 64 best conventions and all that fit, which are then compared with all rows. Throws: Error as

@@ -1,6 +1,4 @@
 // Reports of comparisons: as text, as JSON, and in a line.
-#include "check/report.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,4 +1,5 @@
-// Completions: scripts for bash, zsh and fish, made from the table of options, and the columns that they offer.
+// Completions: the texts of completions/ for bash, zsh and fish with what follows from the table of options, and the
+// columns that the scripts offer.
 #include "cli/help.hpp"
 
 #include <fmt/format.h>
@@ -20,153 +21,37 @@
 namespace tcb {
 namespace {
 
-// The scripts, with marks such as @OPTIONS@ for texts from the table.
-
-/// The functions of the script for bash. The words of the line are put together again where bash divides them, at =, :
-/// and @; the replies then go without the part of the word up to the last = or :.
-constexpr std::string_view bash_script = R"script(_tcbsample_offer() { # SEPARATORS ENDING NAME...
-  local part=${word##*[$1]} ending=$2 name
-  local before=${word%"$part"}
-  for name in "${@:3}"; do
-    [[ $name == "$part"* ]] && COMPREPLY+=("$head$before$name$ending")
-  done
-}
-_tcbsample_columns() { # SEPARATORS [KIND]
-  local i file name names=()
-  for ((i = 1; i < ${#words[@]}; i++)); do
-    case ${words[i]} in
-      @VALUED@) ((++i)); continue;;
-    esac
-    file=${words[i]//[\\\"\']/}
-    [[ $file == "~/"* ]] && file=$HOME/${file:2}
-    [[ $i -eq $current || $file == -* || ! -f $file ]] && continue
-    while IFS= read -r name; do
-      printf -v name %q "$name"
-      names+=("$name")
-    done < <(command tcbsample --generate "${2-columns}" "$file" 2>/dev/null)
-    break
-  done
-  _tcbsample_offer "$1" '' "${names[@]}"
-}
-_tcbsample_files() {
-  local name
-  while IFS= read -r name; do
-    [[ -d $name ]] && name+=/
-    printf -v name %q "$name"
-    COMPREPLY+=("$head@$name")
-  done < <(compgen -f -- "${word#@}")
-}
-_tcbsample_value() {
-  case $option in
-@VALUES@    *) return 1;;
-  esac
-  return 0
-}
-_tcbsample() {
-  local line=$COMP_LINE blanks words=() word option head= i current=0 breaks=${COMP_WORDBREAKS//[!=:]/} divided
-  for ((i = 0; i < ${#COMP_WORDS[@]}; i++)); do
-    blanks=${line%%[![:blank:]]*}
-    line=${line#"$blanks"}
-    line=${line#"${COMP_WORDS[i]}"}
-    if [[ $i -gt 0 && -z $blanks ]]; then
-      words[${#words[@]}-1]+=${COMP_WORDS[i]}
-    else
-      words+=("${COMP_WORDS[i]}")
-    fi
-    [[ $i -eq $COMP_CWORD ]] && current=$((${#words[@]} - 1))
-  done
-  COMPREPLY=()
-  word=${words[current]} option=${words[current-1]}
-  [[ " ${words[*]:1:current-1} " == *" -- "* ]] && return
-  if [[ $word == --*=* ]]; then
-    option=${word%%=*} head=$option= word=${word#*=}
-  fi
-  if _tcbsample_value; then
-    word=$head$word
-    [[ -z $breaks || $word != *[$breaks]* ]] && return
-    divided=${word%"${word##*[$breaks]}"}
-    COMPREPLY=("${COMPREPLY[@]#"$divided"}")
-  elif [[ $word == -* ]]; then
-    COMPREPLY=($(compgen -W '@OPTIONS@' -- "$word"))
-  fi
-} 2>/dev/null
-complete -o default -F _tcbsample tcbsample)script";
-
-/// The functions of the script for zsh.
-constexpr std::string_view zsh_script = R"script(#compdef tcbsample
-_tcbsample_columns() { # KIND OPTION...
-  local -a names
-  local i file kind=$1
-  shift
-  for ((i = 2; i <= $#words; i++)); do
-    case $words[i] in
-      @VALUED@) ((++i)); continue;;
-    esac
-    file=${(Q)words[i]/#\~\//$HOME/}
-    [[ $i -eq $CURRENT || $file == -* || ! -f $file ]] && continue
-    names=(${(f)"$(command tcbsample --generate $kind $file 2>/dev/null)"})
-    break
-  done
-  compadd "$@" -- $names
-}
-_tcbsample_roles() {
-  compset -P '*,'
-  local kind=columns
-  [[ $PREFIX == position=* ]] && kind=positions
-  if compset -P '*[=:]'; then _tcbsample_columns $kind -S ''; else compadd -S '=' -- @ROLES@; fi
-}
-_tcbsample_pair() {
-  compset -P '*:'
-  _tcbsample_columns positions
-}
-_tcbsample_places() {
-  compset -P '@' && _files
-}
-_arguments -s \
-@OPTIONS@  '*:file:_files')script";
-
-/// The functions of the script for fish.
-constexpr std::string_view fish_script = R"script(function __tcbsample_value
-  string replace -r '^--[^=]*=' '' -- (commandline -ct)
-end
-function __tcbsample_list # SEPARATORS NAME...
-  set -l before (string replace -r "[^$argv[1]]*\$" '' -- (__tcbsample_value))
-  for name in $argv[2..]
-    echo $before$name
-  end
-end
-function __tcbsample_columns # KIND
-  set -l words (commandline -op)
-  set -l i 2
-  while test $i -le (count $words)
-    if contains -- $words[$i] @VALUED@
-      set i (math $i + 1)
-    else if not string match -q -- '-*' $words[$i]; and test -f (string replace -r '^~/' "$HOME/" -- $words[$i])
-      command tcbsample --generate $argv[1] (string replace -r '^~/' "$HOME/" -- $words[$i]) 2>/dev/null
-      return
-    end
-    set i (math $i + 1)
-  end
-end
-function __tcbsample_roles
-  if string match -qr '(^|,)position=[^,]*$' -- (__tcbsample_value)
-    __tcbsample_list ',=:' (__tcbsample_columns positions)
-  else if string match -qr '=[^,]*$' -- (__tcbsample_value)
-    __tcbsample_list ',=:' (__tcbsample_columns columns)
-  else
-    __tcbsample_list ',' (string split ' ' '@ROLES@')=
-  end
-end
-function __tcbsample_places
-  set -l value (__tcbsample_value)
-  string match -q '@*' -- $value; or return
-  for file in (__fish_complete_path (string sub -s 2 -- $value))
-    echo @$file
-  end
-end
-@OPTIONS@)script";
-
-std::string known_names(const OptionRow& row) { return fmt::format("{}", fmt::join(row.known(), " ")); }
+/// A kind of value as the tables name it, and what the shells do with one, where @NAMES@ are the names of the option,
+/// @ROLES@ those of roles, and @VALUE@ what the help calls the value.
+struct KindRow {
+  ValueKind kind;
+  std::string_view name;
+  std::string_view bash;  ///< a command of the script for bash; empty: the value is no word of its own
+  std::string_view zsh;   ///< the rest of an argument of _arguments
+  std::string_view fish;  ///< further options of complete
+};
+constexpr KindRow kind_rows[] = {
+    {ValueKind::flag, "flag", "", "", ""},
+    {ValueKind::name, "name", "_tcbsample_offer , '' @NAMES@", ":@VALUE@:(@NAMES@)", " -x -a '@NAMES@'"},
+    {ValueKind::names, "names", "compopt -o nospace; _tcbsample_offer , '' @NAMES@",
+     ":@VALUE@:_sequence -d compadd - @NAMES@", " -x -a '(__tcbsample_list , @NAMES@)'"},
+    {ValueKind::file, "file", ":", ":@VALUE@:_files", " -r -F"},
+    {ValueKind::folder, "folder", "compopt +o default -o dirnames", ":@VALUE@:_files -/",
+     " -x -a '(__fish_complete_directories)'"},
+    {ValueKind::columns, "columns", "compopt +o default -o nospace; _tcbsample_columns ,",
+     ":@VALUE@:_sequence _tcbsample_columns columns", " -x -a '(__tcbsample_list , (__tcbsample_columns columns))'"},
+    {ValueKind::column_pair, "column_pair", "compopt +o default -o nospace; _tcbsample_columns : positions",
+     ":@VALUE@:_tcbsample_pair", " -x -a '(__tcbsample_list : (__tcbsample_columns positions))'"},
+    {ValueKind::roles, "roles",
+     "compopt +o default -o nospace; if [[ ${word##*,} == position=* ]]; then _tcbsample_columns ,=: positions; elif "
+     "[[ "
+     "${word##*,} == *=* ]]; then _tcbsample_columns ,=:; else _tcbsample_offer , = @ROLES@; fi",
+     ":@VALUE@:_tcbsample_roles", " -x -a '(__tcbsample_roles)'"},
+    {ValueKind::places, "places", "compopt +o default -o nospace; if [[ $word == @* ]]; then _tcbsample_files; fi",
+     ":@VALUE@:_tcbsample_places", " -x -a '(__tcbsample_places)'"},
+    {ValueKind::attached, "attached", "", "::@VALUE@: ", ""},
+    {ValueKind::other, "other", "compopt +o default", ":@VALUE@: ", " -x"},
+};
 
 /// The options whose next word is a value.
 std::string valued_options(std::string_view separator) {
@@ -188,6 +73,8 @@ std::string role_list() {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
+const KindRow& kind_of(const OptionRow& row) { return *std::ranges::find(kind_rows, row.kind, &KindRow::kind); }
+
 /// Text in single quotes, where the characters of `special` have a backslash in front, and a quote is `quote`.
 std::string quoted(std::string_view text, std::string_view special, std::string_view quote) {
   std::string out;
@@ -201,46 +88,11 @@ std::string quoted(std::string_view text, std::string_view special, std::string_
 std::string zsh_text(std::string_view text) { return quoted(text, "[]:\\", "'\\''"); }
 std::string fish_text(std::string_view text) { return quoted(text, "\\", "\\'"); }
 
-/// What bash does for the value of an option.
-std::string bash_value(const OptionRow& row) {
-  switch (row.kind) {
-    case ValueKind::flag:
-    case ValueKind::attached: return "";
-    case ValueKind::name: return fmt::format("_tcbsample_offer , '' {}", known_names(row));
-    case ValueKind::names: return fmt::format("compopt -o nospace; _tcbsample_offer , '' {}", known_names(row));
-    case ValueKind::file: return ":";
-    case ValueKind::folder: return "compopt +o default -o dirnames";
-    case ValueKind::columns: return "compopt +o default -o nospace; _tcbsample_columns ,";
-    case ValueKind::column_pair: return "compopt +o default -o nospace; _tcbsample_columns : positions";
-    case ValueKind::roles:
-      return "compopt +o default -o nospace; if [[ ${word##*,} == position=* ]]; then _tcbsample_columns ,=: "
-             "positions; elif [[ ${word##*,} == *=* ]]; "
-             "then _tcbsample_columns ,=:; else "
-             "_tcbsample_offer , = " +
-             role_list() + "; fi";
-    case ValueKind::places: return "compopt +o default -o nospace; if [[ $word == @* ]]; then _tcbsample_files; fi";
-    case ValueKind::other: return "compopt +o default";
-  }
-  return "";
-}
-
-/// What zsh offers for the value of an option.
-std::string zsh_value(const OptionRow& row) {
-  const auto action = [&row](const std::string& what) { return fmt::format(":{}:{}", zsh_text(row.value), what); };
-  switch (row.kind) {
-    case ValueKind::flag: return "";
-    case ValueKind::attached: return ":" + action(" ");
-    case ValueKind::name: return action(fmt::format("({})", known_names(row)));
-    case ValueKind::names: return action(fmt::format("_sequence -d compadd - {}", known_names(row)));
-    case ValueKind::file: return action("_files");
-    case ValueKind::folder: return action("_files -/");
-    case ValueKind::columns: return action("_sequence _tcbsample_columns columns");
-    case ValueKind::column_pair: return action("_tcbsample_pair");
-    case ValueKind::roles: return action("_tcbsample_roles");
-    case ValueKind::places: return action("_tcbsample_places");
-    case ValueKind::other: return action(" ");
-  }
-  return "";
+/// What a shell does for the value of an option. `value`: what the help calls it.
+std::string action(const OptionRow& row, std::string_view KindRow::*shell, const std::string& value = "") {
+  return filled(kind_of(row).*shell, {{"@NAMES@", fmt::format("{}", fmt::join(row.known_names(), " "))},
+                                      {"@ROLES@", role_list()},
+                                      {"@VALUE@", value}});
 }
 
 /// The beginning of a description that fits into a line of fish's list.
@@ -252,25 +104,9 @@ std::string_view brief(std::string_view text) {
   return text.substr(0, end > 1 ? end - 1 : text.rfind(' ', longest));
 }
 
-/// What fish offers for the value of an option.
-std::string fish_value(const OptionRow& row) {
-  switch (row.kind) {
-    case ValueKind::flag:
-    case ValueKind::attached: return "";
-    case ValueKind::name: return fmt::format(" -x -a '{}'", known_names(row));
-    case ValueKind::names: return fmt::format(" -x -a '(__tcbsample_list , {})'", known_names(row));
-    case ValueKind::file: return " -r -F";
-    case ValueKind::folder: return " -x -a '(__fish_complete_directories)'";
-    case ValueKind::columns: return " -x -a '(__tcbsample_list , (__tcbsample_columns columns))'";
-    case ValueKind::column_pair: return " -x -a '(__tcbsample_list : (__tcbsample_columns positions))'";
-    case ValueKind::roles: return " -x -a '(__tcbsample_roles)'";
-    case ValueKind::places: return " -x -a '(__tcbsample_places)'";
-    case ValueKind::other: return " -x";
-  }
-  return "";
-}
-
 }  // namespace
+
+std::string_view name_of_kind(const OptionRow& row) { return kind_of(row).name; }
 
 std::string bash_completion() {
   std::vector<std::string_view> names;
@@ -278,27 +114,28 @@ std::string bash_completion() {
   for (const OptionRow& row : option_table()) {
     const auto own = row.all_names();
     names.insert(names.end(), own.begin(), own.end());
-    const std::string action = bash_value(row);
-    if (!action.empty()) values += fmt::format("    {}) {};;\n", fmt::join(own, "|"), action);
+    const std::string command = action(row, &KindRow::bash);
+    if (!command.empty()) values += fmt::format("    {}) {};;\n", fmt::join(own, "|"), command);
   }
-  return filled(bash_script, {{"@VALUED@", valued_options("|")},
-                              {"@VALUES@", values},
-                              {"@OPTIONS@", fmt::format("{}", fmt::join(names, " "))}});
+  return filled(bash_template, {{"@VALUED@", valued_options("|")},
+                                {"@VALUES@", values},
+                                {"@OPTIONS@", fmt::format("{}", fmt::join(names, " "))}});
 }
 
 std::string zsh_completion() {
   std::string options;
   for (const OptionRow& row : option_table()) {
     const std::vector<std::string_view> names = row.all_names();
+    const std::string value = action(row, &KindRow::zsh, zsh_text(row.value));
     for (const std::string_view name : names) {
       std::string_view mark = name.starts_with("--") ? "=" : "+";  // the value may be in the same word
       if (row.kind == ValueKind::flag) mark = "";
       if (row.kind == ValueKind::attached) mark = "=-";
       const std::string others = names.size() > 1 ? fmt::format("({})", fmt::join(names, " ")) : "";
-      options += fmt::format("  '{}{}{}[{}]{}' \\\n", others, name, mark, zsh_text(row.description()), zsh_value(row));
+      options += fmt::format("  '{}{}{}[{}]{}' \\\n", others, name, mark, zsh_text(row.description()), value);
     }
   }
-  return filled(zsh_script, {{"@VALUED@", valued_options("|")}, {"@ROLES@", role_list()}, {"@OPTIONS@", options}});
+  return filled(zsh_template, {{"@VALUED@", valued_options("|")}, {"@ROLES@", role_list()}, {"@OPTIONS@", options}});
 }
 
 std::string fish_completion() {
@@ -309,9 +146,9 @@ std::string fish_completion() {
       const bool is_long = name.starts_with("--");
       options += fmt::format(" -{} {}", is_long ? "l" : "s", name.substr(is_long ? 2 : 1));
     }
-    options += fmt::format("{} -d '{}'", fish_value(row), fish_text(brief(row.text)));
+    options += fmt::format("{} -d '{}'", action(row, &KindRow::fish), fish_text(brief(row.text)));
   }
-  return filled(fish_script, {{"@VALUED@", valued_options(" ")}, {"@ROLES@", role_list()}, {"@OPTIONS@", options}});
+  return filled(fish_template, {{"@VALUED@", valued_options(" ")}, {"@ROLES@", role_list()}, {"@OPTIONS@", options}});
 }
 
 std::string columns_text(const std::vector<std::string>& files, bool positions_only) {

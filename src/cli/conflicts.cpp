@@ -29,7 +29,7 @@ constexpr Options some(const std::array<std::string_view, size>& names) {
 /// A condition on the values of options.
 using When = bool (*)(const Typed& typed);
 
-/// What an option has to do with others, if it is given.
+/// What each of some options has to do with others, if it is given.
 struct Conflict {
   enum class Kind {
     excludes,       ///< at most one of the option and each of the others can be given
@@ -37,7 +37,7 @@ struct Conflict {
     disables,       ///< the others have no effect with the option
     has_no_effect,  ///< the option itself has none
   };
-  std::string_view option;
+  Options options;
   Kind kind;
   Options others = {};
   std::string_view reason = {};  ///< goes on after the last option in the message
@@ -85,108 +85,75 @@ bool has_one_mark_for_two(const Typed& typed) {
   return marks.decimal == marks.thousands;
 }
 
-constexpr std::string_view folder_reason = ", an output for each file";
 constexpr std::string_view report_reason = ", which takes the samples of its file and prints a report";
 constexpr std::string_view limits_reason = ", which prints a report on whole curves";
 constexpr std::string_view picture_reason = ", which draws the curve and has no rows";
-constexpr std::string_view no_picture_reason = " on an output that is not a picture";
-constexpr std::string_view on_curve_reason = " alone, whose samples are on the curve";
 
+constexpr Options all_sampling_options = some(sampling_options);
 constexpr Options range_options{option::from, option::to, option::end, option::keys, option::max_rows};
 constexpr Options place_options{option::from, option::to, option::end, option::keys};
-constexpr Options options_of_rows{option::output_dir,
-                                  option::files,
-                                  option::meta,
-                                  option::explain,
-                                  option::progress,
-                                  option::digits,
-                                  option::fixed,
-                                  option::golden,
-                                  option::exact_input,
-                                  option::hex,
-                                  option::no_output_header,
-                                  option::output_delimiter,
-                                  option::output_decimal,
-                                  option::like_input,
-                                  option::file_column,
-                                  option::time_format};
-constexpr Options options_without_picture{option::rotation_output,
-                                          option::emit,
-                                          option::fields,
-                                          option::side,
-                                          option::digits,
-                                          option::fixed,
-                                          option::golden,
-                                          option::exact_input,
-                                          option::meta,
-                                          option::hex,
-                                          option::no_output_header,
-                                          option::output_delimiter,
-                                          option::output_decimal,
-                                          option::like_input,
-                                          option::time_zero};
+constexpr Options options_of_rows = some(std::array{
+    option::output_dir, option::files, option::meta, option::explain, option::progress, option::digits, option::fixed,
+    option::golden, option::exact_input, option::hex, option::no_output_header, option::output_delimiter,
+    option::output_decimal, option::like_input, option::file_column, option::time_format});
+constexpr Options options_without_picture =
+    some(std::array{option::rotation_output, option::emit, option::fields, option::side, option::digits, option::fixed,
+                    option::golden, option::exact_input, option::meta, option::hex, option::no_output_header,
+                    option::output_delimiter, option::output_decimal, option::like_input, option::time_zero});
 
 /// The conflicts, in the order of the options. Where several apply, an error is about the first.
 constexpr Conflict conflicts[] = {
-    {option::null, needs, {option::files}},
-    {option::recursive, needs, {option::output_dir}, folder_reason},
-    {option::suffix, needs, {option::output_dir}, folder_reason},
-    {option::update, needs, {option::output_dir}, folder_reason},
-    {option::fail_fast, needs, {option::output_dir}, folder_reason},
+    {{option::null}, needs, {option::files}},
+    {{option::recursive, option::suffix, option::update, option::fail_fast},
+     needs,
+     {option::output_dir},
+     ", an output for each file"},
 
-    {option::check, excludes, {option::identify}},
-    {option::check, disables, {option::emit, option::fit}, report_reason},
-    {option::check, disables, range_options, report_reason, has_no_samples},
-    {option::check, disables, options_of_rows, report_reason},
-    {option::check,
+    {{option::check}, excludes, {option::identify}},
+    {{option::abs, option::rel, option::ulp}, needs, {option::check}},
+    {{option::map}, needs, {option::check, option::identify}},
+    {{option::check}, disables, {option::emit, option::fit}, report_reason},
+    {{option::check}, disables, range_options, report_reason, has_no_samples},
+    {{option::identify}, disables, all_sampling_options, report_reason},
+    {{option::identify}, disables, range_options, report_reason},
+    {{option::check, option::identify}, disables, options_of_rows, report_reason},
+    {{option::check, option::identify},
      disables,
      {option::output_format, option::plot},
      ", whose report is text, json or svg",
      writes_no_report},
-    {option::abs, needs, {option::check}},
-    {option::rel, needs, {option::check}},
-    {option::ulp, needs, {option::check}},
-    {option::map, needs, {option::check, option::identify}},
-    {option::identify, disables, some(sampling_options), report_reason},
-    {option::identify, disables, range_options, report_reason},
-    {option::identify, disables, options_of_rows, report_reason},
-    {option::identify,
-     disables,
-     {option::output_format, option::plot},
-     ", whose report is text, json or svg",
-     writes_no_report},
-    {option::identify,
+    {{option::identify},
      disables,
      {option::preset, option::tangents, option::ends, option::equal_speed, option::no_overshoot, option::side},
      ", which tries all rules on positions"},
-    {option::limits, excludes, {option::check, option::identify}},
-    {option::limits, disables, some(sampling_options), limits_reason, prints_limits},
-    {option::limits,
+    {{option::limits}, excludes, {option::check, option::identify}},
+    {{option::limits}, disables, all_sampling_options, limits_reason, prints_limits},
+    {{option::limits},
      disables,
      {option::fields, option::side, option::end, option::keys, option::max_rows, option::extrapolate},
      limits_reason,
      prints_limits},
-    {option::limits, disables, options_of_rows, limits_reason, prints_limits},
-    {option::limits,
+    {{option::limits}, disables, options_of_rows, limits_reason, prints_limits},
+    {{option::limits},
      disables,
      {option::output_format, option::plot},
      ", whose report is text or json",
      [](const Typed& typed) { return prints_limits(typed) && !typed.output.format->has_reports; }},
-    {option::retime, needs, {option::limits}},
-    {option::retime, excludes, {option::max_gap}, ", whose gaps would have other lengths"},
-    {option::retime, disables, {option::fit, option::explain}, ", which prints samples"},
-    {option::retime,
+    {{option::retime}, needs, {option::limits}},
+    {{option::retime}, excludes, {option::max_gap}, ", whose gaps would have other lengths"},
+    {{option::retime}, disables, {option::fit, option::explain}, ", which prints samples"},
+    {{option::retime},
      disables,
      {option::exact_input, option::output_dir, option::files},
      ", which computes the times of one file"},
 
-    {option::input_format,
+    {{option::input_format},
      disables,
      {option::delimiter, option::header, option::no_header, option::comment, option::skip_lines, option::units,
       option::decimal, option::thousands},
      "",
      [](const Typed& typed) { return !typed.keys.input.format->has_marks; }},
-    {option::delimiter,
+    {{option::delimiter},
      excludes,
      {option::decimal},
      "",
@@ -194,56 +161,30 @@ constexpr Conflict conflicts[] = {
        const DelimitedOptions& text = typed.keys.input.delimited;
        return text.marks.decimal == ',' && text.delimiter == ',';
      }},
-    {option::header, excludes, {option::no_header}},
-    {option::thousands, needs, {option::decimal}, ", as the point is the decimal mark", has_one_mark_for_two},
-    {option::thousands, excludes, {option::decimal}, ", as it would be both", has_one_mark_for_two},
-    {option::missing,
+    {{option::header}, excludes, {option::no_header}},
+    {{option::thousands}, needs, {option::decimal}, ", as the point is the decimal mark", has_one_mark_for_two},
+    {{option::thousands}, excludes, {option::decimal}, ", as it would be both", has_one_mark_for_two},
+    {{option::missing},
      excludes,
      {option::equal_speed, option::parameter},
      ", as all channels are needed at each key",
      [](const Typed& typed) {
        return typed.keys.input.keys.missing == Missing::skip_cell && needs_all_channels(typed);
      }},
-    {option::max_gap, excludes, {option::closed, option::period}},
-    {option::max_gap, excludes, {option::identify}, ", which tries rules on whole curves"},
-    {option::time_unit, excludes, {option::input_fps}},
-    {option::angles, needs, {option::rotation, option::rotation_output}, ", which tells where angles are"},
+    {{option::max_gap}, excludes, {option::closed, option::period}},
+    {{option::max_gap}, excludes, {option::identify}, ", which tries rules on whole curves"},
+    {{option::time_unit}, excludes, {option::input_fps}},
+    {{option::angles}, needs, {option::rotation, option::rotation_output}, ", which tells where angles are"},
 
-    {option::metric, has_no_effect, {}, ", as no length or speed is requested", needs_no_metric},
+    {{option::metric}, has_no_effect, {}, ", as no length or speed is requested", needs_no_metric},
 
-    {option::step, excludes, some(sampling_options)},
-    {option::step, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
-    {option::rate, excludes, some(sampling_options)},
-    {option::rate, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
-    {option::fps, excludes, some(sampling_options)},
-    {option::fps, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
-    {option::count, excludes, some(sampling_options)},
-    {option::count, disables, {option::end}},
-    {option::count, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
-    {option::segments, excludes, some(sampling_options)},
-    {option::segments, disables, {option::end}},
-    {option::segments, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
-    {option::per_segment, excludes, some(sampling_options)},
-    {option::per_segment, disables, place_options},
-    {option::per_segment, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
-    {option::at, excludes, some(sampling_options)},
-    {option::at, disables, place_options},
-    {option::arc_step, excludes, some(sampling_options)},
-    {option::arc_step, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
-    {option::arc_count, excludes, some(sampling_options)},
-    {option::arc_count, disables, {option::end}},
-    {option::arc_count, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
-    {option::arc_at, excludes, some(sampling_options)},
-    {option::arc_at, disables, place_options},
-    {option::arc_at, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
-    {option::tolerance, excludes, some(sampling_options)},
-    {option::tolerance, disables, {option::from, option::to, option::end}},
-    {option::tolerance, disables, {option::extrapolate}, on_curve_reason, stays_on_curve},
-    {option::emit, excludes, some(sampling_options)},
-    {option::emit, disables, {option::end, option::keys}},
-    {option::emit, disables, {option::extrapolate}, ", whose pieces lie between keys", extends_curve},
-    {option::fit, excludes, some(sampling_options)},
-    {option::fit,
+    {all_sampling_options, excludes, all_sampling_options},
+    {{option::count, option::segments, option::arc_count}, disables, {option::end}},
+    {{option::per_segment, option::at, option::arc_at}, disables, place_options},
+    {{option::tolerance}, disables, {option::from, option::to, option::end}},
+    {{option::emit}, disables, {option::end, option::keys}},
+    {{option::emit}, disables, {option::extrapolate}, ", whose pieces lie between keys", extends_curve},
+    {{option::fit},
      disables,
      {option::tcb,         option::tcb_scale,      option::rotation_output,
       option::preset,      option::tangents,       option::ends,
@@ -254,73 +195,75 @@ constexpr Conflict conflicts[] = {
       option::fields,      option::side,           option::golden,
       option::exact_input, option::rename,         option::no_overshoot},
      ", which prints keys with the default rules"},
-    {option::fit,
+    {{option::fit},
      disables,
      {option::digits, option::fixed},
      ", whose numbers have the digits that the tolerance needs"},
-    {option::fit, excludes, {option::plot, option::explain}},
-    {option::fit_keys, needs, {option::fit}},
-    {option::keep_times, needs, {option::fit}},
-    {option::corner, needs, {option::fit}},
+    {{option::fit}, excludes, {option::plot, option::explain}},
+    {all_sampling_options, disables, {option::extrapolate}, " alone, whose samples are on the curve", stays_on_curve},
+    {{option::fit_keys, option::keep_times, option::corner}, needs, {option::fit}},
 
-    {option::output, excludes, {option::output_dir}},
-    {option::output_format, excludes, {option::plot}},
-    {option::output_format, disables, options_without_picture, picture_reason, writes_picture},
-    {option::output_format,
+    {{option::output}, excludes, {option::output_dir}},
+    {{option::output_format}, excludes, {option::plot}},
+    {{option::output_format}, disables, options_without_picture, picture_reason, writes_picture},
+    {{option::output_format},
      disables,
      {option::digits, option::fixed, option::hex},
      ", which holds the doubles themselves",
      writes_array},
-    {option::output_format, disables, {option::time_format}, ", which holds numbers only", writes_array},
-    {option::output_format, disables, {option::hex}, ", which has no hexadecimal numbers", writes_no_text},
-    {option::output_format, disables, {option::no_output_header}, ", which has no line of names", writes_no_text},
-    {option::output_format,
+    {{option::output_format}, disables, {option::time_format}, ", which holds numbers only", writes_array},
+    {{option::output_format}, disables, {option::hex}, ", which has no hexadecimal numbers", writes_no_text},
+    {{option::output_format}, disables, {option::no_output_header}, ", which has no line of names", writes_no_text},
+    {{option::output_format},
      disables,
      {option::meta},
      ", which has no comments",
      [](const Typed& typed) { return !typed.output.format->has_provenance; }},
-    {option::output_format,
+    {{option::output_format},
      disables,
      {option::fields, option::emit, option::fit, option::rotation_output, option::time_format, option::file_column,
       option::output_delimiter, option::output_decimal, option::like_input},
      ", whose rows are poses",
      writes_poses},
-    {option::output_format,
+    {{option::output_format},
      disables,
      {option::fields, option::fit, option::rotation_output, option::digits, option::fixed, option::time_format,
       option::file_column, option::output_delimiter, option::output_decimal, option::like_input},
      ", which is an animation",
      writes_scene},
-    {option::output_format,
+    {{option::output_format},
      disables,
      {option::emit},
      ", whose pieces have the form hermite",
      [](const Typed& typed) { return writes_scene(typed) && typed.form && *typed.form != field_of("hermite"); }},
-    {option::output_format,
+    {{option::output_format},
      disables,
      {option::fields, option::fit, option::rotation_output, option::hex, option::time_format, option::file_column,
       option::output_delimiter, option::output_decimal, option::like_input},
      ", whose rows are polynomials",
      writes_pieces},
-    {option::output_format, disables, some(sampling_options), ", whose rows have the form poly8",
+    {{option::output_format},
+     disables,
+     all_sampling_options,
+     ", whose rows have the form poly8",
      [](const Typed& typed) {
        const bool has_form = typed.sampling.mode == Mode::emit && *typed.form == field_of("poly8");
        return writes_pieces(typed) && !has_form;
      }},
-    {option::plot, disables, options_without_picture, picture_reason, writes_picture},
-    {option::fields,
+    {{option::plot}, disables, options_without_picture, picture_reason, writes_picture},
+    {{option::fields},
      excludes,
      {option::emit},
      ", as a piece has the fields s and length only",
      [](const Typed& typed) {
        return any_field(typed, [](const Field& field) { return !field.of_piece && field.name != "s"; });
      }},
-    {option::fields,
+    {{option::fields},
      needs,
      {option::emit},
      ", for the length of each piece",
      [](const Typed& typed) { return any_field(typed, [](const Field& field) { return field.of_piece; }); }},
-    {option::side,
+    {{option::side},
      has_no_effect,
      {},
      " on these fields, which are the same on both sides",
@@ -328,24 +271,24 @@ constexpr Conflict conflicts[] = {
        if (is_comparison(typed) && !typed.has(option::fields)) return false;  // it may have any field
        return !any_field(typed, [](const Field& field) { return field.has_side; });
      }},
-    {option::digits, excludes, {option::fixed, option::hex}},
-    {option::digits,
+    {{option::digits}, excludes, {option::fixed, option::hex}},
+    {{option::digits},
      needs,
      {option::golden},
      ", as a double has 17 significant digits",
      [](const Typed& typed) { return typed.output.notation.count > digits_of_double; }},
-    {option::fixed, excludes, {option::hex}},
-    {option::golden,
+    {{option::fixed}, excludes, {option::hex}},
+    {{option::golden},
      excludes,
      {option::fields},
      ", as the exact s has no error",
      [](const Typed& typed) { return any_field(typed, [](const Field& field) { return !field.is_exact; }); }},
-    {option::exact_input, needs, {option::golden}},
-    {option::output_delimiter, has_no_effect, {}, " on a format other than csv", writes_no_csv},
-    {option::output_delimiter, excludes, {option::like_input}},
-    {option::output_decimal, has_no_effect, {}, " on a format that is not delimited text", writes_no_text},
-    {option::output_decimal, excludes, {option::like_input, option::hex}},
-    {option::output_decimal,
+    {{option::exact_input}, needs, {option::golden}},
+    {{option::output_delimiter}, has_no_effect, {}, " on a format other than csv", writes_no_csv},
+    {{option::output_delimiter}, excludes, {option::like_input}},
+    {{option::output_decimal}, has_no_effect, {}, " on a format that is not delimited text", writes_no_text},
+    {{option::output_decimal}, excludes, {option::like_input, option::hex}},
+    {{option::output_decimal},
      needs,
      {option::output_delimiter},
      ", as the comma is the delimiter of csv",
@@ -353,24 +296,26 @@ constexpr Conflict conflicts[] = {
        const bool is_comma = typed.output.format->delimiter == ',';
        return typed.output.decimal == ',' && !typed.output.delimiter && is_comma;
      }},
-    {option::output_decimal,
+    {{option::output_decimal},
      excludes,
      {option::output_delimiter},
      ", as the comma cannot be both",
      [](const Typed& typed) { return typed.output.decimal == ',' && typed.output.delimiter == ','; }},
-    {option::like_input, has_no_effect, {}, " on a format other than csv", writes_no_csv},
-    {option::like_input, excludes, {option::hex}},
-    {option::time_format,
+    {{option::like_input}, has_no_effect, {}, " on a format other than csv", writes_no_csv},
+    {{option::like_input}, excludes, {option::hex}},
+    {{option::time_format},
      needs,
      {option::input_fps},
      ", the rate of the frames",
      [](const Typed& typed) { return typed.output.time_notation && counts_frames(*typed.output.time_notation); }},
-    {option::axes, has_no_effect, {}, no_picture_reason, writes_no_picture},
-    {option::title, has_no_effect, {}, no_picture_reason, writes_no_picture},
-    {option::size, has_no_effect, {}, no_picture_reason, writes_no_picture},
+    {{option::axes, option::title, option::size},
+     has_no_effect,
+     {},
+     " on an output that is not a picture",
+     writes_no_picture},
 
-    {option::explain, disables, {option::meta}, ", which prints no rows"},
-    {option::progress, excludes, {option::no_progress, option::quiet}},
+    {{option::explain}, disables, {option::meta}, ", which prints no rows"},
+    {{option::progress}, excludes, {option::no_progress, option::quiet}},
 };
 
 /// A name, with the value if the conflict depends on values.
@@ -380,14 +325,14 @@ std::string shown(const Typed& typed, std::string_view option, When when) {
   return std::string(option) + (with_value ? (kind == ValueKind::attached ? "=" : " ") + typed.value(option) : "");
 }
 
-/// Throws: Error (usage) if the options that are given are in this conflict.
-void require_none(const Conflict& conflict, const Typed& typed) {
-  const auto is_given = [&](std::string_view name) { return name != conflict.option && typed.has(name); };
+/// Throws: Error (usage) if an option that is given is in this conflict.
+void require_none(const Conflict& conflict, std::string_view name, const Typed& typed) {
+  const auto is_given = [&](std::string_view other) { return other != name && typed.has(other); };
   const auto* const other = std::ranges::find_if(conflict.others, is_given);
   const bool has_other = other != conflict.others.end();
   const bool needs_other = conflict.kind == needs || conflict.kind == has_no_effect;
   if (has_other == needs_other || (conflict.when != nullptr && !conflict.when(typed))) return;
-  const std::string option = shown(typed, conflict.option, conflict.when);
+  const std::string option = shown(typed, name, conflict.when);
   switch (conflict.kind) {
     case excludes:
       throw usage_error("{} and {} cannot be combined{}; expected only one; remove the other", option,
@@ -415,7 +360,9 @@ bool needs_no_metric(const TypedOptions& typed) {
 
 void require_no_conflict(const TypedOptions& typed) {
   for (const Conflict& conflict : conflicts) {
-    if (typed.has(conflict.option)) require_none(conflict, typed);
+    for (const std::string_view option : conflict.options) {
+      if (typed.has(option)) require_none(conflict, option, typed);
+    }
   }
 }
 

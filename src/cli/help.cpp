@@ -40,6 +40,14 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   return out + "\n";
 }
 
+std::string option_object(const OptionRow& row) {
+  std::vector<std::string> known;
+  for (const std::string_view name : row.known_names()) known.push_back(json_text(name));
+  return fmt::format(R"({{"name":{},"other_name":{},"group":{},"kind":"{}","value":{},"known":[{}],"text":{}}})",
+                     json_text(row.name), json_text(row.other_name), json_text(row.group), name_of_kind(row),
+                     json_text(row.value), fmt::join(known, ","), json_text(row.description()));
+}
+
 }  // namespace
 
 std::string rotation_rules_text(const spline::RotationRules& rules) {
@@ -158,39 +166,8 @@ std::string filled(std::string_view text, std::initializer_list<std::pair<std::s
       out.replace(at, mark.size(), replacement);
     }
   }
-  return out;
+  return out.substr(0, out.find_last_not_of('\n') + 1);
 }
-
-namespace {
-
-std::string_view kind_name(ValueKind kind) {
-  switch (kind) {
-    case ValueKind::flag: return "flag";
-    case ValueKind::name: return "name";
-    case ValueKind::names: return "names";
-    case ValueKind::file: return "file";
-    case ValueKind::folder: return "folder";
-    case ValueKind::columns: return "columns";
-    case ValueKind::column_pair: return "column_pair";
-    case ValueKind::roles: return "roles";
-    case ValueKind::places: return "places";
-    case ValueKind::attached: return "attached";
-    case ValueKind::other: return "other";
-  }
-  return "";
-}
-
-std::string option_object(const OptionRow& row) {
-  std::vector<std::string> known;
-  if (row.known != nullptr) {
-    for (const std::string_view name : row.known()) known.push_back(json_text(name));
-  }
-  return fmt::format(R"({{"name":{},"other_name":{},"group":{},"kind":"{}","value":{},"known":[{}],"text":{}}})",
-                     json_text(row.name), json_text(row.other_name), json_text(row.group), kind_name(row.kind),
-                     json_text(row.value), fmt::join(known, ","), json_text(row.description()));
-}
-
-}  // namespace
 
 std::string tables_text() {
   std::vector<std::string> options, preset_rows;

@@ -16,6 +16,8 @@ struct RotationRules;
 
 namespace tcb {
 
+struct OptionRow;
+
 /// The text shown without arguments, the help on one screen, and all of it, in 80 columns.
 std::string usage_text();
 std::string short_help_text();
@@ -29,16 +31,22 @@ std::string rotation_rules_text(const spline::RotationRules& rules);
 
 std::string version_text();
 
-/// A text with others in the places marked for them.
+/// A text with others in the places marked for them, without line ends at its end.
 std::string filled(std::string_view text, std::initializer_list<std::pair<std::string_view, std::string>> texts);
 
-/// The texts of the pages, man/tcbsample.1.in and man/tcbsample-curves.7.in, put into the program by the build.
+/// The texts of man/tcbsample.1.in, man/tcbsample-curves.7.in and completions/, put into the program by the build.
 extern const char* const manual_template;
 extern const char* const curves_template;
+extern const char* const bash_template;
+extern const char* const zsh_template;
+extern const char* const fish_template;
 
 /// The pages in the man macros, without the last line end.
 std::string manual_page();
 std::string curves_page();
+
+/// What a value of an option is, as the tables name it.
+std::string_view name_of_kind(const OptionRow& row);
 
 /// Scripts that complete options and their values in a shell.
 std::string bash_completion();

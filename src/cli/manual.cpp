@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <initializer_list>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "cli/options.hpp"
@@ -78,22 +76,15 @@ std::string manual_ends() {
   }
   return out;
 }
-
-/// A page in the man macros, without the last line end.
-std::string page(std::string_view text, std::initializer_list<std::pair<std::string_view, std::string>> texts) {
-  const std::string out = filled(text, texts);
-  return out.substr(0, out.find_last_not_of('\n') + 1);
-}
-
 }  // namespace
 
 std::string manual_page() {
-  return page(manual_template, {{"@VERSION@", TCBSAMPLE_VERSION}, {"@OPTIONS@\n", manual_options()}});
+  return filled(manual_template, {{"@VERSION@", TCBSAMPLE_VERSION}, {"@OPTIONS@\n", manual_options()}});
 }
 
 std::string curves_page() {
-  return page(curves_template,
-              {{"@PRESETS@\n", manual_presets()}, {"@TANGENTS@\n", manual_tangents()}, {"@ENDS@\n", manual_ends()}});
+  return filled(curves_template,
+                {{"@PRESETS@\n", manual_presets()}, {"@TANGENTS@\n", manual_tangents()}, {"@ENDS@\n", manual_ends()}});
 }
 
 }  // namespace tcb

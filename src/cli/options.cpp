@@ -22,28 +22,10 @@ using Typed = TypedOptions;
 using Text = const std::string&;
 using enum ValueKind;
 
-struct ParameterName {
-  std::string_view name;
-};
-constexpr std::array parameter_names{ParameterName{"uniform"}, ParameterName{"chordal"}, ParameterName{"centripetal"}};
-
-struct SideName {
-  std::string_view name;
-  bool left;
-};
-struct UnitPolicy {
-  std::string_view name;
-  bool strips;
-};
-constexpr std::array unit_policies{UnitPolicy{"error", false}, UnitPolicy{"strip", true}};
-
-struct RetimingName {
-  std::string_view name;
-  bool fits;
-};
-constexpr std::array retiming_names{RetimingName{"slower", false}, RetimingName{"fit", true}};
-
-constexpr std::array side_names{SideName{"right", false}, SideName{"left", true}};
+constexpr auto fit_key_names = std::to_array<Named<FitKeys>>({{"tcb", FitKeys::tcb}, {"hermite", FitKeys::hermite}});
+constexpr auto unit_policies = std::to_array<Named<bool>>({{"error", false}, {"strip", true}});
+constexpr auto retiming_names = std::to_array<Named<bool>>({{"slower", false}, {"fit", true}});
+constexpr auto side_names = std::to_array<Named<bool>>({{"right", false}, {"left", true}});
 
 /// The option changes the rows, so it is part of their provenance.
 constexpr bool recorded = true, unrecorded = false;
@@ -127,7 +109,7 @@ constexpr OptionRow option_rows[] = {
      "With limits, prints samples at times that are scaled by the smallest factor of at least 1 by which all limits "
      "hold; with fit by the smallest factor, so that the curve may also become faster",
      "slower", attached, recorded,
-     [](Typed& to, Text text) { to.limits.fits = named_row(retiming_names, text).fits; }},
+     [](Typed& to, Text text) { to.limits.fits = named_row(retiming_names, text).value; }},
 
     {option::input_format, "-i", "FORMAT", input_group,
      "The format of the input: @NAMES@; see tcbsample-input(5). By default it follows from the first bytes and the "
@@ -154,7 +136,7 @@ constexpr OptionRow option_rows[] = {
     {option::units, "", "POLICY", input_group,
      "What happens to units in cells, as in 2.35 m: error rejects them, strip removes them",
      "error", name, recorded,
-     [](Typed& to, Text text) { to.keys.input.delimited.strips_units = named_row(unit_policies, text).strips; },
+     [](Typed& to, Text text) { to.keys.input.delimited.strips_units = named_row(unit_policies, text).value; },
      names_in<unit_policies>},
     {option::columns, "", "ROLE=NAME,...", input_group,
      "The roles of columns, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label. By default "
@@ -307,7 +289,8 @@ constexpr OptionRow option_rows[] = {
      "Makes times for keys that have none: uniform, chordal, centripetal, or an exponent of the distances between "
      "keys",
      "uniform", name, recorded,
-     [](Typed& to, Text text) { to.keys.rules.parameter = {text, {option::parameter}}; }, names_in<parameter_names>},
+     [](Typed& to, Text text) { to.keys.rules.parameter = {text, {option::parameter}}; },
+     [] { return std::vector<std::string_view>{"uniform", "chordal", "centripetal"}; }},
     {option::metric, "", "CHANNEL,...", curve_group,
      "The channels, by name or number, over which lengths and speeds are measured; by default those called x, y and "
      "z if there are any, otherwise all. all means all channels, rotation the angles in radians through which "
@@ -395,7 +378,7 @@ constexpr OptionRow option_rows[] = {
        to.sampling.mode = Mode::emit;
        to.sampling.count = 1;
        to.form = form_of_pieces(text);
-     }, names_in<form_table>},
+     }, form_names},
     {option::fit, "", "D,...", sampling_group,
      "Finds a small set of keys whose curve stays within D of every sample in the input, over the metric channels, "
      "and prints these keys. NAME=D limits one channel; 0.5deg or 0.01rad limits rotations",
@@ -403,7 +386,7 @@ constexpr OptionRow option_rows[] = {
     {option::fit_keys, "", "KIND", sampling_group,
      "The parameters of the keys of --fit: tcb means tension and bias, hermite means velocities",
      "tcb", name, recorded,
-     [](Typed& to, Text text) { to.fit.keys = named_row(fit_key_names, text).keys; }, names_in<fit_key_names>},
+     [](Typed& to, Text text) { to.fit.keys = named_row(fit_key_names, text).value; }, names_in<fit_key_names>},
     {option::keep_times, "", "T,...", sampling_group,
      "Samples that --fit must keep as keys, by time, written as in --at",
      "", places, recorded, [](Typed& to, Text text) { store_places(to, option::keep_times, text); }},
@@ -448,7 +431,7 @@ constexpr OptionRow option_rows[] = {
      "Which segment a row at a key describes if two segments differ there: right is the segment after the key, left "
      "is the segment before it",
      "right", name, recorded,
-     [](Typed& to, Text text) { to.sampling.from_left = named_row(side_names, text).left; }, names_in<side_names>},
+     [](Typed& to, Text text) { to.sampling.from_left = named_row(side_names, text).value; }, names_in<side_names>},
     {option::digits, "", "N", output_group,
      "Prints numbers with N significant digits, from 1 to 17, or with --golden to 100; by default as the shortest "
      "text that reads back as the same double",
@@ -538,13 +521,13 @@ constexpr OptionRow option_rows[] = {
      "When errors, warnings and notes are colored: always, never, or auto, on a terminal unless the environment "
      "says otherwise",
      "auto", name, unrecorded,
-     [](Typed& to, Text text) { to.color = named_row(color_names, text).when; }, names_in<color_names>},
+     [](Typed& to, Text text) { to.color = named_row(color_names, text).value; }, names_in<color_names>},
     {option::generate, "", "KIND", about_group,
      "Prints a page of the manual (man, man-curves), the completions for a shell (bash, zsh, fish), the names of "
      "the columns of FILE (columns), of those that may be positions (positions), or all options and presets as JSON "
      "(tables)",
      "", name, unrecorded,
-     [](Typed& to, Text text) { to.generated = named_row(generated_names, text).kind; }, names_in<generated_names>},
+     [](Typed& to, Text text) { to.generated = named_row(generated_names, text).value; }, names_in<generated_names>},
     {option::list_presets, "", "", about_group,
      "Prints the presets, and the rules with their formulas",
      "", flag, unrecorded, [](Typed& to, Text) { to.list_presets = true; }},

@@ -50,6 +50,10 @@ struct OptionRow {
   /// The names that the value is made of, for ValueKind::name and names.
   std::vector<std::string_view> (*known)() = nullptr;
 
+  /// The names that its value is made of, if it has such names.
+  std::vector<std::string_view> known_names() const {
+    return known == nullptr ? std::vector<std::string_view>() : known();
+  }
   /// Both names, a letter first.
   std::vector<std::string_view> all_names() const;
   /// What it does, and its default.

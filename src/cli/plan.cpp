@@ -130,35 +130,6 @@ void set_exact_pieces(TypedOptions& typed, std::string_view form) {
   typed.give(option::emit, std::string(form));
 }
 
-}  // namespace
-
-Job parse(int argc, const char* const* argv, ColorWhen* color) {
-  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (words.empty() && system::is_terminal(system::standard_input)) return PrintText{usage_text(), Exit::usage};
-  TypedOptions typed = read_options(words, color);
-  if (typed.wants_text()) return PrintText{asked_text(typed, words)};
-  std::optional<ProvenanceRequest> provenance;
-  if (!typed.from_meta.empty()) {
-    provenance = earlier_provenance(typed);
-    words.insert(words.begin(), provenance->earlier.options.begin(), provenance->earlier.options.end());
-    if (measures_all_channels(provenance->earlier.program, provenance->earlier.options))
-      words.insert(words.begin(), fmt::format("{}=all", option::metric));
-    typed = read_options(words);
-    typed.files.other_inputs.push_back(provenance->from);
-  }
-  set_output_format(typed, provenance.has_value());
-  if (!has_sampling_option(typed) && typed.output.format->has_nodes) set_exact_pieces(typed, "hermite");
-  if (!has_sampling_option(typed) && typed.output.format->has_pieces) set_exact_pieces(typed, "poly8");
-  require_no_conflict(typed);
-  read_times_in_words(typed);
-  read_place_column(typed);
-  if (typed.meta && !provenance) provenance.emplace();
-  if (provenance) provenance->meta = new_provenance(typed);
-  return make_job(typed, std::move(provenance));
-}
-
-namespace {
-
 /// Throws: Error (usage) if standard input would be read twice.
 void require_one_reader(const TypedOptions& typed) {
   const bool keys_from_input = std::ranges::count(typed.files.files, "-") > 0;
@@ -433,6 +404,30 @@ RetimeJob retime_job(const TypedOptions& typed, std::optional<ProvenanceRequest>
 }
 
 }  // namespace
+
+Job parse(std::vector<std::string> words, ColorWhen* color) {
+  if (words.empty() && system::is_terminal(system::standard_input)) return PrintText{usage_text(), Exit::usage};
+  TypedOptions typed = read_options(words, color);
+  if (typed.wants_text()) return PrintText{asked_text(typed, words)};
+  std::optional<ProvenanceRequest> provenance;
+  if (!typed.from_meta.empty()) {
+    provenance = earlier_provenance(typed);
+    words.insert(words.begin(), provenance->earlier.options.begin(), provenance->earlier.options.end());
+    if (measures_all_channels(provenance->earlier.program, provenance->earlier.options))
+      words.insert(words.begin(), fmt::format("{}=all", option::metric));
+    typed = read_options(words);
+    typed.files.other_inputs.push_back(provenance->from);
+  }
+  set_output_format(typed, provenance.has_value());
+  if (!has_sampling_option(typed) && typed.output.format->has_nodes) set_exact_pieces(typed, "hermite");
+  if (!has_sampling_option(typed) && typed.output.format->has_pieces) set_exact_pieces(typed, "poly8");
+  require_no_conflict(typed);
+  read_times_in_words(typed);
+  read_place_column(typed);
+  if (typed.meta && !provenance) provenance.emplace();
+  if (provenance) provenance->meta = new_provenance(typed);
+  return make_job(typed, std::move(provenance));
+}
 
 Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
   require_one_reader(typed);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "check/compare_job.hpp"
 #include "cli/typed_options.hpp"
@@ -32,9 +33,9 @@ struct RetimeJob {
 /// What the command line requests.
 using Job = std::variant<PrintText, ResampleJob, ExplainJob, PlotJob, FitJob, CompareJob, LimitsJob, RetimeJob>;
 
-/// Reads the command line. Throws: Error (usage) that names the option, what was expected, and the remedy. `color`: as
-/// requested, so that errors have it too.
-Job parse(int argc, const char* const* argv, ColorWhen* color = nullptr);
+/// Reads the words of a command line, without the program's name. Throws: Error (usage) that names the option, what was
+/// expected, and the remedy. `color`: as requested, so that errors have it too.
+Job parse(std::vector<std::string> words, ColorWhen* color = nullptr);
 
 /// The job of these options. `provenance`: that of its output, if it has one. Requires: no conflict.
 /// Throws: Error (usage) if they do not fit each other.

@@ -108,8 +108,7 @@ std::string compared(std::string_view name) {
 std::string option_with_value(std::string_view name) {
   std::string found;
   for (const OptionRow& row : option_table()) {
-    const auto names = row.known == nullptr ? std::vector<std::string_view>{} : row.known();
-    if (std::ranges::count(names, name) > 0) found = fmt::format("{} {}", row.name, name);
+    if (std::ranges::count(row.known_names(), name) > 0) found = fmt::format("{} {}", row.name, name);
   }
   return found;
 }

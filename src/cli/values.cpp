@@ -96,6 +96,58 @@ std::optional<Tolerance> tolerance_of(std::string_view text) {
   return Tolerance{std::string(named ? text.substr(0, equals) : ""), *most};
 }
 
+/// "a=b,c=d". Throws: Error (usage) with the words unless all names and values are there.
+std::vector<std::pair<std::string, std::string>> named_values(const std::string& text, std::string_view words) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const std::string_view item : split(text, ',')) {
+    const std::size_t equals = item.rfind('=');
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size())
+      throw usage_error("{} {}", in_quotes(text), words);
+    all.emplace_back(item.substr(0, equals), item.substr(equals + 1));
+  }
+  return all;
+}
+
+Error not_a_rotation(std::string_view text) {
+  return usage_error(
+      "{} is not a rotation; expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, "
+      "axis-angle=X:Y:Z:ANGLE,relative, euler=A:B:C,order=XYZ, or matrix= with nine columns row by row, "
+      "where columns are names or numbers; or none",
+      in_quotes(text));
+}
+
+/// The axes of Euler angles: capital letters for turns around the axes as already turned, small ones around fixed axes.
+spline::RotationNotation euler_order(std::string_view letters, const std::string& text) {
+  spline::RotationNotation notation{spline::RotationForm::euler};
+  notation.intrinsic = letters.find_first_not_of("XYZ") == std::string_view::npos;
+  const bool is_order = notation.intrinsic || letters.find_first_not_of("xyz") == std::string_view::npos;
+  if (letters.size() != 3 || !is_order || letters[1] == letters[0] || letters[1] == letters[2]) {
+    throw usage_error(
+        "{} has no valid order of axes; expected three of the letters X, Y and Z, with no two equal letters "
+        "side by side, such as ZYX for intrinsic rotations, or zyx for extrinsic rotations",
+        in_quotes(text));
+  }
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    notation.axes[i] = static_cast<std::uint8_t>(letters[i] - (notation.intrinsic ? 'X' : 'x'));
+  }
+  return notation;
+}
+
+/// The columns of a rotation after its form. Euler angles still lack their order.
+GivenRotation rotation_request(std::string_view part, const std::string& text) {
+  const std::size_t equals = std::min(part.find('='), part.size());
+  const auto form = std::ranges::find(rotation_forms, part.substr(0, equals), &RotationFormName::name);
+  if (equals == part.size() || form == rotation_forms.end()) {
+    throw not_a_rotation(text);
+  }
+  GivenRotation request{{form->form}};
+  for (const std::string_view column : split(part.substr(equals + 1), ':')) request.columns.emplace_back(column);
+  if (request.columns.size() != request.notation.numbers() || std::ranges::count(request.columns, "") > 0) {
+    throw not_a_rotation(text);
+  }
+  return request;
+}
+
 }  // namespace
 
 Rational ratio_or(std::string_view words, std::string_view text) {
@@ -314,22 +366,6 @@ std::vector<std::string> column_list(const std::string& text) {
   return {names.begin(), names.end()};
 }
 
-namespace {
-
-/// "a=b,c=d". Throws: Error (usage) with the words unless all names and values are there.
-std::vector<std::pair<std::string, std::string>> named_values(const std::string& text, std::string_view words) {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const std::string_view item : split(text, ',')) {
-    const std::size_t equals = item.rfind('=');
-    if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size())
-      throw usage_error("{} {}", in_quotes(text), words);
-    all.emplace_back(item.substr(0, equals), item.substr(equals + 1));
-  }
-  return all;
-}
-
-}  // namespace
-
 std::vector<Renaming> renamings(const std::string& text) {
   std::vector<Renaming> all;
   for (const auto& [from, to] : named_values(text, not_a_list_of_renamings)) all.push_back({from, to});
@@ -371,7 +407,8 @@ std::size_t form_of_pieces(const std::string& text) {
   const bool is_form = form != fields().end() && form->of_piece && form->per_channel;
   if (!is_form && text.starts_with("poly") && in_digits<int>(text.substr(4)))
     throw usage_error("{} is not a form of polynomials; expected 4 to 32 coefficients, such as poly8", in_quotes(text));
-  return is_form ? static_cast<std::size_t>(form - fields().begin()) : field_of(named_row(form_table, text).name);
+  if (!is_form) throw unknown_value(text, form_names());
+  return static_cast<std::size_t>(form - fields().begin());
 }
 
 std::string name_part(const std::string& text) {
@@ -409,60 +446,13 @@ const Format* output_format(const std::string& text) { return named_format(text,
 std::vector<std::string_view> input_format_names() { return format_names(&Format::can_read); }
 std::vector<std::string_view> output_format_names() { return format_names(&Format::can_write); }
 
-std::vector<std::string_view> field_names() {
-  std::vector<std::string_view> names;
-  std::ranges::transform(named_fields(), std::back_inserter(names), &Field::name);
-  return names;
-}
+std::vector<std::string_view> field_names() { return names_of(named_fields()); }
+std::vector<std::string_view> form_names() { return {"hermite", "bezier", "poly", "poly8"}; }
 
 Error unknown_value(std::string_view name, std::span<const std::string_view> known) {
   return usage_error("{} is not a known name; expected one of {}{}", in_quotes(name), listed(known),
                      did_you_mean(name, known));
 }
-
-namespace {
-
-Error not_a_rotation(std::string_view text) {
-  return usage_error(
-      "{} is not a rotation; expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, "
-      "axis-angle=X:Y:Z:ANGLE,relative, euler=A:B:C,order=XYZ, or matrix= with nine columns row by row, "
-      "where columns are names or numbers; or none",
-      in_quotes(text));
-}
-
-/// The axes of Euler angles: capital letters for turns around the axes as already turned, small ones around fixed axes.
-spline::RotationNotation euler_order(std::string_view letters, const std::string& text) {
-  spline::RotationNotation notation{spline::RotationForm::euler};
-  notation.intrinsic = letters.find_first_not_of("XYZ") == std::string_view::npos;
-  const bool is_order = notation.intrinsic || letters.find_first_not_of("xyz") == std::string_view::npos;
-  if (letters.size() != 3 || !is_order || letters[1] == letters[0] || letters[1] == letters[2]) {
-    throw usage_error(
-        "{} has no valid order of axes; expected three of the letters X, Y and Z, with no two equal letters "
-        "side by side, such as ZYX for intrinsic rotations, or zyx for extrinsic rotations",
-        in_quotes(text));
-  }
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    notation.axes[i] = static_cast<std::uint8_t>(letters[i] - (notation.intrinsic ? 'X' : 'x'));
-  }
-  return notation;
-}
-
-/// The columns of a rotation after its form. Euler angles still lack their order.
-GivenRotation rotation_request(std::string_view part, const std::string& text) {
-  const std::size_t equals = std::min(part.find('='), part.size());
-  const auto form = std::ranges::find(rotation_forms, part.substr(0, equals), &RotationFormName::name);
-  if (equals == part.size() || form == rotation_forms.end()) {
-    throw not_a_rotation(text);
-  }
-  GivenRotation request{{form->form}};
-  for (const std::string_view column : split(part.substr(equals + 1), ':')) request.columns.emplace_back(column);
-  if (request.columns.size() != request.notation.numbers() || std::ranges::count(request.columns, "") > 0) {
-    throw not_a_rotation(text);
-  }
-  return request;
-}
-
-}  // namespace
 
 std::vector<GivenRotation> rotations(const std::string& text, bool& none) {
   constexpr std::string_view order = "order=";

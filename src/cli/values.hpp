@@ -18,42 +18,28 @@
 
 namespace tcb {
 
-struct GeneratedName {
+/// A name of a value of an option, and what it means.
+template <class T>
+struct Named {
   std::string_view name;
-  Generated kind;
+  T value;
 };
-inline constexpr std::array generated_names{
-    GeneratedName{"man", Generated::manual},          GeneratedName{"man-curves", Generated::curves},
-    GeneratedName{"bash", Generated::bash},           GeneratedName{"zsh", Generated::zsh},
-    GeneratedName{"fish", Generated::fish},           GeneratedName{"columns", Generated::columns},
-    GeneratedName{"positions", Generated::positions}, GeneratedName{"tables", Generated::tables}};
 
-struct ColorName {
-  std::string_view name;
-  ColorWhen when;
-};
-inline constexpr std::array color_names{ColorName{"auto", ColorWhen::by_terminal},
-                                        ColorName{"always", ColorWhen::always}, ColorName{"never", ColorWhen::never}};
-
-struct DelimiterName {
-  std::string_view name;
-  char character;
-};
-inline constexpr std::array delimiter_names{DelimiterName{"tab", '\t'}, DelimiterName{"comma", ','},
-                                            DelimiterName{"semicolon", ';'}, DelimiterName{"space", ' '},
-                                            DelimiterName{"pipe", '|'}};
-
+inline constexpr auto generated_names = std::to_array<Named<Generated>>({{"man", Generated::manual},
+                                                                         {"man-curves", Generated::curves},
+                                                                         {"bash", Generated::bash},
+                                                                         {"zsh", Generated::zsh},
+                                                                         {"fish", Generated::fish},
+                                                                         {"columns", Generated::columns},
+                                                                         {"positions", Generated::positions},
+                                                                         {"tables", Generated::tables}});
+inline constexpr auto color_names = std::to_array<Named<ColorWhen>>(
+    {{"auto", ColorWhen::by_terminal}, {"always", ColorWhen::always}, {"never", ColorWhen::never}});
+inline constexpr auto delimiter_names =
+    std::to_array<Named<char>>({{"tab", '\t'}, {"comma", ','}, {"semicolon", ';'}, {"space", ' '}, {"pipe", '|'}});
 /// The marks between thousands, which may also be given themselves.
-inline constexpr std::array thousands_names{DelimiterName{"comma", ','}, DelimiterName{"point", '.'},
-                                            DelimiterName{"apostrophe", '\''}, DelimiterName{"underscore", '_'},
-                                            DelimiterName{"space", ' '}};
-
-/// The forms of a cubic that help and completions show; a polynomial may have other numbers of coefficients.
-struct FormName {
-  std::string_view name;
-};
-inline constexpr std::array form_table{FormName{"hermite"}, FormName{"bezier"}, FormName{"poly"}, FormName{"poly8"}};
-
+inline constexpr auto thousands_names = std::to_array<Named<char>>(
+    {{"comma", ','}, {"point", '.'}, {"apostrophe", '\''}, {"underscore", '_'}, {"space", ' '}});
 // Each function throws Error (usage) for any other text; the caller makes it an error about the option.
 
 /// Above 0: a decimal or a ratio of two.
@@ -73,7 +59,6 @@ struct TimeValue {
 /// A ratio, or one with a unit of time other than frames. Throws: Error (usage) with the words for any other text.
 TimeValue time_value(std::string_view words, std::string_view text);
 
-/// The step of a rate.
 /// A frame rate: that of broadcast_rates for its decimal, else a ratio above 0. Throws: Error (usage).
 Rational frame_rate(const std::string& text);
 
@@ -131,17 +116,23 @@ spline::RotationNotation rotation_form(const std::string& text);
 const Format* input_format(const std::string& text);
 const Format* output_format(const std::string& text);
 
-/// The names of the formats that can be read or written, and of the fields.
+/// The names of the formats that can be read or written, of the fields, and of the forms of a cubic that help and
+/// completions show; a polynomial may have other numbers of coefficients.
 std::vector<std::string_view> input_format_names();
 std::vector<std::string_view> output_format_names();
 std::vector<std::string_view> field_names();
+std::vector<std::string_view> form_names();
 
 /// The names of a table's rows.
+template <class Table>
+std::vector<std::string_view> names_of(const Table& table) {
+  std::vector<std::string_view> names;
+  for (const auto& row : table) names.push_back(row.name);
+  return names;
+}
 template <const auto& table>
 std::vector<std::string_view> names_in() {
-  std::vector<std::string_view> names;
-  std::ranges::transform(table, std::back_inserter(names), [](const auto& row) { return row.name; });
-  return names;
+  return names_of(table);
 }
 
 /// A name that is not one of those known.
@@ -152,9 +143,7 @@ template <class Table>
 const auto& named_row(const Table& table, std::string_view name) {
   const auto found = std::ranges::find_if(table, [&](const auto& row) { return row.name == name; });
   if (found != std::ranges::end(table)) return *found;
-  std::vector<std::string_view> known;
-  std::ranges::transform(table, std::back_inserter(known), [](const auto& row) { return row.name; });
-  throw unknown_value(name, known);
+  throw unknown_value(name, names_of(table));
 }
 
 }  // namespace tcb

@@ -11,7 +11,7 @@
 
 namespace tcb {
 
-/// How often each sample is counted as done, unless a fit is tried again.
+/// How often each sample is counted as done, pass by pass, unless a fit is tried again.
 inline constexpr std::size_t fit_passes = 6;
 
 /// How a recording is fitted.

@@ -1,9 +1,7 @@
 // Fit options: within which limits recordings are fitted, and what the keys carry.
 #pragma once
 
-#include <array>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "numbers/rational.hpp"
@@ -13,11 +11,6 @@ namespace tcb {
 
 /// What the keys carry.
 enum class FitKeys { tcb, hermite };
-struct FitKeysName {
-  std::string_view name;
-  FitKeys keys;
-};
-inline constexpr std::array fit_key_names{FitKeysName{"tcb", FitKeys::tcb}, FitKeysName{"hermite", FitKeys::hermite}};
 
 /// How recordings are fitted.
 struct FitOptions {

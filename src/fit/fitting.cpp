@@ -22,7 +22,6 @@
 #include "text/utf8.hpp"
 
 namespace tcb {
-
 namespace {
 
 /// The limit of a rotation with these channels of an input, of which some are fitted.
@@ -85,44 +84,6 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
   if (!others.channels.empty()) groups.push_back(others);
   return groups;
 }
-
-}  // namespace
-
-FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules, const FitOptions& options) {
-  const std::vector<RotationColumns> rotations = rotation_columns(schema);
-  const auto metric = make_spec(rules, schema.channels, rotations, schema.angles).rules.metric;
-  FittedChannels fitted;
-  std::vector<LimitKind> kinds;
-  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    const bool is_of_rotation = spline::is_in_rotation(rotations, i);
-    if (is_of_rotation && !options.angle) continue;
-    const bool is_metric = metric.empty() || std::ranges::count(metric, i) > 0;
-    kinds.push_back(is_of_rotation ? LimitKind::rotation : is_metric ? LimitKind::distance : LimitKind::own);
-    fitted.numbers.push_back(i);
-    fitted.names.push_back(schema.channels[i]);
-  }
-  fitted.groups = groups_of(fitted.names, kinds, options);
-  if (!options.angle) return fitted;
-  if (rotations.empty()) {
-    throw data_error(
-        "the tolerance has an angle, but there is no rotation; give the distance alone, or name a rotation with {}",
-        option::rotation)
-        .about(option::fit);
-  }
-  for (const auto& [columns, given, names] : schema.rotations) {
-    if (!given.notation.is_quaternion()) {
-      throw data_error(
-          "column \"{}\" belongs to a rotation that is not a quaternion; {} needs quaternions; convert the samples "
-          "first "
-          "with {} quaternion",
-          given.columns[0], option::fit, option::rotation_output);
-    }
-    fitted.groups.push_back(rotation_group(fitted.numbers, columns.channels, *options.angle, options.keys));
-  }
-  return fitted;
-}
-
-namespace {
 
 /// A column of what keys carry besides positions.
 struct SlopeColumn {
@@ -237,7 +198,49 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
   return kept;
 }
 
+Note labels_not_fitted(const std::vector<std::string>& names) {
+  return {fmt::format("ignored: {}; the keys of a fit have no labels", listed(names)), true};
+}
+
+Note rotations_not_fitted(const std::vector<std::string>& names) {
+  return {fmt::format("rotations not fitted: {}; {} D,0.5deg fits them", listed(names), option::fit), true};
+}
+
 }  // namespace
+
+FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules, const FitOptions& options) {
+  const std::vector<RotationColumns> rotations = rotation_columns(schema);
+  const auto metric = make_spec(rules, schema.channels, rotations, schema.angles).rules.metric;
+  FittedChannels fitted;
+  std::vector<LimitKind> kinds;
+  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+    const bool is_of_rotation = spline::is_in_rotation(rotations, i);
+    if (is_of_rotation && !options.angle) continue;
+    const bool is_metric = metric.empty() || std::ranges::count(metric, i) > 0;
+    kinds.push_back(is_of_rotation ? LimitKind::rotation : is_metric ? LimitKind::distance : LimitKind::own);
+    fitted.numbers.push_back(i);
+    fitted.names.push_back(schema.channels[i]);
+  }
+  fitted.groups = groups_of(fitted.names, kinds, options);
+  if (!options.angle) return fitted;
+  if (rotations.empty()) {
+    throw data_error(
+        "the tolerance has an angle, but there is no rotation; give the distance alone, or name a rotation with {}",
+        option::rotation)
+        .about(option::fit);
+  }
+  for (const auto& [columns, given, names] : schema.rotations) {
+    if (!given.notation.is_quaternion()) {
+      throw data_error(
+          "column \"{}\" belongs to a rotation that is not a quaternion; {} needs quaternions; convert the samples "
+          "first "
+          "with {} quaternion",
+          given.columns[0], option::fit, option::rotation_output);
+    }
+    fitted.groups.push_back(rotation_group(fitted.numbers, columns.channels, *options.angle, options.keys));
+  }
+  return fitted;
+}
 
 Schema curve_of_fit(const Input& samples, const CurveSettings& rules, const FitOptions& options) {
   if (!samples.schema.time.is_given) {
@@ -355,18 +358,6 @@ void FitReport::add(const FitReport& other) {
   largest = other.largest;
   line = other.line;
 }
-
-namespace {
-
-Note labels_not_fitted(const std::vector<std::string>& names) {
-  return {fmt::format("ignored: {}; the keys of a fit have no labels", listed(names)), true};
-}
-
-Note rotations_not_fitted(const std::vector<std::string>& names) {
-  return {fmt::format("rotations not fitted: {}; {} D,0.5deg fits them", listed(names), option::fit), true};
-}
-
-}  // namespace
 
 std::vector<Note> notes_of_columns(const Schema& schema, const FitOptions& options) {
   std::vector<Note> notes;

@@ -22,38 +22,6 @@ namespace tcb {
 namespace {
 
 /// Keys at samples, whose positions and slopes are 0.
-std::vector<FitKey> keys_at(const std::vector<std::size_t>& samples, const Recording& recording);
-
-/// Samples from the first to the last of `marks` that divide it into `count` parts with about the same mass, where each
-/// step between two marks has a mass, spread evenly over its time.
-std::vector<std::size_t> divided(const Recording& recording, std::span<const std::size_t> marks,
-                                 std::span<const double> masses, std::size_t count);
-
-/// Keys with a gap where the last ones were replaced, so that the next replacement there moves few of the others.
-class KeyList {
- public:
-  explicit KeyList(std::vector<FitKey> keys) : before_(std::move(keys)) {}
-
-  std::size_t size() const { return before_.size() + after_.size(); }
-  const FitKey& operator[](std::size_t i) const { return i < before_.size() ? before_[i] : after_[size() - 1 - i]; }
-  /// Keys [first, last).
-  std::vector<FitKey> range(std::size_t first, std::size_t last) const;
-
-  /// The number of the first key that is not before a sample.
-  std::size_t at_sample(std::size_t sample) const;
-
-  /// Replaces keys [first, last).
-  void replace(std::size_t first, std::size_t last, std::vector<FitKey> keys);
-
-  /// All keys.
-  std::vector<FitKey> take() &&;
-
- private:
-  void move_gap(std::size_t to);
-
-  std::vector<FitKey> before_, after_;  ///< after the gap the last key is the first one
-};
-
 std::vector<FitKey> keys_at(const std::vector<std::size_t>& samples, const Recording& recording) {
   std::vector<FitKey> keys;
   keys.reserve(samples.size());
@@ -62,6 +30,8 @@ std::vector<FitKey> keys_at(const std::vector<std::size_t>& samples, const Recor
   return keys;
 }
 
+/// Samples from the first to the last of `marks` that divide it into `count` parts with about the same mass, where each
+/// step between two marks has a mass, spread evenly over its time.
 std::vector<std::size_t> divided(const Recording& recording, std::span<const std::size_t> marks,
                                  std::span<const double> masses, std::size_t count) {
   double total = 0;
@@ -84,45 +54,6 @@ std::vector<std::size_t> divided(const Recording& recording, std::span<const std
   }
   samples.push_back(marks.back());
   return samples;
-}
-
-std::vector<FitKey> KeyList::range(std::size_t first, std::size_t last) const {
-  std::vector<FitKey> keys;
-  for (std::size_t i = first; i < last; ++i) keys.push_back((*this)[i]);
-  return keys;
-}
-
-std::size_t KeyList::at_sample(std::size_t sample) const {
-  std::size_t first = 0, last = size();
-  while (first < last) {
-    const std::size_t middle = first + (last - first) / 2;
-    if ((*this)[middle].sample < sample) {
-      first = middle + 1;
-    } else {
-      last = middle;
-    }
-  }
-  return first;
-}
-
-void KeyList::replace(std::size_t first, std::size_t last, std::vector<FitKey> keys) {
-  move_gap(last);
-  before_.resize(first);
-  std::ranges::move(keys, std::back_inserter(before_));
-}
-
-std::vector<FitKey> KeyList::take() && {
-  move_gap(size());
-  return std::move(before_);
-}
-
-void KeyList::move_gap(std::size_t to) {
-  const auto move_last = [](std::vector<FitKey>& from, std::vector<FitKey>& onto) {
-    onto.push_back(std::move(from.back()));
-    from.pop_back();
-  };
-  while (before_.size() > to) move_last(before_, after_);
-  while (before_.size() < to) move_last(after_, before_);
 }
 
 /// While segments are divided: few iterations, and enough stiffness to keep slopes from oscillating.
@@ -158,10 +89,9 @@ class Thinning {
         fixed_(std::move(fixed)),
         sweeps_(sweeps),
         done_(done),
-        ends_(ends),
-        counted_(keys_[0].sample) {}
+        ends_(ends) {}
 
-  std::vector<FitKey> take() && { return std::move(keys_).take(); }
+  std::vector<FitKey> take() && { return std::move(keys_); }
 
   /// All steps, on the keys at samples [from, to].
   void thin(std::size_t from, std::size_t to) {
@@ -169,56 +99,60 @@ class Thinning {
     for (const std::size_t segments : sweeps_) sweep(segments, from, to);
     remove_keys(from, to);
   }
-  void thin() { thin(keys_[0].sample, keys_[keys_.size() - 1].sample); }
+  void thin() { thin(keys_.front().sample, keys_.back().sample); }
 
   /// All steps, on the keys near a sample.
   void thin_around(std::size_t sample) {
     constexpr std::size_t reach = 20;  // keys
-    const std::size_t key = keys_.at_sample(sample);
+    const std::size_t key = at_sample(sample);
     thin(keys_[key - std::min(reach, key)].sample, keys_[std::min(key + reach, keys_.size() - 1)].sample);
   }
 
  private:
   static constexpr int most_moves = 4;
 
+  /// The number of the first key that is not before a sample.
+  std::size_t at_sample(std::size_t sample) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(keys_, sample, {}, &FitKey::sample) - keys_.begin());
+  }
+
+  /// Replaces keys [first, last] by some that are one less.
+  void replace(std::size_t first, std::size_t last, std::vector<FitKey> keys) {
+    const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(first);
+    keys_.erase(std::ranges::move(keys, begin).out, keys_.begin() + static_cast<std::ptrdiff_t>(last + 1));
+  }
+
   /// Tries to remove each key, with its neighbours fitted again where they are.
   void remove_keys(std::size_t from, std::size_t to) {
     constexpr std::size_t reach = 3;
-    for (std::size_t key = std::max<std::size_t>(keys_.at_sample(from), 1);
+    for (std::size_t key = std::max<std::size_t>(at_sample(from), 1);
          key + 1 < keys_.size() && keys_[key].sample <= to;) {
       const std::size_t first = key - std::min(reach, key), last = std::min(key + reach, keys_.size() - 1);
       const bool is_fixed = std::ranges::binary_search(fixed_, keys_[key].sample);
-      if (is_fixed || !remove(first, key, last)) count_before(++key);
+      if (is_fixed || !remove(first, key, last)) ++key;
     }
     end_pass();
   }
 
   /// Tries each window of so many segments with one less.
   void sweep(std::size_t segments, std::size_t from, std::size_t to) {
-    for (std::size_t first = keys_.at_sample(from); first + 1 < keys_.size() && keys_[first].sample < to;) {
+    for (std::size_t first = at_sample(from); first + 1 < keys_.size() && keys_[first].sample < to;) {
       const std::size_t last = std::min(first + segments, next_fixed(first));
       if (last - first > 1 && shorten(first, last)) continue;
       const bool at_fixed = last == next_fixed(first) && last - first <= segments;
       first =
           at_fixed && last - first <= (segments + 3) / 4 ? last : first + std::max<std::size_t>((segments + 3) / 4, 1);
-      count_before(std::min(first, keys_.size() - 1));
     }
     end_pass();
   }
 
-  void count_before(std::size_t key) {
-    const std::size_t sample = keys_[key].sample;
-    if (done_ && sample > counted_) done_(sample - counted_);
-    counted_ = std::max(counted_, sample);
-  }
   void end_pass() {
-    count_before(keys_.size() - 1);
-    counted_ = keys_[0].sample;
+    if (done_) done_(keys_.back().sample - keys_.front().sample);
   }
 
   /// The first key after this one that has to stay.
   std::size_t next_fixed(std::size_t key) const {
-    return keys_.at_sample(*std::ranges::upper_bound(fixed_, keys_[key].sample));
+    return at_sample(*std::ranges::upper_bound(fixed_, keys_[key].sample));
   }
 
   FixedEnds ends_of(std::size_t first, std::size_t last) const {
@@ -227,17 +161,18 @@ class Thinning {
 
   /// Removes a key between two keys, if that is possible.
   bool remove(std::size_t first, std::size_t key, std::size_t last) {
-    std::vector<FitKey> keys = keys_.range(first, last + 1);
-    keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(key - first));
+    const auto at = [this](std::size_t i) { return keys_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::vector<FitKey> keys(at(first), at(key));
+    keys.insert(keys.end(), at(key + 1), at(last + 1));
     const std::vector<double> worst = fit_smoothly(recording_, keys, ends_of(first, last));
     if (*std::ranges::max_element(worst) > 1) return false;
-    keys_.replace(first, last + 1, std::move(keys));
+    replace(first, last, std::move(keys));
     return true;
   }
 
   /// Replaces the keys between two keys by one less, if that is possible.
   bool shorten(std::size_t first, std::size_t last) {
-    std::vector<std::size_t> marks = samples_of(keys_.range(first, last + 1));
+    std::vector<std::size_t> marks = samples_of(std::span(keys_).subspan(first, last + 1 - first));
     std::vector<double> masses(last - first, 1.0);
     double before = 4;
     for (int move = 0; move < most_moves; ++move) {
@@ -248,7 +183,7 @@ class Thinning {
       const std::vector<double> worst = fit_smoothly(recording_, keys, ends_of(first, last));
       const double largest = *std::ranges::max_element(worst);
       if (largest <= 1) {
-        keys_.replace(first, last + 1, std::move(keys));
+        replace(first, last, std::move(keys));
         return true;
       }
       if (largest > before * 0.9) break;
@@ -259,12 +194,11 @@ class Thinning {
   }
 
   const Recording& recording_;
-  KeyList keys_;
+  std::vector<FitKey> keys_;
   const std::vector<std::size_t> fixed_;
   const Sweeps& sweeps_;
   const SamplesDone& done_;
   const FixedEnds ends_;
-  std::size_t counted_;  ///< up to which sample this pass is counted
 };
 
 /// The samples of keys between fixed ones, half as many again as the longest cubics there, and evenly spread.

@@ -28,10 +28,10 @@ class Banded {
   /// Sets all numbers to 0.
   void clear() { std::ranges::fill(rows_, std::array<double, band>{}); }
 
-  /// Subtracts a variable of known value from one of several right-hand vectors, whose numbers alternate. remove()
+  /// Subtracts a variable of known value from one of `count` right-hand vectors, whose numbers alternate. remove()
   /// follows after the last one.
-  void move_to_target(std::size_t variable, double value, std::span<double> targets, std::size_t number = 0,
-                      std::size_t count = 1) {
+  void move_to_target(std::size_t variable, double value, std::span<double> targets, std::size_t number,
+                      std::size_t count) {
     const std::size_t size = rows_.size();
     for (std::size_t other = variable < band ? 0 : variable - band + 1; other < std::min(variable + band, size);
          ++other) {
@@ -63,7 +63,7 @@ class Banded {
   }
 
   /// Solves for `count` right-hand vectors, whose numbers alternate, in place. Requires: factor().
-  void solve(std::span<double> targets, std::size_t count = 1) {
+  void solve(std::span<double> targets, std::size_t count) {
     const std::size_t size = rows_.size();
     const auto subtract = [&](std::size_t row, std::size_t other, double factor) {
       for (std::size_t c = 0; c < count; ++c) targets[row * count + c] -= factor * targets[other * count + c];

@@ -2,6 +2,10 @@
 #include "io/compression.hpp"
 
 #include <zlib.h>
+#ifndef _WIN32
+#include <zstd.h>
+#include <zstd_errors.h>
+#endif
 
 #include <algorithm>
 #include <new>
@@ -9,7 +13,6 @@
 #include <utility>
 
 #include "error.hpp"
-#include "io/zstandard.hpp"
 #include "text/file_ending.hpp"
 
 namespace tcb {
@@ -19,6 +22,13 @@ constexpr std::size_t part_size = 256UL * 1024;
 constexpr std::string_view gzip_magic = "\x1F\x8B", zstandard_magic = "\x28\xB5\x2F\xFD";
 constexpr std::string_view skippable_magic = "\x2A\x4D\x18";  ///< after a first byte from 0x50 to 0x5F
 constexpr int gzip_window = 15 + 16;                          ///< the largest, in the format of gzip
+
+/// What is left of bytes, and where compressed or decompressed ones go.
+struct Buffers {
+  std::string_view in;
+  std::string out;
+  std::size_t size = 0;  ///< of `out` that is filled
+};
 
 Bytef* bytes_of(const char* text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text)); }
 
@@ -61,6 +71,55 @@ class Gunzip {
   bool ended_ = false;
 };
 
+#ifdef _WIN32
+/// Debian has no library of Zstandard for Windows.
+[[noreturn]] void refuse_zstandard() {
+  throw usage_error(
+      "this build of the program has no Zstandard (.zst); expected gzip (.gz) or no compression; convert the input "
+      "with zstd -d, or give the output another ending");
+}
+
+struct Unzstd {
+  static constexpr std::string_view name = "Zstandard";
+
+  Unzstd() { refuse_zstandard(); }
+  bool ended() const { return false; }
+  bool step(Buffers&) { return false; }
+};
+#else
+/// Frames of a Zstandard file, one after another.
+class Unzstd {
+ public:
+  static constexpr std::string_view name = "Zstandard";
+
+  Unzstd() {
+    if (stream_ == nullptr) throw std::bad_alloc();
+  }
+
+  bool ended() const { return ended_; }
+
+  /// As of Gunzip. Throws: Error (data) for a window that needs too much memory.
+  bool step(Buffers& buffers) {
+    ZSTD_inBuffer in{buffers.in.data(), buffers.in.size(), 0};
+    ZSTD_outBuffer out{buffers.out.data(), buffers.out.size(), buffers.size};
+    const std::size_t result = ZSTD_decompressStream(stream_.get(), &out, &in);
+    if (ZSTD_getErrorCode(result) == ZSTD_error_frameParameter_windowTooLarge)
+      throw data_error(
+          "the Zstandard data need a window of more than 128 MiB of memory; expected at most 128 MiB; decompress the "
+          "file with zstd -d --long=31 first");
+    if (ZSTD_isError(result) != 0) return false;
+    buffers.in.remove_prefix(in.pos);
+    buffers.size = out.pos;
+    ended_ = result == 0;
+    return true;
+  }
+
+ private:
+  std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream_{ZSTD_createDStream(), ZSTD_freeDStream};
+  bool ended_ = false;
+};
+#endif
+
 /// The bytes of a file of one compression.
 template <class Decoder>
 Source<std::string> decoded(Source<std::string> bytes) {
@@ -96,16 +155,6 @@ Source<std::string> decoded(Source<std::string> bytes) {
   };
 }
 
-}  // namespace
-
-Compression compression_of(std::string_view path) {
-  const std::string_view named = compression_ending(path);
-  if (named.empty()) return Compression::none;
-  return named == ".gz" ? Compression::gzip : Compression::zstandard;
-}
-
-namespace {
-
 /// Whether bytes begin a Zstandard file: a frame, or a skippable frame before it as pzstd writes it.
 bool begins_zstandard(std::string_view bytes) {
   if (bytes.starts_with(zstandard_magic)) return true;
@@ -113,6 +162,12 @@ bool begins_zstandard(std::string_view bytes) {
 }
 
 }  // namespace
+
+Compression compression_of(std::string_view path) {
+  const std::string_view named = compression_ending(path);
+  if (named.empty()) return Compression::none;
+  return named == ".gz" ? Compression::gzip : Compression::zstandard;
+}
 
 Source<std::string> decompressed(Source<std::string> bytes) {
   std::string beginning;
@@ -128,38 +183,79 @@ Source<std::string> decompressed(Source<std::string> bytes) {
 }
 
 struct Compressor::State {
-  z_stream gzip{};
-  std::optional<Zstd> zstandard = {};
-
+  virtual ~State() = default;
   /// Compresses some bytes; false: nothing is left to do.
-  bool step(Buffers& buffers, bool last) {
-    if (zstandard) return zstandard->step(buffers, last);
-    gzip.next_in = bytes_of(buffers.in.data());
-    gzip.avail_in = static_cast<uInt>(buffers.in.size());
-    gzip.next_out = bytes_of(buffers.out.data() + buffers.size);
-    gzip.avail_out = static_cast<uInt>(buffers.out.size() - buffers.size);
-    const int result = deflate(&gzip, last ? Z_FINISH : Z_NO_FLUSH);
-    buffers.in.remove_prefix(buffers.in.size() - gzip.avail_in);
-    buffers.size = buffers.out.size() - gzip.avail_out;
-    return gzip.avail_out == 0 || !buffers.in.empty() || (last && result != Z_STREAM_END);
-  }
+  virtual bool step(Buffers& buffers, bool last) = 0;
 };
 
-Compressor::Compressor(Compression compression) : state_(std::make_unique<State>()) {
-  if (compression == Compression::zstandard) {
-    state_->zstandard.emplace();
-    return;
+namespace {
+
+class Gzip : public Compressor::State {
+ public:
+  Gzip() {
+    constexpr int memory = 8;            // zlib's default
+    constexpr int level = Z_BEST_SPEED;  // the default takes five times as long for rows that are a tenth smaller
+    if (deflateInit2(&stream_, level, Z_DEFLATED, gzip_window, memory, Z_DEFAULT_STRATEGY) != Z_OK)
+      throw std::bad_alloc();
   }
-  constexpr int memory = 8;            // zlib's default
-  constexpr int level = Z_BEST_SPEED;  // the default takes five times as long for rows that are a tenth smaller
-  if (deflateInit2(&state_->gzip, level, Z_DEFLATED, gzip_window, memory, Z_DEFAULT_STRATEGY) != Z_OK) {
-    throw std::bad_alloc();
+  Gzip(const Gzip&) = delete;
+  Gzip& operator=(const Gzip&) = delete;
+  ~Gzip() override { deflateEnd(&stream_); }
+
+  bool step(Buffers& buffers, bool last) override {
+    stream_.next_in = bytes_of(buffers.in.data());
+    stream_.avail_in = static_cast<uInt>(buffers.in.size());
+    stream_.next_out = bytes_of(buffers.out.data() + buffers.size);
+    stream_.avail_out = static_cast<uInt>(buffers.out.size() - buffers.size);
+    const int result = deflate(&stream_, last ? Z_FINISH : Z_NO_FLUSH);
+    buffers.in.remove_prefix(buffers.in.size() - stream_.avail_in);
+    buffers.size = buffers.out.size() - stream_.avail_out;
+    return stream_.avail_out == 0 || !buffers.in.empty() || (last && result != Z_STREAM_END);
+  }
+
+ private:
+  z_stream stream_{};
+};
+
+#ifndef _WIN32
+/// One frame with a checksum.
+class Zstd : public Compressor::State {
+ public:
+  Zstd() {
+    if (stream_ == nullptr) throw std::bad_alloc();
+    (void)ZSTD_CCtx_setParameter(stream_.get(), ZSTD_c_checksumFlag, 1);
+  }
+
+  bool step(Buffers& buffers, bool last) override {
+    ZSTD_inBuffer in{buffers.in.data(), buffers.in.size(), 0};
+    ZSTD_outBuffer out{buffers.out.data(), buffers.out.size(), buffers.size};
+    const std::size_t left = ZSTD_compressStream2(stream_.get(), &out, &in, last ? ZSTD_e_end : ZSTD_e_continue);
+    if (ZSTD_isError(left) != 0) throw std::bad_alloc();
+    buffers.in.remove_prefix(in.pos);
+    buffers.size = out.pos;
+    return !buffers.in.empty() || (last && left > 0);
+  }
+
+ private:
+  std::unique_ptr<ZSTD_CStream, std::size_t (*)(ZSTD_CStream*)> stream_{ZSTD_createCStream(), ZSTD_freeCStream};
+};
+#endif
+
+}  // namespace
+
+Compressor::Compressor(Compression compression) {
+  if (compression == Compression::gzip) {
+    state_ = std::make_unique<Gzip>();
+  } else {
+#ifdef _WIN32
+    refuse_zstandard();
+#else
+    state_ = std::make_unique<Zstd>();
+#endif
   }
 }
 
-Compressor::~Compressor() {
-  if (!state_->zstandard) deflateEnd(&state_->gzip);
-}
+Compressor::~Compressor() = default;
 
 std::string Compressor::add(std::string_view bytes, bool last) {
   Buffers buffers{bytes, std::string(part_size, '\0')};

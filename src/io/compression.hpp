@@ -32,8 +32,9 @@ class Compressor {
   /// The compressed bytes that are ready after these; the rest with the last of them.
   std::string add(std::string_view bytes, bool last = false);
 
- private:
   struct State;
+
+ private:
   std::unique_ptr<State> state_;
 };
 

@@ -13,7 +13,6 @@
 #include "option_names.hpp"
 
 namespace tcb {
-
 namespace {
 
 constexpr std::size_t read_size = 256UL * 1024;
@@ -46,31 +45,6 @@ int open_for_reading(const std::string& path) {
       system::failed_as_folder() ? input_is_folder() : usage_error("cannot be opened: {}", system::error_text());
   throw error.in(shown_name(path));
 }
-
-}  // namespace
-
-std::string shown_name(const std::string& path) { return path == "-" ? "standard input" : path; }
-
-bool is_terminal(const std::string& path) { return path == "-" && system::is_terminal(system::standard_input); }
-
-bool is_live(const std::string& path) {
-  const auto status = path == "-" ? system::status_of(system::standard_input) : system::status_of(path);
-  return status && !status->is_regular;
-}
-
-ChangeWatch::ChangeWatch(std::string path) : path_(std::move(path)) {
-  const auto status = path_ == "-" ? std::nullopt : system::status_of(path_);
-  if (status && status->is_regular) before_ = status;
-}
-
-FileChange ChangeWatch::change() const {
-  if (!before_) return FileChange::none;
-  const auto now = system::status_of(path_);
-  if (!now || !now->seems_unmodified_since(*before_)) return FileChange::contents;
-  return now->changed == before_->changed ? FileChange::none : FileChange::contents_or_status;
-}
-
-namespace {
 
 /// The parts of a regular file that were read, as far as they tell whether it still has the same bytes.
 class ReadParts {
@@ -123,6 +97,27 @@ class ReadParts {
 };
 
 }  // namespace
+
+std::string shown_name(const std::string& path) { return path == "-" ? "standard input" : path; }
+
+bool is_terminal(const std::string& path) { return path == "-" && system::is_terminal(system::standard_input); }
+
+bool is_live(const std::string& path) {
+  const auto status = path == "-" ? system::status_of(system::standard_input) : system::status_of(path);
+  return status && !status->is_regular;
+}
+
+ChangeWatch::ChangeWatch(std::string path) : path_(std::move(path)) {
+  const auto status = path_ == "-" ? std::nullopt : system::status_of(path_);
+  if (status && status->is_regular) before_ = status;
+}
+
+FileChange ChangeWatch::change() const {
+  if (!before_) return FileChange::none;
+  const auto now = system::status_of(path_);
+  if (!now || !now->seems_unmodified_since(*before_)) return FileChange::contents;
+  return now->changed == before_->changed ? FileChange::none : FileChange::contents_or_status;
+}
 
 Source<std::string> read_file(const std::string& path) {
   const auto file = std::make_shared<Descriptor>(open_for_reading(path));

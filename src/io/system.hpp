@@ -16,7 +16,7 @@
 
 namespace tcb::system {
 
-/// The arguments of main() in UTF-8.
+/// The arguments of main() in UTF-8, without the name of the program.
 std::vector<std::string> arguments(int argc, char** argv);
 
 /// A path in UTF-8, as it is, but with slashes where the system also has other separators.

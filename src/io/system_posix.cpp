@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -57,7 +58,7 @@ void (*end_program)() = nullptr;
 
 }  // namespace
 
-std::vector<std::string> arguments(int argc, char** argv) { return {argv, argv + argc}; }
+std::vector<std::string> arguments(int argc, char** argv) { return {argv + std::min(argc, 1), argv + argc}; }
 
 std::string error_text() { return std::strerror(errno); }
 bool already_exists() { return errno == EEXIST; }

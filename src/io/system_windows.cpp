@@ -98,9 +98,9 @@ std::vector<std::string> arguments(int argc, char** argv) {
   int count = 0;
   const std::unique_ptr<wchar_t*, void (*)(wchar_t**)> words(::CommandLineToArgvW(::GetCommandLineW(), &count),
                                                              [](wchar_t** list) { ::LocalFree(list); });
-  if (words == nullptr) return {argv, argv + argc};
+  if (words == nullptr) return {argv + std::min(argc, 1), argv + argc};
   std::vector<std::string> texts;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 1; i < count; ++i) {
     const wchar_t* const word = words.get()[i];
     texts.push_back(in_utf8(word, static_cast<int>(std::wcslen(word))));
   }

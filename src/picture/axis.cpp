@@ -51,25 +51,6 @@ std::string short_text(std::int64_t multiple, int exponent) {
   return fmt::format("{}{}e{}", multiple < 0 ? "-" : "", digits, exponent);
 }
 
-}  // namespace
-
-std::string decimal_text(const std::string& whole, int exponent, bool is_short) {
-  const bool negative = whole.front() == '-';
-  std::string digits = negative ? whole.substr(1) : whole;
-  if (digits == "0") return digits;
-  while (is_short && digits.back() == '0') {
-    digits.pop_back();
-    ++exponent;
-  }
-  if (exponent >= 0) return (negative ? "-" : "") + digits + std::string(static_cast<std::size_t>(exponent), '0');
-  const auto decimals = static_cast<std::size_t>(-exponent);
-  if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
-  digits.insert(digits.size() - decimals, ".");
-  return (negative ? "-" : "") + digits;
-}
-
-namespace {
-
 /// Seconds since an epoch as a decimal.
 std::string seconds_text(const Rational& seconds) {
   constexpr int decimals = 9;
@@ -94,7 +75,47 @@ std::int64_t first_multiple(std::int64_t first, std::int64_t last, std::int64_t 
   return static_cast<std::int64_t>(std::ceil(static_cast<double>(first) / static_cast<double>(stride))) * stride;
 }
 
+/// The steps of times in words, in seconds; below a second, a tenth of 1, 2 or 5 seconds, a hundredth, and so on.
+constexpr std::array<std::int64_t, 28> steps_in_seconds{
+    1,      2,       5,       10,      15,       30,       60,       120,      300,    600,
+    900,    1800,    3600,    7200,    10800,    21600,    43200,    86400,    172800, 432000,
+    864000, 1728000, 4320000, 8640000, 17280000, 43200000, 86400000, 864000000};
+
+/// Steps of times in words, from short to long.
+std::vector<Rational> steps_of(const TimeScale& scale) {
+  std::vector<Rational> steps;
+  Rational second = 1;
+  if (scale.notation == TimeNotation::smpte || scale.notation == TimeNotation::drop_frame) {
+    const Rational& rate = scale.frames_per_second;
+    second = -floor(-rate) / rate;  // of timecode
+    for (const int frames : {1, 2, 5, 10}) {
+      if (Rational(frames) / rate < second) steps.push_back(Rational(frames) / rate);
+    }
+  } else {
+    for (int exponent = -9; exponent < 0; ++exponent) {
+      for (const int factor : {1, 2, 5}) steps.push_back(*parse_rational(fmt::format("{}e{}", factor, exponent)));
+    }
+  }
+  for (const std::int64_t seconds : steps_in_seconds) steps.push_back(second * seconds);
+  return steps;
+}
+
 }  // namespace
+
+std::string decimal_text(const std::string& whole, int exponent, bool is_short) {
+  const bool negative = whole.front() == '-';
+  std::string digits = negative ? whole.substr(1) : whole;
+  if (digits == "0") return digits;
+  while (is_short && digits.back() == '0') {
+    digits.pop_back();
+    ++exponent;
+  }
+  if (exponent >= 0) return (negative ? "-" : "") + digits + std::string(static_cast<std::size_t>(exponent), '0');
+  const auto decimals = static_cast<std::size_t>(-exponent);
+  if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
+  digits.insert(digits.size() - decimals, ".");
+  return (negative ? "-" : "") + digits;
+}
 
 Axis::Axis(const Interval& interval, double margin) {
   const double size = interval.length();
@@ -157,35 +178,6 @@ std::string Axis::title(std::string_view name) const {
   const bool negative = base_text_.front() == '-';
   return fmt::format("{} {} {}", name, negative ? "+" : "−", base_text_.substr(negative ? 1 : 0));
 }
-
-namespace {
-
-/// The steps of times in words, in seconds; below a second, a tenth of 1, 2 or 5 seconds, a hundredth, and so on.
-constexpr std::array<std::int64_t, 28> steps_in_seconds{
-    1,      2,       5,       10,      15,       30,       60,       120,      300,    600,
-    900,    1800,    3600,    7200,    10800,    21600,    43200,    86400,    172800, 432000,
-    864000, 1728000, 4320000, 8640000, 17280000, 43200000, 86400000, 864000000};
-
-/// Steps of times in words, from short to long.
-std::vector<Rational> steps_of(const TimeScale& scale) {
-  std::vector<Rational> steps;
-  Rational second = 1;
-  if (scale.notation == TimeNotation::smpte || scale.notation == TimeNotation::drop_frame) {
-    const Rational& rate = scale.frames_per_second;
-    second = -floor(-rate) / rate;  // of timecode
-    for (const int frames : {1, 2, 5, 10}) {
-      if (Rational(frames) / rate < second) steps.push_back(Rational(frames) / rate);
-    }
-  } else {
-    for (int exponent = -9; exponent < 0; ++exponent) {
-      for (const int factor : {1, 2, 5}) steps.push_back(*parse_rational(fmt::format("{}e{}", factor, exponent)));
-    }
-  }
-  for (const std::int64_t seconds : steps_in_seconds) steps.push_back(second * seconds);
-  return steps;
-}
-
-}  // namespace
 
 /// A time in words without what all ticks at multiples of the step have in common.
 std::string Axis::words(const Rational& time, const Rational& step) const {

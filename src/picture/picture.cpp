@@ -22,10 +22,7 @@ namespace tcb {
 namespace {
 
 /// Between the edge of the picture and its contents.
-inline constexpr double picture_margin = 16;
-
-/// The width of a picture of these channels.
-double picture_width(const Scene& scene, const PictureSize& size);
+constexpr double picture_margin = 16;
 
 struct Arrangement {
   double width = 0, height = 0;
@@ -33,10 +30,6 @@ struct Arrangement {
   std::vector<ViewFrame> frames;  ///< one per view
   Box time_title;                 ///< below the strips
 };
-
-/// The path to the left, the strips to the right, in columns if there are many. `legend_height` is left free at the
-/// bottom. Throws: Error (usage) if the channels need a larger picture.
-Arrangement arranged(const Scene& scene, const SceneExtent& extent, const PictureSize& size, double legend_height);
 
 constexpr double top = 62, heading = 22, below_axis = 40, gap_between = 18;
 constexpr double path_width = 470, strip_width = 520, narrow_strip = 230;
@@ -47,13 +40,23 @@ std::size_t columns_of(const Scene& scene) {
   return std::clamp<std::size_t>((scene.strip_count() + strips_in_column - 1) / strips_in_column, 1, most_columns);
 }
 
+/// The width of a picture of these channels.
+double picture_width(const Scene& scene, const PictureSize& size) {
+  if (size.width > 0) return size.width;
+  const std::size_t columns = columns_of(scene);
+  const double strips = columns == 1 ? strip_width : static_cast<double>(columns) * narrow_strip;
+  return 2 * picture_margin + strips + (scene.path ? path_width : columns == 1 ? 200 : 0);
+}
+
 /// The title of an axis; a name that is too long is cut, the base is not.
 std::string title_within(const Axis& axis, const std::string& name, double width) {
   return axis.title(fitted(name, width - text_width(axis.title(""), bold_size), bold_size));
 }
 
+/// Places the path to the left, and the strips to the right, in columns if there are many.
 class Arranger {
  public:
+  /// `legend_height`: left free at the bottom. Throws: Error (usage) if the channels need a larger picture.
   Arranger(const Scene& scene, const SceneExtent& extent, const PictureSize& size, double legend_height)
       : scene_(scene), extent_(extent), strips_(scene.strip_count()), columns_(columns_of(scene)) {
     result_.width = picture_width(scene, size);
@@ -152,24 +155,23 @@ class Arranger {
   Arrangement result_;
 };
 
-double picture_width(const Scene& scene, const PictureSize& size) {
-  if (size.width > 0) return size.width;
-  const std::size_t columns = columns_of(scene);
-  const double strips = columns == 1 ? strip_width : static_cast<double>(columns) * narrow_strip;
-  return 2 * picture_margin + strips + (scene.path ? path_width : columns == 1 ? 200 : 0);
-}
-
-Arrangement arranged(const Scene& scene, const SceneExtent& extent, const PictureSize& size, double legend_height) {
-  return Arranger(scene, extent, size, legend_height).arrange();
-}
-
-/// The class of a curve's colour and dashes.
-std::string colour_of(std::size_t name);
-
 /// Marks that no view has, because there are too many.
 struct HiddenMarks {
   bool keys = false, samples = false;
 };
+
+constexpr double symbol_width = 28, between_entries = 16, line_height = 20, widest_name = 200;
+constexpr std::size_t most_names = 24;
+
+double width_of(std::string_view text, bool has_symbol) {
+  return (has_symbol ? symbol_width : 0) + text_width(text, text_size) + between_entries;
+}
+
+/// The class of a curve's colour and dashes.
+std::string colour_of(std::size_t name) {
+  const std::size_t dashes = name / colours % 3;
+  return fmt::format("c{}{}", name % colours, dashes == 0 ? "" : fmt::format(" d{}", dashes));
+}
 
 /// Entries side by side, in as many lines as the width requires.
 class Legend {
@@ -177,9 +179,21 @@ class Legend {
   Legend(const Scene& scene, double width) : scene_(scene), width_(width) {}
 
   /// The height of the legend with every mark.
-  double height() const;
+  double height() const {
+    return entries({true, true, true, true, scene_.worst.has_value(), true, true}, {false, true}).back().at.y +
+           line_height + 8;
+  }
+
   /// Draws the marks that the picture has, and the names.
-  void draw(Svg& svg, const Pixel& corner, const Marks& marks, const HiddenMarks& hidden) const;
+  void draw(Svg& svg, const Pixel& corner, const Marks& marks, const HiddenMarks& hidden) const {
+    for (const Entry& entry : entries(marks, hidden)) {
+      const Pixel at = corner + entry.at + Pixel{0, line_height / 2};
+      svg.begin_group(entry.css);
+      draw_symbol(svg, entry.symbol, at);
+      svg.end_group();
+      svg.add_text(at + Pixel{entry.symbol == Symbol::none ? 0 : symbol_width, 4}, entry.text, "u");
+    }
+  }
 
  private:
   enum class Symbol { none, curve, key, corner, tangent, sample, worst, axis_x, axis_y, axis_z };
@@ -190,103 +204,72 @@ class Legend {
     Pixel at = {};  ///< where it begins, from the legend's left upper corner
   };
 
-  std::vector<Entry> entries(const Marks& marks, const HiddenMarks& hidden) const;
-  void add_names(std::vector<Entry>& entries) const;
-  static void draw_symbol(Svg& svg, Symbol symbol, const Pixel& at);
+  std::vector<Entry> entries(const Marks& marks, const HiddenMarks& hidden) const {
+    std::vector<Entry> all;
+    if (scene_.names.size() > 1) {
+      add_names(all);
+    } else {
+      if (marks.curve) all.push_back({Symbol::curve, "curve", colour_of(0)});
+    }
+    const std::string css = scene_.names.size() > 1 ? "c5" : "c0";
+    if (marks.keys) all.push_back({Symbol::key, "key", css});
+    if (marks.corners) all.push_back({Symbol::corner, "key at a corner", css});
+    if (marks.handles) all.push_back({Symbol::tangent, "tangents", css});
+    if (marks.samples) {
+      const std::size_t stride = marks.sample_stride;
+      all.push_back({Symbol::sample, stride == 1 ? "sample" : fmt::format("one of {} samples", stride), css});
+    }
+    if (scene_.frame) {
+      all.push_back({Symbol::axis_x, "x axis", css});
+      all.push_back({Symbol::axis_y, "y axis", css});
+      all.push_back({Symbol::axis_z, "z axis", css});
+    }
+    if (marks.worst) all.push_back({Symbol::worst, "largest difference", css});
+    if (hidden.keys) all.push_back({Symbol::none, "keys are too dense to be shown", css});
+    if (hidden.samples) all.push_back({Symbol::none, "samples are too dense to be shown", css});
+    Pixel at;
+    for (Entry& entry : all) {
+      const double width = width_of(entry.text, entry.symbol != Symbol::none);
+      if (at.x > 0 && at.x + width - between_entries > width_) at = {0, at.y + line_height};
+      entry.at = at;
+      at.x += width;
+    }
+    return all;
+  }
+
+  void add_names(std::vector<Entry>& entries) const {
+    const std::size_t shown = std::min(scene_.names.size(), most_names);
+    for (std::size_t i = 0; i < shown; ++i) {
+      entries.push_back({Symbol::curve, fitted(scene_.names[i], widest_name, text_size), colour_of(i)});
+    }
+    const std::size_t more = scene_.names.size() - shown;
+    if (more > 0) entries.push_back({Symbol::none, fmt::format("and {} more", more), "c5"});
+  }
+
+  static void draw_symbol(Svg& svg, Symbol symbol, const Pixel& at) {
+    const Pixel middle = at + Pixel{11, 0};
+    const auto line = [&svg](const Pixel& from, std::string_view rest, std::string_view css) {
+      std::string data = "M";
+      append_pixel(data, from);
+      svg.add_path(data + std::string(rest), css);
+    };
+    switch (symbol) {
+      case Symbol::none: return;
+      case Symbol::curve: return line(at, "h22", "l");
+      case Symbol::key: return svg.add_circle(middle, key_radius, "k");
+      case Symbol::corner: return svg.add_circle(middle, key_radius, "q");
+      case Symbol::tangent: return line(at, "h22", "h");
+      case Symbol::worst: return svg.add_circle(middle, worst_radius, "w");
+      case Symbol::axis_x: return line(at, "h22", "ax");
+      case Symbol::axis_y: return line(at, "h22", "ay");
+      case Symbol::axis_z: return line(at, "h22", "az");
+      case Symbol::sample: return line(middle - Pixel{0, half_tick}, "v8", "s");
+    }
+  }
 
   const Scene& scene_;
   double width_;
 };
-
-constexpr double symbol_width = 28, between_entries = 16, line_height = 20, widest_name = 200;
-constexpr std::size_t most_names = 24;
-
-double width_of(std::string_view text, bool has_symbol) {
-  return (has_symbol ? symbol_width : 0) + text_width(text, text_size) + between_entries;
-}
-
-std::string colour_of(std::size_t name) {
-  const std::size_t dashes = name / colours % 3;
-  return fmt::format("c{}{}", name % colours, dashes == 0 ? "" : fmt::format(" d{}", dashes));
-}
-
-double Legend::height() const {
-  return entries({true, true, true, true, scene_.worst.has_value(), true, true}, {false, true}).back().at.y +
-         line_height + 8;
-}
-
-std::vector<Legend::Entry> Legend::entries(const Marks& marks, const HiddenMarks& hidden) const {
-  std::vector<Entry> all;
-  if (scene_.names.size() > 1) {
-    add_names(all);
-  } else {
-    if (marks.curve) all.push_back({Symbol::curve, "curve", colour_of(0)});
-  }
-  const std::string css = scene_.names.size() > 1 ? "c5" : "c0";
-  if (marks.keys) all.push_back({Symbol::key, "key", css});
-  if (marks.corners) all.push_back({Symbol::corner, "key at a corner", css});
-  if (marks.handles) all.push_back({Symbol::tangent, "tangents", css});
-  if (marks.samples) {
-    const std::size_t stride = marks.sample_stride;
-    all.push_back({Symbol::sample, stride == 1 ? "sample" : fmt::format("one of {} samples", stride), css});
-  }
-  if (scene_.frame) {
-    all.push_back({Symbol::axis_x, "x axis", css});
-    all.push_back({Symbol::axis_y, "y axis", css});
-    all.push_back({Symbol::axis_z, "z axis", css});
-  }
-  if (marks.worst) all.push_back({Symbol::worst, "largest difference", css});
-  if (hidden.keys) all.push_back({Symbol::none, "keys are too dense to be shown", css});
-  if (hidden.samples) all.push_back({Symbol::none, "samples are too dense to be shown", css});
-  Pixel at;
-  for (Entry& entry : all) {
-    const double width = width_of(entry.text, entry.symbol != Symbol::none);
-    if (at.x > 0 && at.x + width - between_entries > width_) at = {0, at.y + line_height};
-    entry.at = at;
-    at.x += width;
-  }
-  return all;
-}
-
-void Legend::add_names(std::vector<Entry>& entries) const {
-  const std::size_t shown = std::min(scene_.names.size(), most_names);
-  for (std::size_t i = 0; i < shown; ++i) {
-    entries.push_back({Symbol::curve, fitted(scene_.names[i], widest_name, text_size), colour_of(i)});
-  }
-  const std::size_t more = scene_.names.size() - shown;
-  if (more > 0) entries.push_back({Symbol::none, fmt::format("and {} more", more), "c5"});
-}
-
-void Legend::draw_symbol(Svg& svg, Symbol symbol, const Pixel& at) {
-  const Pixel middle = at + Pixel{11, 0};
-  const auto line = [&svg](const Pixel& from, std::string_view rest, std::string_view css) {
-    std::string data = "M";
-    append_pixel(data, from);
-    svg.add_path(data + std::string(rest), css);
-  };
-  switch (symbol) {
-    case Symbol::none: return;
-    case Symbol::curve: return line(at, "h22", "l");
-    case Symbol::key: return svg.add_circle(middle, key_radius, "k");
-    case Symbol::corner: return svg.add_circle(middle, key_radius, "q");
-    case Symbol::tangent: return line(at, "h22", "h");
-    case Symbol::worst: return svg.add_circle(middle, worst_radius, "w");
-    case Symbol::axis_x: return line(at, "h22", "ax");
-    case Symbol::axis_y: return line(at, "h22", "ay");
-    case Symbol::axis_z: return line(at, "h22", "az");
-    case Symbol::sample: return line(middle - Pixel{0, half_tick}, "v8", "s");
-  }
-}
-
-void Legend::draw(Svg& svg, const Pixel& corner, const Marks& marks, const HiddenMarks& hidden) const {
-  for (const Entry& entry : entries(marks, hidden)) {
-    const Pixel at = corner + entry.at + Pixel{0, line_height / 2};
-    svg.begin_group(entry.css);
-    draw_symbol(svg, entry.symbol, at);
-    svg.end_group();
-    svg.add_text(at + Pixel{entry.symbol == Symbol::none ? 0 : symbol_width, 4}, entry.text, "u");
-  }
-}
 
 /// The size of a picture in bytes up to which outlines are exact, a little less than 300 kB.
 constexpr std::size_t most_bytes = 290000;
@@ -304,7 +287,7 @@ class Composer {
       : scene_(scene),
         extent_(extent),
         legend_(scene, picture_width(scene, size) - 2 * picture_margin),
-        arrangement_(arranged(scene, extent_, size, legend_.height())) {
+        arrangement_(Arranger(scene, extent_, size, legend_.height()).arrange()) {
     for (const View& view : arrangement_.views) marks_.push_back(marks_of(view));
     for (const Marks& marks : marks_) shown_.sample_stride = std::max(shown_.sample_stride, marks.sample_stride);
     for (Marks& marks : marks_) marks.sample_stride = shown_.sample_stride;

@@ -40,42 +40,6 @@ namespace tcb {
 
 namespace {
 
-/// One picture of the curves of one file or of several.
-class Drawing {
- public:
-  /// The options outlive this.
-  Drawing(const PictureOptions& options, const SamplingRequest& samples, std::string path)
-      : options_(options), samples_(samples), output_(std::move(path)) {}
-
-  /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error if they have other columns
-  /// than the previous curves, lack the requested axes, or are too many.
-  void begin(const std::string& path, const Schema& schema, const CurveSpec& spec);
-
-  /// Adds a curve with its rules in words, and counts its samples; if they are few, they are evaluated to be drawn.
-  void add(const std::vector<std::string>& group, const StreamedCurve& streamed, const CurveSamples& samples,
-           std::string rules);
-
-  /// Draws, and ends the output. Throws: Error (usage) if it cannot be completed.
-  void commit();
-
- private:
-  void begin_scene(const Schema& schema, const CurveSpec& spec);
-  std::size_t name_of(const std::vector<std::string>& group);
-  std::string title() const;
-  std::string subtitle() const;
-
-  const PictureOptions& options_;
-  const SamplingRequest& samples_;
-  Output output_;
-  Scene scene_;
-  std::vector<std::string> files_;    ///< names without their folders
-  std::vector<std::string> columns_;  ///< of all files: the time and the channels
-  CurveChannels channels_;
-  std::string rules_;       ///< of the curves, in words
-  std::size_t curves_ = 0;  ///< of all, also of those that are not drawn
-  std::uint64_t rows_ = 0, keys_ = 0;
-};
-
 std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", with_thousands(count), what, count == 1 ? "" : "s");
 }
@@ -151,108 +115,133 @@ std::string short_rules(const CurveSpec& spec) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-void Drawing::begin(const std::string& path, const Schema& schema, const CurveSpec& spec) {
-  const std::string name = shown_name(path);
-  files_.push_back(name.substr(name.rfind('/') + 1));
-  std::vector<std::string> columns{schema.time.name};
-  columns.insert(columns.end(), schema.channels.begin(), schema.channels.end());
-  if (columns_.empty()) {
-    columns_ = std::move(columns);
-    begin_scene(schema, spec);
-  } else if (columns != columns_) {
-    throw data_error(
-        "the columns are {}; expected {}, as in the earlier files; give {} FOLDER to draw a picture of each file",
-        listed(columns), listed(columns_), option::output_dir);
-  }
-}
+/// One picture of the curves of one file or of several.
+class Drawing {
+ public:
+  /// The options outlive this.
+  Drawing(const PictureOptions& options, const SamplingRequest& samples, std::string path)
+      : options_(options), samples_(samples), output_(std::move(path)) {}
 
-/// A rotation has one strip, for its angle, instead of those of its numbers, and the first one has axes along the path.
-void Drawing::begin_scene(const Schema& schema, const CurveSpec& spec) {
-  scene_.time = schema.time.name;
-  scene_.time_scale = time_scale_of(schema);
-  scene_.channels = schema.channels;
-  if (!spec.lacks_metric || !options_.axes.empty()) {
-    scene_.path = path_axes(schema.channels, options_.axes, spec.rules.metric);
-    scene_.is_path_requested = !options_.axes.empty();
-  }
-  channels_ = spec.channels();
-  if (channels_.rotations.empty()) return scene_.require_few_strips();
-  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    if (!spline::is_in_rotation(channels_.rotations, i)) scene_.strips.push_back(i);
-  }
-  const auto place_in_space = [&](std::size_t channel) {
-    return static_cast<std::size_t>(std::ranges::find(scene_.strips, channel) - scene_.strips.begin());
-  };
-  if (scene_.path) {
-    const std::array axes{place_in_space((*scene_.path)[0]), place_in_space((*scene_.path)[1])};
-    if (std::max(axes[0], axes[1]) < std::min<std::size_t>(scene_.strips.size(), 3)) {
-      scene_.frame = {channels_.rotations[0].channels, axes};
+  /// Begins the curves of the next file; `rules` are those of its first curve. Throws: Error if they have other columns
+  /// than the previous curves, lack the requested axes, or are too many.
+  void begin(const std::string& path, const Schema& schema, const CurveSpec& spec) {
+    const std::string name = shown_name(path);
+    files_.push_back(name.substr(name.rfind('/') + 1));
+    std::vector<std::string> columns{schema.time.name};
+    columns.insert(columns.end(), schema.channels.begin(), schema.channels.end());
+    if (columns_.empty()) {
+      columns_ = std::move(columns);
+      begin_scene(schema, spec);
+    } else if (columns != columns_) {
+      throw data_error(
+          "the columns are {}; expected {}, as in the earlier files; give {} FOLDER to draw a picture of each file",
+          listed(columns), listed(columns_), option::output_dir);
     }
   }
-  for (const RotationSchema& rotation : schema.rotations) {
-    scene_.strips.push_back(scene_.channels.size());
-    scene_.channels.push_back(
-        fmt::format("angle from the first key, degrees ({})", fmt::join(rotation.given.columns, ", ")));
-  }
-  scene_.require_few_strips();
-}
 
-std::size_t Drawing::name_of(const std::vector<std::string>& group) {
-  std::vector<std::string_view> texts;
-  texts.reserve(group.size());
-  for (const std::string& text : group) texts.push_back(content(text));
-  const std::string name = group.empty() ? files_.back() : fmt::format("{}", fmt::join(texts, ", "));
-  const auto known = std::ranges::find(scene_.names, name);
-  if (known == scene_.names.end()) {
-    scene_.names.push_back(name);
-    return scene_.names.size() - 1;
-  }
-  return static_cast<std::size_t>(known - scene_.names.begin());
-}
-
-void Drawing::add(const std::vector<std::string>& group, const StreamedCurve& streamed, const CurveSamples& samples,
-                  std::string rules) {
-  if (curves_ > 0 && rules != rules_) rules = "several rules";
-  rules_ = std::move(rules);
-  const std::vector<FirstRotation> firsts = first_rotations(streamed.keys, channels_.rotations);
-  SceneCurve curve{0, with_angles(streamed.keys, firsts),
-                   with_rotations_as_cubics([streamed] { return streamed.segments(); }, channels_, firsts),
-                   streamed.extent.closed};
-  const bool is_drawn = curves_++ < Scene::most_curves;
-  while (const std::optional<SampleBlock> block = samples.blocks()) {
-    curve.rows += block->rows();
-    if (curve.rows > Scene::most_samples || !is_drawn) {
-      curve.samples.clear();
-    } else {
-      append_samples(curve.samples, samples.evaluate, *block, firsts);
+  /// Adds a curve with its rules in words, and counts its samples; if they are few, they are evaluated to be drawn.
+  void add(const std::vector<std::string>& group, const StreamedCurve& streamed, const CurveSamples& samples,
+           std::string rules) {
+    if (curves_ > 0 && rules != rules_) rules = "several rules";
+    rules_ = std::move(rules);
+    const std::vector<FirstRotation> firsts = first_rotations(streamed.keys, channels_.rotations);
+    SceneCurve curve{0, with_angles(streamed.keys, firsts),
+                     with_rotations_as_cubics([streamed] { return streamed.segments(); }, channels_, firsts),
+                     streamed.extent.closed};
+    const bool is_drawn = curves_++ < Scene::most_curves;
+    while (const std::optional<SampleBlock> block = samples.blocks()) {
+      curve.rows += block->rows();
+      if (curve.rows > Scene::most_samples || !is_drawn) {
+        curve.samples.clear();
+      } else {
+        append_samples(curve.samples, samples.evaluate, *block, firsts);
+      }
     }
+    rows_ += curve.rows;
+    keys_ += curve.keys.size();
+    if (!is_drawn) return;
+    curve.name = name_of(group);
+    scene_.curves.push_back(std::move(curve));
   }
-  rows_ += curve.rows;
-  keys_ += curve.keys.size();
-  if (!is_drawn) return;
-  curve.name = name_of(group);
-  scene_.curves.push_back(std::move(curve));
-}
 
-std::string Drawing::title() const {
-  if (options_.title) return *options_.title;
-  if (files_.size() < 2) return files_.empty() ? "" : files_.front();
-  return fmt::format("{} and {} more", files_.front(), files_.size() - 1);
-}
+  /// Draws, and ends the output. Throws: Error (usage) if it cannot be completed.
+  void commit() {
+    scene_.title = title();
+    scene_.subtitle = subtitle();
+    output_.write(picture(std::move(scene_), options_.size));
+    output_.commit();
+  }
 
-std::string Drawing::subtitle() const {
-  std::string text = fmt::format("{} · {} · {} · {}", rules_, counted(keys_, "key"), samples_in_words(samples_),
-                                 counted(rows_, "row"));
-  if (curves_ > scene_.curves.size()) text += fmt::format(" · {} of {} curves", scene_.curves.size(), curves_);
-  return text;
-}
+ private:
+  /// A rotation has one strip, for its angle, instead of those of its numbers, and the first one has axes along the
+  /// path.
+  void begin_scene(const Schema& schema, const CurveSpec& spec) {
+    scene_.time = schema.time.name;
+    scene_.time_scale = time_scale_of(schema);
+    scene_.channels = schema.channels;
+    if (!spec.lacks_metric || !options_.axes.empty()) {
+      scene_.path = path_axes(schema.channels, options_.axes, spec.rules.metric);
+      scene_.is_path_requested = !options_.axes.empty();
+    }
+    channels_ = spec.channels();
+    if (channels_.rotations.empty()) return scene_.require_few_strips();
+    for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+      if (!spline::is_in_rotation(channels_.rotations, i)) scene_.strips.push_back(i);
+    }
+    const auto place_in_space = [&](std::size_t channel) {
+      return static_cast<std::size_t>(std::ranges::find(scene_.strips, channel) - scene_.strips.begin());
+    };
+    if (scene_.path) {
+      const std::array axes{place_in_space((*scene_.path)[0]), place_in_space((*scene_.path)[1])};
+      if (std::max(axes[0], axes[1]) < std::min<std::size_t>(scene_.strips.size(), 3)) {
+        scene_.frame = {channels_.rotations[0].channels, axes};
+      }
+    }
+    for (const RotationSchema& rotation : schema.rotations) {
+      scene_.strips.push_back(scene_.channels.size());
+      scene_.channels.push_back(
+          fmt::format("angle from the first key, degrees ({})", fmt::join(rotation.given.columns, ", ")));
+    }
+    scene_.require_few_strips();
+  }
 
-void Drawing::commit() {
-  scene_.title = title();
-  scene_.subtitle = subtitle();
-  output_.write(picture(std::move(scene_), options_.size));
-  output_.commit();
-}
+  std::size_t name_of(const std::vector<std::string>& group) {
+    std::vector<std::string_view> texts;
+    texts.reserve(group.size());
+    for (const std::string& text : group) texts.push_back(content(text));
+    const std::string name = group.empty() ? files_.back() : fmt::format("{}", fmt::join(texts, ", "));
+    const auto known = std::ranges::find(scene_.names, name);
+    if (known == scene_.names.end()) {
+      scene_.names.push_back(name);
+      return scene_.names.size() - 1;
+    }
+    return static_cast<std::size_t>(known - scene_.names.begin());
+  }
+
+  std::string title() const {
+    if (options_.title) return *options_.title;
+    if (files_.size() < 2) return files_.empty() ? "" : files_.front();
+    return fmt::format("{} and {} more", files_.front(), files_.size() - 1);
+  }
+
+  std::string subtitle() const {
+    std::string text = fmt::format("{} · {} · {} · {}", rules_, counted(keys_, "key"), samples_in_words(samples_),
+                                   counted(rows_, "row"));
+    if (curves_ > scene_.curves.size()) text += fmt::format(" · {} of {} curves", scene_.curves.size(), curves_);
+    return text;
+  }
+
+  const PictureOptions& options_;
+  const SamplingRequest& samples_;
+  Output output_;
+  Scene scene_;
+  std::vector<std::string> files_;    ///< names without their folders
+  std::vector<std::string> columns_;  ///< of all files: the time and the channels
+  CurveChannels channels_;
+  std::string rules_;       ///< of the curves, in words
+  std::size_t curves_ = 0;  ///< of all, also of those that are not drawn
+  std::uint64_t rows_ = 0, keys_ = 0;
+};
 
 /// A picture of the curves of one file or of several.
 class Picture final : public BatchOutput {

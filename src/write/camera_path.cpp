@@ -29,17 +29,43 @@ constexpr const char* usual_members =
 class CameraPath : public RowKeeper {
  public:
   /// `members`: those of a camera path that was read, as in Schema; empty: one without keyframes.
-  explicit CameraPath(const std::string& members);
+  explicit CameraPath(const std::string& members) {
+    auto all = nlohmann::ordered_json::parse(members.empty() ? usual_members : members);
+    const auto usual = nlohmann::ordered_json::parse(usual_members);
+    for (const auto& [name, value] : usual.items()) {
+      if (!all.contains(name)) all[name] = value;
+    }
+    const auto size = [&](const char* name) { return all[name].is_number() ? all[name].get<double>() : 0.0; };
+    const double height = size("render_height");
+    aspect_ = height > 0 ? size("render_width") / height : 1;
+    members_ = all.dump();
+  }
 
-  void complete(Layout& layout) const override;
+  void complete(Layout& layout) const override {
+    layout.head = members_.substr(0, members_.size() - 1) + ",\"camera_path\":[\n";
+    layout.row_end = fmt::format(",\"aspect\":{}}}", aspect_);
+  }
 
   /// Requires: the first cell of each row is its time.
-  void observe(const Table& rows, std::size_t cells_per_row) override;
+  void observe(const Table& rows, std::size_t cells_per_row) override {
+    if (rows.cells.empty()) return;
+    const Cell first = rows.cells.front(), last = rows.cells[rows.cells.size() - cells_per_row];
+    const std::lock_guard lock(mutex_);
+    first_ = rows_ == 0 ? first : std::min(first_, first);
+    last_ = rows_ == 0 ? last : std::max(last_, last);
+    rows_ += rows.cells.size() / cells_per_row;
+  }
 
   /// Instead of frames at the mean duration between rows.
   void set_frames(const PlayedFrames& frames) override { frames_ = frames; }
 
-  std::string tail(const Rational& unit) override;
+  std::string tail(const Rational& unit) override {
+    const Rational duration = (exact_time(last_) - exact_time(first_)) * unit;
+    const Rational mean = rows_ > 1 && duration > 0 ? Rational(rows_ - 1) / duration : Rational(1);
+    const PlayedFrames frames = frames_.value_or(PlayedFrames{mean});
+    return fmt::format(",\"fps\":{},\"seconds\":{}}}\n", nearest_double(frames.rate),
+                       nearest_double(frames.seconds.value_or(Rational(rows_) / frames.rate)));
+  }
 
  private:
   std::string members_;
@@ -49,40 +75,6 @@ class CameraPath : public RowKeeper {
   Cell first_{}, last_{};  ///< times
   std::optional<PlayedFrames> frames_;
 };
-
-CameraPath::CameraPath(const std::string& members) {
-  auto all = nlohmann::ordered_json::parse(members.empty() ? usual_members : members);
-  const auto usual = nlohmann::ordered_json::parse(usual_members);
-  for (const auto& [name, value] : usual.items()) {
-    if (!all.contains(name)) all[name] = value;
-  }
-  const auto size = [&](const char* name) { return all[name].is_number() ? all[name].get<double>() : 0.0; };
-  const double height = size("render_height");
-  aspect_ = height > 0 ? size("render_width") / height : 1;
-  members_ = all.dump();
-}
-
-void CameraPath::complete(Layout& layout) const {
-  layout.head = members_.substr(0, members_.size() - 1) + ",\"camera_path\":[\n";
-  layout.row_end = fmt::format(",\"aspect\":{}}}", aspect_);
-}
-
-void CameraPath::observe(const Table& rows, std::size_t cells_per_row) {
-  if (rows.cells.empty()) return;
-  const Cell first = rows.cells.front(), last = rows.cells[rows.cells.size() - cells_per_row];
-  const std::lock_guard lock(mutex_);
-  first_ = rows_ == 0 ? first : std::min(first_, first);
-  last_ = rows_ == 0 ? last : std::max(last_, last);
-  rows_ += rows.cells.size() / cells_per_row;
-}
-
-std::string CameraPath::tail(const Rational& unit) {
-  const Rational duration = (exact_time(last_) - exact_time(first_)) * unit;
-  const Rational mean = rows_ > 1 && duration > 0 ? Rational(rows_ - 1) / duration : Rational(1);
-  const PlayedFrames frames = frames_.value_or(PlayedFrames{mean});
-  return fmt::format(",\"fps\":{},\"seconds\":{}}}\n", nearest_double(frames.rate),
-                     nearest_double(frames.seconds.value_or(Rational(rows_) / frames.rate)));
-}
 
 /// The rows, each the 12 numbers of the first three rows of the matrix, and the field of view.
 Layout camera_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {

@@ -72,44 +72,36 @@ std::size_t axis_of_scale(std::string_view name) {
 
 using Rotation = spline::Quaternion<double>;
 
-/// A rotation by turns around axes, with its velocity.
-class TurningRotation {
- public:
-  struct Value {
-    Rotation q, velocity;
-  };
+/// Of the unit of the angles.
+double radians_of(const EulerTrack& euler) { return euler.degrees ? 3.14159265358979323846 / 180 : 1; }
 
-  explicit TurningRotation(const EulerTrack& euler) : euler_(euler) {}
-
-  /// At angles and their velocities, in the order of the turns.
-  Value at(const std::array<double, 3>& angles, const std::array<double, 3>& velocities) const {
-    const auto& [bx, by, bz, bw] = euler_.before;
-    const auto& [ax, ay, az, aw] = euler_.after;
-    Value value{{bx, by, bz, bw}, {}};
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-      constexpr double largest = 1e6;  // of angles that sines are computed of
-      if (!(std::abs(angles[i]) <= largest)) {
-        throw data_error("an angle of a rotation is {}; expected at most 1e6 in size; take full turns off the angles",
-                         angles[i]);
-      }
-      const auto [sine, cosine] = spline::sine_cosine_of_half(angles[i], euler_.degrees);
-      const double half_speed = velocities[i] * radians() / 2;
-      std::array<double, 3> turn{}, change{};
-      turn[euler_.turns[i].axis] = sine;
-      change[euler_.turns[i].axis] = cosine * half_speed;
-      const Rotation q{turn[0], turn[1], turn[2], cosine}, dq{change[0], change[1], change[2], -sine * half_speed};
-      value = {value.q * q, value.velocity * q + value.q * dq};
-    }
-    const Rotation after{ax, ay, az, aw};
-    return {value.q * after, value.velocity * after};
-  }
-
-  /// Of the unit of the angles.
-  double radians() const { return euler_.degrees ? 3.14159265358979323846 / 180 : 1; }
-
- private:
-  const EulerTrack& euler_;
+struct TurningRotation {
+  Rotation q, velocity;
 };
+
+/// The rotation by turns around axes, at angles and their velocities in the order of the turns.
+TurningRotation turned(const EulerTrack& euler, const std::array<double, 3>& angles,
+                       const std::array<double, 3>& velocities) {
+  const auto& [bx, by, bz, bw] = euler.before;
+  const auto& [ax, ay, az, aw] = euler.after;
+  TurningRotation value{{bx, by, bz, bw}, {}};
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    constexpr double largest = 1e6;  // of angles that sines are computed of
+    if (!(std::abs(angles[i]) <= largest)) {
+      throw data_error("an angle of a rotation is {}; expected at most 1e6 in size; take full turns off the angles",
+                       angles[i]);
+    }
+    const auto [sine, cosine] = spline::sine_cosine_of_half(angles[i], euler.degrees);
+    const double half_speed = velocities[i] * radians_of(euler) / 2;
+    std::array<double, 3> turn{}, change{};
+    turn[euler.turns[i].axis] = sine;
+    change[euler.turns[i].axis] = cosine * half_speed;
+    const Rotation q{turn[0], turn[1], turn[2], cosine}, dq{change[0], change[1], change[2], -sine * half_speed};
+    value = {value.q * q, value.velocity * q + value.q * dq};
+  }
+  const Rotation after{ax, ay, az, aw};
+  return {value.q * after, value.velocity * after};
+}
 
 /// A part of a piece of angles that are cubics in time.
 class TurningPiece {
@@ -121,7 +113,7 @@ class TurningPiece {
   double end() const { return row_[0] + last_ * row_[1]; }
 
   /// At a place from 0 to 1, with the velocity per part.
-  TurningRotation::Value at(double place) const {
+  TurningRotation at(double place) const {
     std::array<double, 3> angles{}, velocities{};
     const double u = first_ + place * (last_ - first_), v = 1 - u;
     for (std::size_t i = 0; i < angles.size(); ++i) {
@@ -129,7 +121,7 @@ class TurningPiece {
       angles[i] = v * v * ((1 + 2 * u) * p + u * d) + u * u * ((1 + 2 * v) * q - v * e);
       velocities[i] = (last_ - first_) * (6 * u * v * (q - p) + v * (v - 2 * u) * d + u * (u - 2 * v) * e);
     }
-    return TurningRotation(*euler_).at(angles, velocities);
+    return turned(*euler_, angles, velocities);
   }
 
   /// Appends parts on which the cubic between both ends, made a rotation, is near enough.
@@ -166,7 +158,7 @@ class TurningPiece {
       turns += std::max({std::abs(d), std::abs(3 * (q - p) - d - e), std::abs(e)}) * (last_ - first_);
     }
     constexpr double eighth = 0.79, limit = 0.01 / 180 * 3.14159265358979323846 / 4;  // half of half the angle
-    if (!(turns * TurningRotation(*euler_).radians() <= eighth)) return false;
+    if (!(turns * radians_of(*euler_) <= eighth)) return false;
     const auto [q0, v0] = at(0);
     const auto [q1, v1] = at(1);
     return std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&, &q0 = q0, &v0 = v0, &q1 = q1, &v1 = v1](double u) {
@@ -234,23 +226,163 @@ class GltfScene : public RowKeeper {
   explicit GltfScene(bool are_pieces) : are_pieces_(are_pieces) {}
 
   /// Throws: Error (data) for channels that are no target.
-  void begin(const Schema& schema) override;
+  void begin(const Schema& schema) override {
+    if (schema.time.unit == TimeUnit::frames) throw times_without_rate(schema.time.name);
+    schema_ = schema;
+    if (schema.time.unit) seconds_ = nearest_double(Rational(1) / units_per_second(*schema.time.unit));
+    const std::vector<RotationColumns> rotations = rotation_columns(schema);
+    Target translation{"translation", {}}, scale{"scale", std::vector<std::size_t>(3, schema.channels.size())};
+    std::vector<std::size_t> others;
+    for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+      const std::size_t axis = axis_of_scale(schema.channels[i]);
+      if (axis < scale.channels.size()) {
+        scale.channels[axis] = i;
+      } else if (!spline::is_in_rotation(rotations, i)) {
+        (translation.channels.size() < 3 ? translation.channels : others).push_back(i);
+      }
+    }
+    targets_.clear();
+    if (translation.channels.size() == 3) {
+      targets_.push_back(translation);
+    } else {
+      others.insert(others.begin(), translation.channels.begin(), translation.channels.end());
+    }
+    if (rotations.size() > 1) throw no_target_of_node(schema.channels);
+    if (!rotations.empty()) {
+      targets_.push_back({"rotation", {rotations[0].channels.begin(), rotations[0].channels.end()}});
+    }
+    const auto missing = std::ranges::count(scale.channels, schema.channels.size());
+    if (missing == 0) targets_.push_back(scale);
+    if (missing == 1 || missing == 2) {
+      for (const std::size_t channel : scale.channels) {
+        if (channel < schema.channels.size()) others.push_back(channel);
+      }
+    }
+    if (targets_.empty()) throw no_target_of_node(schema.channels);
+    std::ranges::sort(others);
+    other_channels_ = others;
+    others_.clear();
+    for (const std::size_t channel : others) others_.push_back(schema.channels[channel]);
+  }
 
   /// Throws: Error (data) for a second curve of the same group, and for a track that is no target.
-  void begin_curve(const std::vector<std::string>& group, const std::optional<EulerTrack>& euler) override;
+  void begin_curve(const std::vector<std::string>& group, const std::optional<EulerTrack>& euler) override {
+    std::vector<std::string> texts = contents(group);
+    const bool is_track = !schema_.groups.empty() && schema_.groups.back() == track_column;
+    std::vector<Target> targets = targets_;
+    if (is_track) {
+      targets = targets_of_track(texts.back(), euler.has_value());
+      if (texts.back() != target_track) texts.pop_back();
+    }
+    std::string name = texts.empty() ? "curve" : fmt::format("{}", fmt::join(texts, " "));
+    if (!known_.emplace(name, targets.front().path).second)
+      throw data_error(
+          "there is more than one curve of {}; expected one for each node of an animation; give another format, such "
+          "as "
+          "csv, to {}",
+          in_quotes(name), option::output_format);
+    nodes_.push_back({std::move(name),
+                      {},
+                      std::move(targets),
+                      std::vector<std::vector<double>>(other_channels_.size()),
+                      is_track ? euler : std::nullopt});
+  }
 
   /// Adds rows, as the bytes of doubles, the lowest first. Throws: Error (data) for times before 0, for those that
   /// single precision does not distinguish, and for numbers beyond it.
-  void add(std::string_view rows) override;
+  void add(std::string_view rows) override {
+    const std::size_t channels = schema_.channels.size();
+    std::vector<double> row(are_pieces_ ? 2 + numbers_of_piece * channels : 1 + channels);
+    for (std::size_t at = 0; at < rows.size();) {
+      for (double& number : row) {
+        std::uint64_t bits = 0;
+        for (unsigned shift = 0; shift < 64; shift += 8) {
+          bits |= static_cast<std::uint64_t>(static_cast<unsigned char>(rows[at++])) << shift;
+        }
+        number = std::bit_cast<double>(bits);
+      }
+      if (are_pieces_) {
+        pieces_.insert(pieces_.end(), row.begin(), row.end());
+      } else {
+        add_sample(row);
+      }
+    }
+  }
 
   /// Ends the rows of a curve. Throws: as add().
-  void end_curve() override;
+  void end_curve() override {
+    const std::vector<double> rows = std::exchange(pieces_, {});
+    if (rows.empty()) return;
+    Node& node = nodes_.back();
+    if (node.euler) return end_curve_of_angles(rows);
+    const std::size_t size = 2 + numbers_of_piece * schema_.channels.size(), pieces = rows.size() / size;
+    const auto number = [&](std::size_t piece, std::size_t channel, std::size_t i) {
+      return rows[piece * size + 2 + numbers_of_piece * channel + i];
+    };
+    for (std::size_t i = 0; i < pieces; ++i) add_time(rows[i * size]);
+    add_time(rows[(pieces - 1) * size] + rows[(pieces - 1) * size + 1]);
+    const auto tangent = [&](std::size_t piece, std::size_t channel, std::size_t i) {
+      const double duration = static_cast<double>(node.times[piece + 1]) - static_cast<double>(node.times[piece]);
+      return number(piece, channel, i) * rows[piece * size + 1] / duration;
+    };
+    for (std::size_t key = 0; key <= pieces; ++key) {
+      const bool is_first = key == 0, is_last = key == pieces;
+      const auto position = [&](std::size_t channel) {
+        return is_last ? number(key - 1, channel, 2) : number(key, channel, 0);
+      };
+      for (Target& target : node.targets) {
+        for (const std::size_t channel : target.channels)
+          add_number(target, is_first ? 0 : tangent(key - 1, channel, 3));
+        for (const std::size_t channel : target.channels) add_number(target, position(channel));
+        for (const std::size_t channel : target.channels) add_number(target, is_last ? 0 : tangent(key, channel, 1));
+      }
+      for (std::size_t i = 0; i < other_channels_.size(); ++i) node.others[i].push_back(position(other_channels_[i]));
+    }
+  }
 
   /// Names of channels that have no target.
   std::vector<std::string> channels_in_extras() const override { return others_; }
 
   /// The file. Throws: Error (data) where there is no row.
-  std::string tail(const Rational& unit) override;
+  std::string tail(const Rational&) override {
+    Buffer buffer;
+    Json nodes = Json::array(), numbers = Json::array(), channels = Json::array(), samplers = Json::array(), extras;
+    std::unordered_map<std::string_view, std::size_t> numbers_of_names;
+    std::vector<Json> others;  // of each node
+    for (const Node& node : nodes_) {
+      if (node.times.empty()) throw animation_without_rows();
+      const auto [known, is_new] = numbers_of_names.emplace(node.name, nodes.size());
+      const std::size_t number = known->second;
+      if (is_new) {
+        nodes.push_back(Json{{"name", node.name}});
+        numbers.push_back(number);
+        others.emplace_back();
+      }
+      const std::size_t times = buffer.add(node.times, 1);
+      for (const Target& target : node.targets) {
+        channels.push_back(
+            Json{{"sampler", samplers.size()}, {"target", Json{{"node", number}, {"path", target.path}}}});
+        samplers.push_back(Json{{"input", times},
+                                {"interpolation", are_pieces_ ? "CUBICSPLINE" : "LINEAR"},
+                                {"output", buffer.add(target.values, target.path == "rotation" ? 4 : 3)}});
+      }
+      for (std::size_t i = 0; i < others_.size(); ++i) others[number][others_[i]] = node.others[i];
+    }
+    if (nodes_.empty()) throw animation_without_rows();
+    Json animation{{"channels", channels}, {"samplers", samplers}};
+    for (std::size_t number = 0; !others_.empty() && number < others.size(); ++number) {
+      if (extras.is_null()) extras = Json::object();
+      extras.get_ref<Json::object_t&>().emplace_back(nodes[number]["name"], std::move(others[number]));
+    }
+    if (!extras.is_null()) animation["extras"] = std::move(extras);
+    Json file{{"asset", Json{{"version", "2.0"}, {"generator", "tcbsample"}}},
+              {"scene", 0},
+              {"scenes", Json::array({Json{{"nodes", numbers}}})},
+              {"nodes", nodes},
+              {"animations", Json::array({animation})}};
+    buffer.describe(file);
+    return file.dump() + "\n";
+  }
 
  private:
   /// What moves a node: the path of a property, and its channels in order.
@@ -267,11 +399,100 @@ class GltfScene : public RowKeeper {
     std::optional<EulerTrack> euler = {};          ///< angles of the rotation that is its target
   };
 
-  std::vector<Target> targets_of_track(const std::string& track, bool has_angles) const;
-  void add_sample(const std::vector<double>& row);
-  void end_curve_of_angles(const std::vector<double>& rows);
-  void add_time(double time);
-  static void add_number(Target& target, double number);
+  std::vector<Target> targets_of_track(const std::string& track, bool has_angles) const {
+    std::vector<Target> targets{targets_.front()};
+    if (has_angles) targets.front().path = "rotation";
+    const bool is_rotation = targets.front().path == "rotation";
+    if (is_rotation || track == "position" || track == target_track) return targets;
+    if (track != "scale")
+      throw data_error(
+          "the track {} is not a position, rotation or scale that a node has; expected one of these; choose others "
+          "with "
+          "{}",
+          in_quotes(track), option::only);
+    targets.front().path = "scale";
+    return targets;
+  }
+
+  void add_sample(const std::vector<double>& row) {
+    Node& node = nodes_.back();
+    add_time(row[0]);
+    if (node.euler) {
+      Target& target = node.targets.front();
+      const std::array angles{row[1 + node.euler->turns[0].channel], row[1 + node.euler->turns[1].channel],
+                              row[1 + node.euler->turns[2].channel]};
+      Rotation q = turned(*node.euler, angles, {}).q;
+      const std::size_t size = target.values.size();
+      if (size > 0 && dot(q, before(target.values, size)) < 0) q = -q;
+      for (const double number : {q.x, q.y, q.z, q.w}) add_number(target, number);
+      return;
+    }
+    for (Target& target : node.targets) {
+      for (const std::size_t channel : target.channels) add_number(target, row[1 + channel]);
+    }
+    for (std::size_t i = 0; i < other_channels_.size(); ++i) node.others[i].push_back(row[1 + other_channels_[i]]);
+  }
+
+  void end_curve_of_angles(const std::vector<double>& rows) {
+    Node& node = nodes_.back();
+    Target& target = node.targets.front();
+    const std::size_t size = 2 + numbers_of_piece * schema_.channels.size();
+    std::vector<TurningPiece> parts;
+    for (std::size_t at = 0; at < rows.size(); at += size) {
+      TurningPiece piece(*node.euler, {rows.begin() + static_cast<std::ptrdiff_t>(at), size});
+      piece.divide(parts);
+    }
+    for (const TurningPiece& part : parts) add_time(part.start());
+    add_time(parts.back().end());
+    const auto add = [&](const Rotation& q) {
+      for (const double number : {q.x, q.y, q.z, q.w}) add_number(target, number);
+    };
+    const auto tangent = [&](std::size_t i, double place) {
+      const double duration = static_cast<double>(node.times[i + 1]) - static_cast<double>(node.times[i]);
+      return parts[i].at(place).velocity * (1 / duration);
+    };
+    for (std::size_t key = 0; key <= parts.size(); ++key) {
+      const bool is_last = key == parts.size();
+      add(key == 0 ? Rotation{} : tangent(key - 1, 1));
+      add(is_last ? parts.back().at(1).q : parts[key].at(0).q);
+      add(is_last ? Rotation{} : tangent(key, 0));
+    }
+  }
+
+  /// Adds a time. One that single precision does not distinguish from the time before, as at a step, gets the next
+  /// number.
+  void add_time(double time) {
+    const double seconds = time * seconds_;
+    if (seconds < 0)
+      throw data_error("a keyframe is at {} seconds; expected times from 0 on, as animations have them; give {} {}",
+                       seconds, option::time_zero, time);
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    auto rounded = static_cast<float>(seconds);
+    std::vector<float>& times = nodes_.back().times;
+    if (times.empty()) {
+      first_time_ = time;
+    } else if (!(rounded > times.back())) {
+      // The pieces of a step end and begin at the same time, or at neighbouring doubles.
+      const bool is_step = are_pieces_ && time <= std::nextafter(last_time_, std::numeric_limits<double>::infinity());
+      if (!is_step) {
+        throw data_error(
+            "the keyframe at {} seconds has the time of the one before it in single precision; expected times that "
+            "differ there; give fewer samples, or {} {}",
+            seconds, option::time_zero, first_time_);
+      }
+      rounded = std::nextafter(times.back(), infinity);
+    }
+    last_time_ = time;
+    times.push_back(rounded);
+  }
+
+  static void add_number(Target& target, double number) {
+    if (std::abs(number) > static_cast<double>(std::numeric_limits<float>::max())) {
+      throw data_error(
+          "{} is beyond the range of single precision; expected less than 3.4e38 in size; scale the keys down", number);
+    }
+    target.values.push_back(static_cast<float>(number));
+  }
 
   bool are_pieces_;
   Schema schema_;
@@ -284,249 +505,6 @@ class GltfScene : public RowKeeper {
   std::vector<Node> nodes_;
   std::set<std::pair<std::string, std::string_view>> known_;  ///< names of nodes, with the path of their first target
 };
-
-void GltfScene::begin(const Schema& schema) {
-  if (schema.time.unit == TimeUnit::frames) throw times_without_rate(schema.time.name);
-  schema_ = schema;
-  if (schema.time.unit) seconds_ = nearest_double(Rational(1) / units_per_second(*schema.time.unit));
-  const std::vector<RotationColumns> rotations = rotation_columns(schema);
-  Target translation{"translation", {}}, scale{"scale", std::vector<std::size_t>(3, schema.channels.size())};
-  std::vector<std::size_t> others;
-  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    const std::size_t axis = axis_of_scale(schema.channels[i]);
-    if (axis < scale.channels.size()) {
-      scale.channels[axis] = i;
-    } else if (!spline::is_in_rotation(rotations, i)) {
-      (translation.channels.size() < 3 ? translation.channels : others).push_back(i);
-    }
-  }
-  targets_.clear();
-  if (translation.channels.size() == 3) {
-    targets_.push_back(translation);
-  } else {
-    others.insert(others.begin(), translation.channels.begin(), translation.channels.end());
-  }
-  if (rotations.size() > 1) throw no_target_of_node(schema.channels);
-  if (!rotations.empty()) {
-    targets_.push_back({"rotation", {rotations[0].channels.begin(), rotations[0].channels.end()}});
-  }
-  const auto missing = std::ranges::count(scale.channels, schema.channels.size());
-  if (missing == 0) targets_.push_back(scale);
-  if (missing == 1 || missing == 2) {
-    for (const std::size_t channel : scale.channels) {
-      if (channel < schema.channels.size()) others.push_back(channel);
-    }
-  }
-  if (targets_.empty()) throw no_target_of_node(schema.channels);
-  std::ranges::sort(others);
-  other_channels_ = others;
-  others_.clear();
-  for (const std::size_t channel : others) others_.push_back(schema.channels[channel]);
-}
-
-std::vector<GltfScene::Target> GltfScene::targets_of_track(const std::string& track, bool has_angles) const {
-  std::vector<Target> targets{targets_.front()};
-  if (has_angles) targets.front().path = "rotation";
-  const bool is_rotation = targets.front().path == "rotation";
-  if (is_rotation || track == "position" || track == target_track) return targets;
-  if (track != "scale")
-    throw data_error(
-        "the track {} is not a position, rotation or scale that a node has; expected one of these; choose others with "
-        "{}",
-        in_quotes(track), option::only);
-  targets.front().path = "scale";
-  return targets;
-}
-
-void GltfScene::begin_curve(const std::vector<std::string>& group, const std::optional<EulerTrack>& euler) {
-  std::vector<std::string> texts = contents(group);
-  const bool is_track = !schema_.groups.empty() && schema_.groups.back() == track_column;
-  std::vector<Target> targets = targets_;
-  if (is_track) {
-    targets = targets_of_track(texts.back(), euler.has_value());
-    if (texts.back() != target_track) texts.pop_back();
-  }
-  std::string name = texts.empty() ? "curve" : fmt::format("{}", fmt::join(texts, " "));
-  if (!known_.emplace(name, targets.front().path).second)
-    throw data_error(
-        "there is more than one curve of {}; expected one for each node of an animation; give another format, such as "
-        "csv, to {}",
-        in_quotes(name), option::output_format);
-  nodes_.push_back({std::move(name),
-                    {},
-                    std::move(targets),
-                    std::vector<std::vector<double>>(other_channels_.size()),
-                    is_track ? euler : std::nullopt});
-}
-
-void GltfScene::add(std::string_view rows) {
-  const std::size_t channels = schema_.channels.size();
-  std::vector<double> row(are_pieces_ ? 2 + numbers_of_piece * channels : 1 + channels);
-  for (std::size_t at = 0; at < rows.size();) {
-    for (double& number : row) {
-      std::uint64_t bits = 0;
-      for (unsigned shift = 0; shift < 64; shift += 8) {
-        bits |= static_cast<std::uint64_t>(static_cast<unsigned char>(rows[at++])) << shift;
-      }
-      number = std::bit_cast<double>(bits);
-    }
-    if (are_pieces_) {
-      pieces_.insert(pieces_.end(), row.begin(), row.end());
-    } else {
-      add_sample(row);
-    }
-  }
-}
-
-/// Adds a time. One that single precision does not distinguish from the time before, as at a step, gets the next
-/// number.
-void GltfScene::add_time(double time) {
-  const double seconds = time * seconds_;
-  if (seconds < 0)
-    throw data_error("a keyframe is at {} seconds; expected times from 0 on, as animations have them; give {} {}",
-                     seconds, option::time_zero, time);
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  auto rounded = static_cast<float>(seconds);
-  std::vector<float>& times = nodes_.back().times;
-  if (times.empty()) {
-    first_time_ = time;
-  } else if (!(rounded > times.back())) {
-    // The pieces of a step end and begin at the same time, or at neighbouring doubles.
-    const bool is_step = are_pieces_ && time <= std::nextafter(last_time_, std::numeric_limits<double>::infinity());
-    if (!is_step) {
-      throw data_error(
-          "the keyframe at {} seconds has the time of the one before it in single precision; expected times that "
-          "differ there; give fewer samples, or {} {}",
-          seconds, option::time_zero, first_time_);
-    }
-    rounded = std::nextafter(times.back(), infinity);
-  }
-  last_time_ = time;
-  times.push_back(rounded);
-}
-
-void GltfScene::add_number(Target& target, double number) {
-  if (std::abs(number) > static_cast<double>(std::numeric_limits<float>::max())) {
-    throw data_error(
-        "{} is beyond the range of single precision; expected less than 3.4e38 in size; scale the keys down", number);
-  }
-  target.values.push_back(static_cast<float>(number));
-}
-
-void GltfScene::add_sample(const std::vector<double>& row) {
-  Node& node = nodes_.back();
-  add_time(row[0]);
-  if (node.euler) {
-    Target& target = node.targets.front();
-    const std::array angles{row[1 + node.euler->turns[0].channel], row[1 + node.euler->turns[1].channel],
-                            row[1 + node.euler->turns[2].channel]};
-    Rotation q = TurningRotation(*node.euler).at(angles, {}).q;
-    const std::size_t size = target.values.size();
-    if (size > 0 && dot(q, before(target.values, size)) < 0) q = -q;
-    for (const double number : {q.x, q.y, q.z, q.w}) add_number(target, number);
-    return;
-  }
-  for (Target& target : node.targets) {
-    for (const std::size_t channel : target.channels) add_number(target, row[1 + channel]);
-  }
-  for (std::size_t i = 0; i < other_channels_.size(); ++i) node.others[i].push_back(row[1 + other_channels_[i]]);
-}
-
-/// Adds the keyframes of the curve's pieces. Their tangents are those of the cubics as functions of the part of their
-/// duration, which single precision rounds.
-void GltfScene::end_curve() {
-  const std::vector<double> rows = std::exchange(pieces_, {});
-  if (rows.empty()) return;
-  Node& node = nodes_.back();
-  if (node.euler) return end_curve_of_angles(rows);
-  const std::size_t size = 2 + numbers_of_piece * schema_.channels.size(), pieces = rows.size() / size;
-  const auto number = [&](std::size_t piece, std::size_t channel, std::size_t i) {
-    return rows[piece * size + 2 + numbers_of_piece * channel + i];
-  };
-  for (std::size_t i = 0; i < pieces; ++i) add_time(rows[i * size]);
-  add_time(rows[(pieces - 1) * size] + rows[(pieces - 1) * size + 1]);
-  const auto tangent = [&](std::size_t piece, std::size_t channel, std::size_t i) {
-    const double duration = static_cast<double>(node.times[piece + 1]) - static_cast<double>(node.times[piece]);
-    return number(piece, channel, i) * rows[piece * size + 1] / duration;
-  };
-  for (std::size_t key = 0; key <= pieces; ++key) {
-    const bool is_first = key == 0, is_last = key == pieces;
-    const auto position = [&](std::size_t channel) {
-      return is_last ? number(key - 1, channel, 2) : number(key, channel, 0);
-    };
-    for (Target& target : node.targets) {
-      for (const std::size_t channel : target.channels) add_number(target, is_first ? 0 : tangent(key - 1, channel, 3));
-      for (const std::size_t channel : target.channels) add_number(target, position(channel));
-      for (const std::size_t channel : target.channels) add_number(target, is_last ? 0 : tangent(key, channel, 1));
-    }
-    for (std::size_t i = 0; i < other_channels_.size(); ++i) node.others[i].push_back(position(other_channels_[i]));
-  }
-}
-
-void GltfScene::end_curve_of_angles(const std::vector<double>& rows) {
-  Node& node = nodes_.back();
-  Target& target = node.targets.front();
-  const std::size_t size = 2 + numbers_of_piece * schema_.channels.size();
-  std::vector<TurningPiece> parts;
-  for (std::size_t at = 0; at < rows.size(); at += size) {
-    TurningPiece piece(*node.euler, {rows.begin() + static_cast<std::ptrdiff_t>(at), size});
-    piece.divide(parts);
-  }
-  for (const TurningPiece& part : parts) add_time(part.start());
-  add_time(parts.back().end());
-  const auto add = [&](const Rotation& q) {
-    for (const double number : {q.x, q.y, q.z, q.w}) add_number(target, number);
-  };
-  const auto tangent = [&](std::size_t i, double place) {
-    const double duration = static_cast<double>(node.times[i + 1]) - static_cast<double>(node.times[i]);
-    return parts[i].at(place).velocity * (1 / duration);
-  };
-  for (std::size_t key = 0; key <= parts.size(); ++key) {
-    const bool is_last = key == parts.size();
-    add(key == 0 ? Rotation{} : tangent(key - 1, 1));
-    add(is_last ? parts.back().at(1).q : parts[key].at(0).q);
-    add(is_last ? Rotation{} : tangent(key, 0));
-  }
-}
-
-std::string GltfScene::tail(const Rational&) {
-  Buffer buffer;
-  Json nodes = Json::array(), numbers = Json::array(), channels = Json::array(), samplers = Json::array(), extras;
-  std::unordered_map<std::string_view, std::size_t> numbers_of_names;
-  std::vector<Json> others;  // of each node
-  for (const Node& node : nodes_) {
-    if (node.times.empty()) throw animation_without_rows();
-    const auto [known, is_new] = numbers_of_names.emplace(node.name, nodes.size());
-    const std::size_t number = known->second;
-    if (is_new) {
-      nodes.push_back(Json{{"name", node.name}});
-      numbers.push_back(number);
-      others.emplace_back();
-    }
-    const std::size_t times = buffer.add(node.times, 1);
-    for (const Target& target : node.targets) {
-      channels.push_back(Json{{"sampler", samplers.size()}, {"target", Json{{"node", number}, {"path", target.path}}}});
-      samplers.push_back(Json{{"input", times},
-                              {"interpolation", are_pieces_ ? "CUBICSPLINE" : "LINEAR"},
-                              {"output", buffer.add(target.values, target.path == "rotation" ? 4 : 3)}});
-    }
-    for (std::size_t i = 0; i < others_.size(); ++i) others[number][others_[i]] = node.others[i];
-  }
-  if (nodes_.empty()) throw animation_without_rows();
-  Json animation{{"channels", channels}, {"samplers", samplers}};
-  for (std::size_t number = 0; !others_.empty() && number < others.size(); ++number) {
-    if (extras.is_null()) extras = Json::object();
-    extras.get_ref<Json::object_t&>().emplace_back(nodes[number]["name"], std::move(others[number]));
-  }
-  if (!extras.is_null()) animation["extras"] = std::move(extras);
-  Json file{{"asset", Json{{"version", "2.0"}, {"generator", "tcbsample"}}},
-            {"scene", 0},
-            {"scenes", Json::array({Json{{"nodes", numbers}}})},
-            {"nodes", nodes},
-            {"animations", Json::array({animation})}};
-  buffer.describe(file);
-  return file.dump() + "\n";
-}
 
 }  // namespace
 

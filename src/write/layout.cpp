@@ -17,7 +17,6 @@
 #include "write/output_format.hpp"
 
 namespace tcb {
-
 namespace {
 
 std::string delimited_cell(std::string_view text, char delimiter) {
@@ -28,31 +27,6 @@ std::string json_cell(std::string_view text, char) {
   if (text.empty()) return "null";
   return is_string(text) ? json_text(content(text)) : std::string(text);
 }
-
-}  // namespace
-
-std::string npy_head(std::size_t columns, std::uint64_t rows) {
-  constexpr std::size_t size = 128;  // a multiple of 64, as the format requires
-  constexpr std::string_view magic("\x93NUMPY\x01\x00", 8);
-  constexpr char remaining = size - magic.size() - 2;
-  std::string head(magic);
-  head += {remaining, '\0'};
-  head += fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns);
-  head.resize(size - 1, ' ');
-  return head + '\n';
-}
-
-Layout npy_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
-  Layout layout;
-  layout.head = npy_head(columns.size(), 0);
-  layout.before.resize(columns.size());
-  layout.notation.kind = Notation::Kind::bytes;
-  std::array<char, number_room> bytes{};
-  layout.empty = {bytes.data(), write_number(std::numeric_limits<double>::quiet_NaN(), layout.notation, bytes.data())};
-  return layout;
-}
-
-namespace {
 
 char* write_cell(char* out, CellKind kind, const Cell& cell) {
   switch (kind) {
@@ -107,7 +81,46 @@ std::vector<std::string> members(const std::vector<OutputColumn>& columns) {
   return before;
 }
 
+/// Throws: Error (data) unless the channels are x, y, z, and maybe yaw, and the times are seconds.
+void require_path_with_yaw(const Schema& schema) {
+  const bool has_yaw = schema.channels.size() == 4 && schema.channels.back() == "yaw";
+  if ((schema.channels.size() != 3 && !has_yaw) || !schema.rotations.empty()) {
+    throw data_error(
+        "the channels are {}; expected three of a position, and yaw if there is a fourth; choose them with {}, as in "
+        "position=x:y:z:yaw",
+        listed(schema.channels), option::columns);
+  }
+  const TimeUnit unit = schema.time.unit.value_or(TimeUnit::s);
+  if (unit != TimeUnit::s) {
+    throw data_error(
+        "the times are in {}, but the durations of polynomials are in seconds; expected times in seconds; convert "
+        "them, or give {} where they are frames",
+        row_of(unit).name, option::input_fps);
+  }
+}
+
 }  // namespace
+
+std::string npy_head(std::size_t columns, std::uint64_t rows) {
+  constexpr std::size_t size = 128;  // a multiple of 64, as the format requires
+  constexpr std::string_view magic("\x93NUMPY\x01\x00", 8);
+  constexpr char remaining = size - magic.size() - 2;
+  std::string head(magic);
+  head += {remaining, '\0'};
+  head += fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns);
+  head.resize(size - 1, ' ');
+  return head + '\n';
+}
+
+Layout npy_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
+  Layout layout;
+  layout.head = npy_head(columns.size(), 0);
+  layout.before.resize(columns.size());
+  layout.notation.kind = Notation::Kind::bytes;
+  std::array<char, number_room> bytes{};
+  layout.empty = {bytes.data(), write_number(std::numeric_limits<double>::quiet_NaN(), layout.notation, bytes.data())};
+  return layout;
+}
 
 std::string delimited_text(std::string_view text, char delimiter) {
   const bool plain = text.find_first_of("\"\r\n") == std::string_view::npos &&
@@ -211,28 +224,6 @@ Layout json_layout(const std::vector<OutputColumn>& columns, const TextMarks&, b
 Layout jsonl_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
   return {"", members(columns), "}\n", "null", "", "", "", "", "null\n"};
 }
-
-namespace {
-
-/// Throws: Error (data) unless the channels are x, y, z, and maybe yaw, and the times are seconds.
-void require_path_with_yaw(const Schema& schema) {
-  const bool has_yaw = schema.channels.size() == 4 && schema.channels.back() == "yaw";
-  if ((schema.channels.size() != 3 && !has_yaw) || !schema.rotations.empty()) {
-    throw data_error(
-        "the channels are {}; expected three of a position, and yaw if there is a fourth; choose them with {}, as in "
-        "position=x:y:z:yaw",
-        listed(schema.channels), option::columns);
-  }
-  const TimeUnit unit = schema.time.unit.value_or(TimeUnit::s);
-  if (unit != TimeUnit::s) {
-    throw data_error(
-        "the times are in {}, but the durations of polynomials are in seconds; expected times in seconds; convert "
-        "them, or give {} where they are frames",
-        row_of(unit).name, option::input_fps);
-  }
-}
-
-}  // namespace
 
 extern const OutputFormat delimited_output{.layout = delimited_layout, .text = delimited_cell};
 extern const OutputFormat json_output{.layout = json_layout, .text = json_cell};

@@ -50,6 +50,25 @@ std::string json_member(const Provenance& provenance) {
                            provenance.curves, provenance.keys, provenance.rows);
 }
 
+/// All bytes, read ahead. Throws: Error (data) if they have another SHA-256.
+Source<std::string> verified(const Source<std::string>& bytes, const std::string& expected, const std::string& from) {
+  std::deque<std::string> parts;
+  Sha256 sha256;
+  while (std::optional<std::string> more = bytes()) {
+    sha256.add(*more);
+    parts.push_back(std::move(*more));
+  }
+  if (const std::string digest = sha256.digest(); digest != expected)
+    throw data_error("its SHA-256 is {}; expected {}, as recorded in {}; give the recorded file", digest, expected,
+                     from);
+  return [parts = std::move(parts)]() mutable -> std::optional<std::string> {
+    if (parts.empty()) return std::nullopt;
+    std::string next = std::move(parts.front());
+    parts.pop_front();
+    return next;
+  };
+}
+
 }  // namespace
 
 std::string text_before_rows(const Provenance& provenance, const Format& format) {
@@ -75,45 +94,12 @@ std::string text_after_rows(const Provenance& provenance, const Format& format) 
   return out;
 }
 
-/// The checksum and counts so far, and the current sources.
-struct ProvenanceRecorder::Tally {
-  Provenance provenance;
-  Sha256 sha256;
-  Source<std::string> bytes;  ///< of the current input
-  Source<KeyBlock> keys;      ///< of the current curve
-};
-
-namespace {
-
-/// All bytes, read ahead. Throws: Error (data) if they have another SHA-256.
-Source<std::string> verified(const Source<std::string>& bytes, const std::string& expected, const std::string& from) {
-  std::deque<std::string> parts;
-  Sha256 sha256;
-  while (std::optional<std::string> more = bytes()) {
-    sha256.add(*more);
-    parts.push_back(std::move(*more));
-  }
-  if (const std::string digest = sha256.digest(); digest != expected)
-    throw data_error("its SHA-256 is {}; expected {}, as recorded in {}; give the recorded file", digest, expected,
-                     from);
-  return [parts = std::move(parts)]() mutable -> std::optional<std::string> {
-    if (parts.empty()) return std::nullopt;
-    std::string next = std::move(parts.front());
-    parts.pop_front();
-    return next;
-  };
-}
-
-}  // namespace
-
 ProvenanceRecorder::ProvenanceRecorder(const std::optional<ProvenanceRequest>& request)
-    : request_(request), tally_(request ? std::make_shared<Tally>() : nullptr) {
-  if (tally_ != nullptr) tally_->provenance = request->meta;
-}
+    : request_(request), provenance_(request ? request->meta : Provenance()) {}
 
 Source<std::string> ProvenanceRecorder::observe_bytes(const std::string& name, Source<std::string> bytes) {
-  if (tally_ == nullptr) return bytes;
-  auto& inputs = tally_->provenance.inputs;
+  if (!request_) return bytes;
+  auto& inputs = provenance_.inputs;
   const auto& earlier = request_->earlier.inputs;
   if (!earlier.empty()) {
     if (inputs.size() == earlier.size())
@@ -125,68 +111,60 @@ Source<std::string> ProvenanceRecorder::observe_bytes(const std::string& name, S
   } else {
     inputs.emplace_back(name, "");
   }
-  tally_->bytes = mapped(std::move(bytes), [tally = tally_.get()](std::string part) {
-    tally->sha256.add(part);
+  bytes_ = mapped(std::move(bytes), [this](std::string part) {
+    sha256_.add(part);
     return part;
   });
-  return [tally = tally_.get()] { return tally->bytes(); };
+  return [this] { return bytes_(); };
 }
 
 Source<KeyBlock> ProvenanceRecorder::observe_keys(Source<KeyBlock> keys) {
-  if (tally_ == nullptr) return keys;
-  ++tally_->provenance.curves;
-  tally_->keys = mapped(std::move(keys), [tally = tally_.get()](KeyBlock block) {
-    tally->provenance.keys += block.size();
+  if (!request_) return keys;
+  ++provenance_.curves;
+  keys_ = mapped(std::move(keys), [this](KeyBlock block) {
+    provenance_.keys += block.size();
     return block;
   });
-  return [tally = tally_.get()] { return tally->keys(); };
+  return [this] { return keys_(); };
 }
 
 Source<SampleBlock> ProvenanceRecorder::observe_rows(Source<SampleBlock> rows) {
-  if (tally_ == nullptr) return rows;
-  return mapped(std::move(rows), [tally = tally_.get()](SampleBlock block) {
-    tally->provenance.rows += block.rows();
+  if (!request_) return rows;
+  return mapped(std::move(rows), [this](SampleBlock block) {
+    provenance_.rows += block.rows();
     return block;
   });
 }
 
-void ProvenanceRecorder::count_rows(std::uint64_t rows) {
-  if (tally_ != nullptr) tally_->provenance.rows += rows;
-}
-
-void ProvenanceRecorder::set_rules(Facts rules) {
-  if (tally_ != nullptr) tally_->provenance.rules = std::move(rules);
-}
-
 void ProvenanceRecorder::set_results(Facts results) {
-  if (tally_ == nullptr) return;
-  tally_->provenance.results.resize(tally_->provenance.inputs.size());
-  tally_->provenance.results.back() = std::move(results);
+  if (!request_) return;
+  provenance_.results.resize(provenance_.inputs.size());
+  provenance_.results.back() = std::move(results);
 }
 
 void ProvenanceRecorder::end_curve() {
-  while (tally_ != nullptr && tally_->keys()) {
+  while (request_ && keys_()) {
   }
 }
 
 void ProvenanceRecorder::end_input() {
-  if (tally_ == nullptr) return;
-  while (tally_->bytes()) {
+  if (!request_) return;
+  while (bytes_()) {
   }
-  tally_->provenance.inputs.back().second = tally_->sha256.digest();
+  provenance_.inputs.back().second = sha256_.digest();
 }
 
 std::string ProvenanceRecorder::before_rows(const Format& format) const {
-  return tally_ == nullptr ? "" : text_before_rows(tally_->provenance, format);
+  return request_ ? text_before_rows(provenance_, format) : "";
 }
 
 std::string ProvenanceRecorder::after_rows(const Format& format) const {
-  if (tally_ == nullptr) return "";
-  if (tally_->provenance.inputs.size() < request_->earlier.inputs.size()) {
+  if (!request_) return "";
+  if (provenance_.inputs.size() < request_->earlier.inputs.size()) {
     throw usage_error("there are fewer key files than {} was made from; expected {}; add the rest", request_->from,
                       request_->earlier.inputs.size());
   }
-  return text_after_rows(tally_->provenance, format);
+  return text_after_rows(provenance_, format);
 }
 
 }  // namespace tcb

@@ -6,12 +6,12 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "io/digest.hpp"
 #include "schema/format.hpp"
 #include "stream/source.hpp"
 
@@ -57,8 +57,8 @@ class ProvenanceRecorder {
   Source<KeyBlock> observe_keys(Source<KeyBlock> keys);
   Source<SampleBlock> observe_rows(Source<SampleBlock> rows);
   /// Rows that no block has.
-  void count_rows(std::uint64_t rows);
-  void set_rules(Facts rules);
+  void count_rows(std::uint64_t rows) { provenance_.rows += rows; }
+  void set_rules(Facts rules) { provenance_.rules = std::move(rules); }
   /// Sets the results of the current input, in words.
   void set_results(Facts results);
 
@@ -72,9 +72,11 @@ class ProvenanceRecorder {
   std::string after_rows(const Format& format) const;
 
  private:
-  struct Tally;
   const std::optional<ProvenanceRequest>& request_;
-  std::shared_ptr<Tally> tally_;
+  Provenance provenance_;      ///< so far
+  Sha256 sha256_;              ///< of the current input, with
+  Source<std::string> bytes_;  ///< its bytes
+  Source<KeyBlock> keys_;      ///< of the current curve
 };
 
 }  // namespace tcb

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -49,12 +50,26 @@ std::string with_crlf(std::string_view text) {
   return result;
 }
 
+Error text_in_binary_format(std::string_view column, std::string_view format) {
+  return data_error(
+      "column {} holds text, but {} holds only numbers; expected a format with text; give another one, such as csv, to "
+      "{}, or remove the column",
+      in_quotes(column), format, option::output_format);
+}
+
 Error dates_from_time_zero() {
   return usage_error("times that count from {} are not dates; expected another notation; give {} seconds, or neither",
                      option::time_zero, option::time_format);
 }
 
 }  // namespace
+
+std::vector<std::string> OutputColumns::names() const {
+  std::vector<std::string> all = groups;
+  std::ranges::transform(numbers, std::back_inserter(all), &OutputColumn::name);
+  all.insert(all.end(), labels.begin(), labels.end());
+  return all;
+}
 
 TextMarks Writer::marks_for(const Schema& schema) const {
   if (options_.like_input) {
@@ -91,11 +106,10 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     columns_ = std::move(columns);
     marks_ = marks_for(schema);
     set_times(schema);
-    frame_ = Frame(columns_, {&format, !is_pose && options_.header.value_or(schema.named), options_.notation,
-                              format.nests && options_.provenance.has_value(), marks_, keeper_.get()});
+    const std::string head = set_layouts(!is_pose && options_.header.value_or(schema.named));
     recorder_.set_rules(std::move(rules));
     const std::string provenance = recorder_.before_rows(format);
-    output_.write((marks_.crlf ? with_crlf(provenance) : provenance) + frame_.head());
+    output_.write((marks_.crlf ? with_crlf(provenance) : provenance) + head);
   } else if (columns.names() != columns_.names()) {
     throw data_error(
         "the columns are {}; expected {}, as in the earlier files; give {} to write an output for each file",
@@ -104,11 +118,78 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
   output_.set_live(live);
 }
 
+std::string Writer::set_layouts(bool header) {
+  const Format& format = *options_.format;
+  for (const bool is_group : {true, false}) {
+    const std::vector<std::string>& texts = is_group ? columns_.groups : columns_.labels;
+    if (texts.empty() || (is_group ? format.output->has_groups : format.output->has_labels)) continue;
+    if (format.poses == nullptr) throw text_in_binary_format(texts.front(), format.name);
+    throw data_error(
+        "column {} holds text, but {} holds only times and poses; expected rows without text; give another format, "
+        "such as csv, to {}",
+        in_quotes(texts.front()), format.name, option::output_format);
+  }
+  std::vector<OutputColumn> all;
+  for (const std::string& name : columns_.names()) all.push_back({name});
+  const auto layout = format.output->layout;
+  all_ = layout(all, marks_, header);
+  if (keeper_ != nullptr) keeper_->complete(all_);
+  const std::size_t groups = columns_.groups.size();
+  nested_ = format.nests && groups > 0;
+  if (nested_) all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(groups));
+  rows_ = nested_ ? layout(all, marks_, header) : all_;
+  if (!nested_) rows_.before.erase(rows_.before.begin(), rows_.before.begin() + static_cast<std::ptrdiff_t>(groups));
+  rows_.before.resize(columns_.numbers.size());
+  if (options_.notation.kind != Notation::Kind::shortest) rows_.notation = options_.notation;
+  if (format.poses != nullptr && keeper_ == nullptr) return std::string(format.poses->head);
+  if (nested_) return "{\"curves\":[\n";
+  return (format.nests && options_.provenance ? "{\"rows\":" : "") + all_.head;
+}
+
+std::string Writer::text_before(std::span<const std::string> group) {
+  std::string cells;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    cells += all_.before[i] + options_.format->output->text(group[i], marks_.delimiter);
+  }
+  if (nested_) {
+    std::string text = (group_ ? end_of_curve() + ",\n" : "") + cells + ",\"rows\":" + all_.head;
+    any_rows_ = false;
+    return text;
+  }
+  rows_.before[0] = cells + all_.before[columns_.groups.size()];
+  if (!group_ || !std::ranges::equal(*group_, group) || !any_rows_) return "";
+  if (all_.divider.empty()) {
+    throw data_error(
+        "there is more than one curve, but {} holds one table of rows; expected one curve; give another format, such "
+        "as csv, to {}",
+        options_.format->name, option::output_format);
+  }
+  return all_.between_rows + all_.divider;
+}
+
+std::string Writer::row_end(std::span<const std::string_view> labels) const {
+  std::string text;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    text += all_.before[columns_.groups.size() + columns_.numbers.size() + i] +
+            options_.format->output->text(labels[i], marks_.delimiter);
+  }
+  return text + all_.row_end;
+}
+
+std::string Writer::tail(std::string_view member) const {
+  std::string text = any_rows_ ? all_.tail : all_.no_rows;
+  if (nested_) text = group_ ? end_of_curve() + "\n]" : "]";
+  const bool has_member = options_.format->nests && options_.provenance;
+  if (has_member) text += fmt::format(",\n{}", member);
+  if (nested_ || has_member) text += '}';
+  return text + all_.end;
+}
+
 void Writer::begin_curve(std::vector<std::string> group, const std::optional<EulerTrack>& euler) {
   if (keeper_ != nullptr) keeper_->begin_curve(group, euler);
   if (options_.format->output->gathers_rows) return;
   if (options_.file_column) group.insert(group.begin(), file_);
-  const std::string text = frame_.begin(group, group_ == group);
+  const std::string text = text_before(group);
   if (!text.empty()) output_.write(text);
   group_ = std::move(group);
 }
@@ -225,7 +306,7 @@ Table Writer::from_zero(Table rows) const {
 }
 
 void Writer::append(std::string& out, const Layout& layout, const Table& table, bool first) const {
-  const bool is_first = first && frame_.is_first();
+  const bool is_first = first && !any_rows_;
   if (zero_ && order_.empty()) {
     const Table rows = from_zero(table);
     return append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), is_first);
@@ -238,13 +319,13 @@ void Writer::append(std::string& out, const Layout& layout, const Table& table, 
 
 std::string Writer::print(const Table& table, bool first) const {
   std::string text;
-  append(text, frame_.layout(), table, first);
+  append(text, rows_, table, first);
   return text;
 }
 
 std::string Writer::print(const LabelledBlock& block, const Evaluate& evaluate) const {
-  const auto print_row = [this, layout = frame_.layout()](std::string& out, const Table& row,
-                                                          const std::string& row_end, bool first) mutable {
+  const auto print_row = [this, layout = rows_](std::string& out, const Table& row, const std::string& row_end,
+                                                bool first) mutable {
     layout.row_end = row_end;
     append(out, layout, row, first);
   };
@@ -262,7 +343,7 @@ void Writer::write(const Source<std::string>& rows) {
     bytes_ += text->size();
     any = any || !text->empty();
   }
-  if (any) frame_.set_written();
+  any_rows_ = any_rows_ || any;
   if (keeper_ != nullptr) keeper_->end_curve();
 }
 
@@ -273,10 +354,13 @@ std::vector<std::string> Writer::channels_in_extras() const {
 void Writer::commit() {
   const std::string provenance = recorder_.after_rows(*options_.format);
   const bool is_member = options_.format->nests;
-  output_.write(is_member ? frame_.tail(provenance)
-                          : frame_.tail() + (keeper_ == nullptr ? "" : keeper_->tail(unit_)) +
+  output_.write(is_member ? tail(provenance)
+                          : tail() + (keeper_ == nullptr ? "" : keeper_->tail(unit_)) +
                                 (marks_.crlf ? with_crlf(provenance) : provenance));
-  if (const std::string head = frame_.counted_head(bytes_); !head.empty()) output_.write_beginning(head);
+  if (const auto counted_head = options_.format->output->counted_head) {
+    const std::size_t columns = columns_.numbers.size();
+    output_.write_beginning(counted_head(columns, bytes_ / (columns * sizeof(double))));
+  }
   output_.commit();
 }
 

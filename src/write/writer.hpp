@@ -13,7 +13,7 @@
 #include "sample/table.hpp"
 #include "schema/schema.hpp"
 #include "stream/source.hpp"
-#include "write/frame.hpp"
+#include "write/layout.hpp"
 #include "write/output_format.hpp"
 #include "write/provenance.hpp"
 #include "write/writer_options.hpp"
@@ -22,10 +22,21 @@ namespace tcb {
 
 struct LabelledBlock;
 
+/// The columns of an output: texts that identify curves, numbers, and labels.
+struct OutputColumns {
+  std::vector<std::string> groups;
+  std::vector<OutputColumn> numbers;
+  std::vector<std::string> labels;
+
+  /// The names of all of them, in order.
+  std::vector<std::string> names() const;
+};
+
 /// The notation in which rows show times.
 TimeNotation notation_of_times(const WriterOptions& options, const TimeSchema& time);
 
-/// One output of the rows of one file or of several.
+/// One output of the rows of one file or of several. The group of a curve is in cells of each of its rows, or in JSON
+/// in an object around its rows. Curves of the same group are divided by a line without a row: empty, or null in JSON.
 class Writer {
  public:
   /// Requires: the options outlive the writer.
@@ -57,7 +68,8 @@ class Writer {
   /// The text of rows with labels.
   std::string print(const LabelledBlock& block, const Evaluate& evaluate) const;
 
-  std::string row_end(std::span<const std::string_view> labels) const { return frame_.row_end(labels); }
+  /// The text after a row with these labels, each a text as in schema/texts.hpp.
+  std::string row_end(std::span<const std::string_view> labels) const;
 
   /// Writes the rows of a curve.
   void write(const Source<std::string>& rows);
@@ -66,6 +78,15 @@ class Writer {
   void commit();
 
  private:
+  /// Sets the texts around rows and cells, and returns that before all rows. Throws: Error (data) for texts in a format
+  /// of numbers only.
+  std::string set_layouts(bool header);
+  /// The text before the rows of the next curve. Throws: Error (data) if the format cannot divide curves.
+  std::string text_before(std::span<const std::string> group);
+  std::string end_of_curve() const { return (any_rows_ ? rows_.tail : rows_.no_rows) + "}"; }
+  /// The text after all rows. `member`: another member of an object around them, if there is one.
+  std::string tail(std::string_view member = {}) const;
+
   /// The marks of delimited text. Throws: Error (usage) for those of an input that has none.
   TextMarks marks_for(const Schema& schema) const;
 
@@ -97,7 +118,10 @@ class Writer {
   Rational unit_ = 1;             ///< of the times, in seconds, where they are printed in another one
   bool whole_times_ = false;      ///< they are rounded to whole numbers
   std::optional<Rational> zero_;  ///< from which they count
-  Frame frame_;
+  bool nested_ = false;           ///< each curve is an object with its rows
+  Layout all_;                    ///< with the texts of all columns before their cells
+  Layout rows_;                   ///< of rows of the current curve, without their labels
+  bool any_rows_ = false;         ///< in the current list
   ProvenanceRecorder recorder_;
   std::optional<std::vector<std::string>> group_;  ///< of the curve before
   std::string file_;                               ///< the current one, as a text of a key

@@ -1,5 +1,5 @@
 // Reports: text and JSON of results that were made by hand.
-#include "check/report.hpp"
+#include "check/ranking.hpp"
 
 #include <gmock/gmock.h>
 

@@ -22,16 +22,10 @@ inline std::vector<std::string> option_names() {
   return all;
 }
 
-inline Job parsed(const std::vector<std::string>& words) {
-  std::vector<const char*> arguments{"tcbsample"};
-  for (const std::string& word : words) arguments.push_back(word.c_str());
-  return parse(static_cast<int>(arguments.size()), arguments.data());
-}
-
 /// The job that this command line makes, which is one of this type.
 template <class Product = ResampleJob>
 Product job_of(const std::vector<std::string>& words) {
-  return std::get<Product>(parsed(words));
+  return std::get<Product>(parse(words));
 }
 
 /// The text that this command line prints.
@@ -40,7 +34,7 @@ inline std::string printed_text(const std::vector<std::string>& words) { return 
 /// The words of the error of usage that this command line causes; "" where there is none.
 inline std::string refusal(const std::vector<std::string>& words) {
   try {
-    parsed(words);
+    parse(words);
   } catch (const Error& error) {
     EXPECT_EQ(error.exit(), Exit::usage);
     return error.message();

@@ -78,7 +78,7 @@ TEST_F(CompletionTest, columns_are_those_of_files) {
   EXPECT_EQ(printed_text({"--generate", "columns", file}), "frame\npos x\ny\nid\ntension");
   EXPECT_EQ(printed_text({"--generate", "positions", file}), "pos x\ny");
   std::remove(file.c_str());
-  EXPECT_THROW(parsed({"--generate", "columns", file}), Error);
+  EXPECT_THROW(parse({"--generate", "columns", file}), Error);
 }
 
 TEST_F(CompletionTest, shells_accept_their_scripts) {

@@ -98,14 +98,12 @@ concept ReadsFiles = requires(Product job) {
 /// options that are refused.
 std::optional<Job> job_of(std::string_view line) {
   if (names_a_file(line) || find_invalid_utf8(line) != std::string_view::npos) return std::nullopt;
-  std::vector<std::string> words{"tcbsample"};
+  std::vector<std::string> words;
   for (const std::string_view word : split(line, ' ')) {
     if (!word.empty()) words.emplace_back(word.substr(0, word.find('\0')));
   }
-  std::vector<const char*> arguments;
-  for (const std::string& word : words) arguments.push_back(word.c_str());
   try {
-    Job job = tcb::parse(static_cast<int>(arguments.size()), arguments.data());
+    Job job = tcb::parse(words);
     const auto limit = []<class Product>(Product& one) {
       if constexpr (ReadsFiles<Product>) {
         one.files = {};
