@@ -27,8 +27,6 @@
 namespace tcb {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Whether the mark occurs between two digits.
 bool has_between_digits(std::string_view text, char mark) {
   for (std::size_t at = text.find(mark); at != std::string_view::npos; at = text.find(mark, at + 1)) {

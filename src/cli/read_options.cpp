@@ -154,11 +154,9 @@ void require_two_dashes(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (word == "--") return;
     if (!word.starts_with('-') || word.starts_with("--")) continue;
-    const std::string name = word.substr(0, word.find('='));
-    for (const OptionRow& row : option_table()) {
-      const auto names = row.all_names();
-      if (std::ranges::count(names, "-" + name) > 0) throw unknown_option(name, "-" + name);
-    }
+    const std::string name = word.substr(0, word.find('=')), meant = "-" + name;
+    const auto is_meant = [&meant](const OptionRow& row) { return row.name == meant || row.other_name == meant; };
+    if (std::ranges::any_of(option_table(), is_meant)) throw unknown_option(name, meant);
   }
 }
 

@@ -76,6 +76,13 @@ struct Real::Number {
   Whole whole;
 };
 
+Real::Real() = default;
+Real::Real(const Real&) = default;
+Real::Real(Real&&) noexcept = default;
+Real& Real::operator=(const Real&) = default;
+Real& Real::operator=(Real&&) noexcept = default;
+Real::~Real() = default;
+
 RealPrecision::RealPrecision(int bits, bool is_last)
     : bits_before_(std::exchange(bits_in_use, bits)), last_before_(std::exchange(last_in_use, is_last)) {}
 RealPrecision::~RealPrecision() {

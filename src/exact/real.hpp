@@ -87,8 +87,14 @@ class Real {
  public:
   struct Number;  ///< a whole number of any size: real.cpp
 
-  Real() = default;
+  Real();
   Real(double value);  // NOLINT(google-explicit-constructor): a double converts. Requires: finite
+  // Not inline: copies of numbers are most of what the templates over them compile.
+  Real(const Real&);
+  Real(Real&&) noexcept;
+  Real& operator=(const Real&);
+  Real& operator=(Real&&) noexcept;
+  ~Real();
 
   /// A result, and whether no digit of it was cut off.
   struct Result;

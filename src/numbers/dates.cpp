@@ -9,12 +9,12 @@
 #include <cstdint>
 #include <utility>
 
+#include "text/suggest.hpp"
+
 namespace tcb {
 namespace {
 
 constexpr std::int64_t seconds_of_day = 86'400;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Before the fraction of a second, as in ISO 8601.
 bool is_mark(char c) { return c == '.' || c == ','; }

@@ -116,6 +116,12 @@ double nearest_positive(const Integer& n, const Integer& d) {
 
 }  // namespace
 
+Rational::Rational(const Rational&) = default;
+Rational::Rational(Rational&&) noexcept = default;
+Rational& Rational::operator=(const Rational&) = default;
+Rational& Rational::operator=(Rational&&) noexcept = default;
+Rational::~Rational() = default;
+
 Rational::Rational(double value) {
   if (std::abs(value) < 0x1p63 && std::trunc(value) == value) {
     numerator_ = static_cast<std::int64_t>(value);

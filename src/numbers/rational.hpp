@@ -26,6 +26,12 @@ class Rational {
   struct Large;  ///< a rational of any size: large_rational.hpp
 
   Rational() = default;
+  // Not inline: copies of numbers are most of what the templates over them compile.
+  Rational(const Rational&);
+  Rational(Rational&&) noexcept;
+  Rational& operator=(const Rational&);
+  Rational& operator=(Rational&&) noexcept;
+  ~Rational();
   template <std::integral N>
   Rational(N value)  // NOLINT(google-explicit-constructor): an integer is a rational
       : Rational(std::in_range<std::int64_t>(value) && std::cmp_greater_equal(value, -largest)

@@ -51,16 +51,6 @@ double number_in(const FoundColumns& found, const std::vector<std::string_view>&
   return cell < row.size() ? Decimals(found.marks).number(row[cell]).value_or(nan) : nan;
 }
 
-/// The numbers of a column in the first records; missing ones are left out.
-std::vector<double> numbers_in(const FoundColumns& found, std::size_t cell) {
-  std::vector<double> numbers;
-  for (const auto& row : found.rows) {
-    const double number = number_in(found, row, cell);
-    if (!std::isnan(number)) numbers.push_back(number);
-  }
-  return numbers;
-}
-
 std::vector<std::size_t> cells_with(const FoundColumns& found, Role role) {
   std::vector<std::size_t> cells;
   for (std::size_t cell = 0; cell < found.columns.cells.size(); ++cell) {
@@ -171,21 +161,22 @@ Found parameters_that_are_data(const FoundColumns& found) {
   if (found.has_tcb_scale || found.columns.are_segments) return std::nullopt;
   const std::vector<std::size_t> cells = parameters_by_name(found);
   if (cells.empty() || (cells.size() != 1 && cells.size() != 3)) return std::nullopt;
+  const bool are_letters = std::ranges::all_of(cells, [&](std::size_t cell) { return found.names[cell].size() == 1; });
   std::size_t all = 0, beyond = 0;
-  bool is_from_0_to_50 = true;
   std::optional<std::pair<std::size_t, double>> first;
   for (const std::size_t cell : cells) {
-    for (const double number : numbers_in(found, cell)) {
+    for (const auto& row : found.rows) {
+      const double number = number_in(found, row, cell);
+      if (std::isnan(number)) continue;
+      const bool is_from_0_to_50 = number >= 0 && number <= 50;
+      if (cells.size() == 3 && !are_letters && !is_from_0_to_50) return std::nullopt;
       ++all;
-      is_from_0_to_50 = is_from_0_to_50 && number >= 0 && number <= 50;
       if (std::abs(number) <= 1) continue;
       ++beyond;
       if (!first) first.emplace(cell, number);
     }
   }
-  const bool are_letters = std::ranges::all_of(cells, [&](std::size_t cell) { return found.names[cell].size() == 1; });
-  const bool is_most = 2 * beyond > all;
-  const bool is_doubt = cells.size() == 1 ? is_most : beyond > 0 && (are_letters || (is_most && is_from_0_to_50));
+  const bool is_doubt = cells.size() == 3 && are_letters ? beyond > 0 : 2 * beyond > all;
   if (!is_doubt) return std::nullopt;
   std::vector<std::string> names;
   for (const std::size_t cell : cells) names.push_back(found.names[cell]);

@@ -30,6 +30,8 @@ std::string in_shell(std::string_view word);
 /// A letter of ASCII in lower case; any other character as it is.
 constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
 
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// A text with its letters of ASCII in lower case.
 std::string in_lower_case(std::string_view text);
 

@@ -92,7 +92,7 @@ class RecordReader {
     if (!keys_.complete_time()) add_fault(cells_[time_cell_], time_parts_not_whole(head_.columns.time));
     if (!keys_.end_key()) return;
     const bool timed = time_cell_ < expected;
-    keys_.set_position(tokenizer_.line(), timed ? tokenizer_.position(cells_[time_cell_]).column : 1);
+    keys_.set_position(tokenizer_.line(), timed ? tokenizer_.column(cells_[time_cell_]) : 1);
   }
 
   void read_cell(std::string_view cell, const Columns::Column& column) {
@@ -273,6 +273,7 @@ struct LaterTable {
 std::optional<LaterTable> find_later_table(std::string_view text, const Dialect& dialect) {
   const std::vector<std::string_view> lines = split(text, '\n');
   for (const char delimiter : std::string_view("\t;, ")) {
+    if (text.find(delimiter) == std::string_view::npos) continue;
     const auto cells_in = [&](std::string_view line) {
       std::vector<std::string_view> cells;
       for (std::string_view cell : split(line, delimiter)) {

@@ -144,7 +144,11 @@ std::string_view Tokenizer::take_quoted() {
 
 TextPosition Tokenizer::position(std::string_view cell) const {
   const std::string_view before(record_, static_cast<std::size_t>(cell.data() - record_));
-  return {"", record_line_ + count_lines(before), column_after(before, 1)};
+  return {"", record_line_ + count_lines(before), column(cell)};
+}
+
+std::uint64_t Tokenizer::column(std::string_view cell) const {
+  return column_after({record_, static_cast<std::size_t>(cell.data() - record_)}, 1);
 }
 
 std::string unquoted(std::string_view cell) {

@@ -53,6 +53,7 @@ class Tokenizer {
 
   /// The text position of a cell of the current record.
   TextPosition position(std::string_view cell) const;
+  std::uint64_t column(std::string_view cell) const;
 
  private:
   bool skip_to_record();

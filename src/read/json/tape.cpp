@@ -10,13 +10,13 @@
 
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
 constexpr std::size_t most_levels = 100;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_'; }
 
 bool is_plain(char c) { return c >= ' ' && static_cast<unsigned char>(c) < 0x80 && c != '"' && c != '\\'; }
