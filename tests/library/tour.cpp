@@ -1,12 +1,10 @@
 // A program that uses the installed library: a camera goes round a closed tour at constant speed and turns with it,
-// from a kept curve, which another source defines, and from a stream of keys. It prints what is wrong.
+// from a kept curve, which is compiled once for the program, and from a stream of keys. It prints what is wrong.
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <tcb/spline/spline.hpp>
-
-extern template class tcb::spline::Curve<double>;  // in curve_double.cpp
 
 namespace {
 

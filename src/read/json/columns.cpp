@@ -44,7 +44,7 @@ struct Found {
   Error at(const Error& error) const { return error.about(path).at(tape->position(place)); }
 };
 
-std::string counted(std::size_t count, std::string_view noun) {
+std::string how_many(std::size_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
@@ -90,7 +90,7 @@ void require_quaternion(const std::vector<Found>& members) {
                           ? data_error(
                                 "the array has {}; expected four, x, y, z, w of a quaternion; correct it, or give {} "
                                 "position=NAME:NAME for the members to take",
-                                counted(first->numbers, "number"), option::columns)
+                                how_many(first->numbers, "number"), option::columns)
                           : data_error(
                                 "\"rotation\" has members other than x, y, z and w; expected the four numbers of a "
                                 "quaternion; correct them, or give {} position=NAME:NAME for the members to take",
@@ -385,7 +385,7 @@ std::vector<std::string> velocity_names(const Found& array, const Arrays& arrays
   if (positions == members.end() || array.nested) return {};
   if (array.numbers != positions->numbers) {
     throw array.at(data_error("the array has {}; expected {}, as in the array of positions; correct it",
-                              counted(array.numbers, "number"), positions->numbers));
+                              how_many(array.numbers, "number"), positions->numbers));
   }
   std::vector<std::string> names = names_in(*positions, arrays, members);
   for (std::string& name : names) name += known->ending;
@@ -486,7 +486,7 @@ void spread(std::vector<Found>& members, const ColumnOptions& options) {
 
 Error channel_count(std::size_t names, std::size_t numbers) {
   return data_error("\"channels\" has {}; expected {}, one for each number of \"position\"; correct it",
-                    counted(names, "name"), numbers);
+                    how_many(names, "name"), numbers);
 }
 
 /// Tension, continuity and bias may be in any key, even if the first has none, each alone or in "tcb", unless the

@@ -423,4 +423,8 @@ S Curve<S>::at_length(const S& s, std::span<S> out) const requires has_roots<S> 
   return high_part<S>(times[i] + (times[i + 1] - times[i]) * segments_.warp(i).inverse(local));
 }
 
+#ifdef TCB_SPLINE_CURVE_DOUBLE
+extern template class Curve<double>;
+#endif
+
 }  // namespace tcb::spline

@@ -310,4 +310,8 @@ class CurveKeys {
   std::vector<ChannelKeys<S>> rotations_;  ///< where positions are missing
 };
 
+#ifdef TCB_SPLINE_CURVE_DOUBLE
+extern template class CurveKeys<double>;
+#endif
+
 }  // namespace tcb::spline

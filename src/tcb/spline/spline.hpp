@@ -79,10 +79,8 @@
 //       std::printf("%s\n", Curve<double>::build(keys).error().message().c_str());
 //     }
 //
-// A Curve<double> takes the compiler seconds. Where several sources use it, declare in each of them
-//   extern template class tcb::spline::Curve<double>;
-// and define it in one source:
-//   template class tcb::spline::Curve<double>;
+// A Curve<double> takes the compiler seconds in each source. A program that links the target tcb::spline_double instead
+// of tcb::spline compiles it once. Without CMake, define TCB_SPLINE_CURVE_DOUBLE and compile curve_double.cpp, too.
 #pragma once
 
 #include "tcb/spline/angle.hpp"

@@ -38,4 +38,8 @@ Segments<S> segments(const Window<S>& window, const CurveRules<S>& rules) {
   return result;
 }
 
+#ifdef TCB_SPLINE_CURVE_DOUBLE
+extern template Segments<double> segments(const Window<double>& window, const CurveRules<double>& rules);
+#endif
+
 }  // namespace tcb::spline
