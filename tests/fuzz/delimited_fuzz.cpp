@@ -22,6 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const char* const columns = choices.one({"", "", "", "time=1", "group=1,time=2", "carry=3", "carry=x"});
   if (*columns != '\0') options.columns.roles = parse_roles(columns);
   const auto piece = 1 + choices.number(63);
-  fuzz::require_same_readings(choices.rest(), options, piece, true);
+  // A table below other lines is looked for in what was read until then, so the errors may differ.
+  fuzz::require_same_readings(choices.rest(), options, piece, false);
   return 0;
 }

@@ -238,7 +238,7 @@ std::string to_3ds(const Table& table, Fault fault) {
   const auto chunk = [&](unsigned id, const std::string& content) {
     return word(id, 2) + word(content.size() + 6, 4) + content;
   };
-  std::string track = word(0, 10) + word(table.rows.size() + (fault == Fault::count ? 1 : 0), 4);
+  std::string track = std::string(10, '\0') + word(table.rows.size() + (fault == Fault::count ? 1 : 0), 4);
   for (const auto& row : table.rows) {
     track += word(std::stoull(row[0]), 4) + word(0, 2);
     for (std::size_t c = 1; c < row.size(); ++c) append<float>(track, std::stod(row[c]), false);

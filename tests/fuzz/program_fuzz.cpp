@@ -118,8 +118,11 @@ std::optional<Job> job_of(std::string_view line) {
         one.comparison.file = samples_path;
         one.output = "-";
         one.verbosity = {.quiet = true};
+      } else if constexpr (std::is_same_v<Product, LimitsJob>) {
+        one.keys_file = one.output = "-";
+        one.verbosity = {.quiet = true};
       }
-      return !std::is_same_v<Product, PrintText>;
+      return !std::is_same_v<Product, PrintText> && !std::is_same_v<Product, RetimeJob>;
     };
     return std::visit(limit, job) ? std::optional(job) : std::nullopt;
   } catch (const Error& error) {
@@ -151,6 +154,9 @@ struct Entry {
   Exit operator()(const FitJob& job) const { return fit(job); }
   Exit operator()(const CompareJob& job) const {
     return compare(job) == Exit::interrupted ? Exit::interrupted : Exit::done;
+  }
+  Exit operator()(const LimitsJob& job) const {
+    return measure_limits(job) == Exit::interrupted ? Exit::interrupted : Exit::done;
   }
   Exit operator()(const auto&) const { return Exit::usage; }
 };
@@ -194,13 +200,14 @@ struct ModeName {
   std::string_view operator()(const PlotJob&) const { return "plot"; }
   std::string_view operator()(const FitJob&) const { return "fit"; }
   std::string_view operator()(const CompareJob& job) const { return job.identify ? "identify" : "check"; }
-  std::string_view operator()(const PrintText&) const { return "text"; }
+  std::string_view operator()(const LimitsJob&) const { return "limits"; }
+  std::string_view operator()(const auto&) const { return "other"; }
 };
 
 std::string_view output_format(const Job& job) {
   const auto name = [](const auto& one) -> std::string_view {
-    if constexpr (requires { one.rows.format; }) return one.rows.format->name;
-    if constexpr (requires { one.format; }) return one.format->name;
+    if constexpr (requires { one.rows.format->name; }) return one.rows.format->name;
+    if constexpr (requires { one.format->name; }) return one.format != nullptr ? one.format->name : "text";
     return "svg";
   };
   return std::visit(name, job);
@@ -317,10 +324,10 @@ namespace {
 /// A kind of options of which a command line has one at most.
 using Choices = std::vector<std::string_view>;
 
-const Choices of_rules{"--preset=vtk",      "--preset=3dsmax", "--tangents=interval-c",
-                       "--tangents=kb1984", "--ends=natural",  "--ends=zero,half",
-                       "--closed",          "--period=99",     "--equal-speed",
-                       "--no-ease",         "--tcb=0.5,0,-1",  "--tangents=uniform"};
+const Choices of_rules{
+    "--preset=vtk",     "--preset=3dsmax",    "--tangents=interval-c", "--tangents=kb1984", "--ends=natural",
+    "--ends=zero,half", "--closed",           "--period=99",           "--equal-speed",     "--no-ease",
+    "--tcb=0.5,0,-1",   "--tangents=uniform", "--no-overshoot"};
 const Choices of_numbers{"--digits=3", "--fixed=2", "--hex", "--meta", "--no-output-header"};
 const Choices of_formats{"-f tsv", "-f ssv", "-f json", "-f jsonl", "-f npy", "-f tum", "-f kitti"};
 const Choices of_fields{"--fields=time,position,s",       "--fields=time,s,speed,curvature",
@@ -331,8 +338,8 @@ const Choices of_step{"--end=keep", "--end=fit", "--end=fit-up", "--end=fit-down
 const Choices of_places{"--extrapolate=hold", "--extrapolate=linear", "--extrapolate=repeat", "--extrapolate=offset"};
 const Choices of_fit{"--fit-keys=hermite", "--corner=30"};
 const Choices of_check{"--abs=0.1", "--rel=1e-6", "--fields=time,position"};
-const Choices of_reading{"--sort",          "--duplicates=last", "--missing=skip-cell",
-                         "--missing=break", "--scale=x=1/3",     "--rename=x=px"};
+const Choices of_reading{"--sort",        "--duplicates=last", "--missing=skip-cell", "--missing=break",
+                         "--scale=x=1/3", "--rename=x=px",     "--max-gap=1.5"};
 const Choices of_reports{"-f json", "-f svg"};
 const Choices of_explained{"-f json"};
 const Choices of_exact{"--exact-input", "--digits=40", "--exact-input --digits=20"};
@@ -367,6 +374,8 @@ const std::vector<ModeOptions> all_modes{
      {&of_rules, &of_exact, &of_formats}},
     {{"--check=samples"}, {&of_rules, &of_check, &of_reports}},
     {{"--identify=samples"}, {&of_reports}},
+    {{"--limits", "--limits=speed=2,jerk", "--limits=velocity_x=-1:2,acceleration"},
+     {&of_rules, &of_range, &of_explained}},
 };
 
 /// Draws choices, the same on all machines.
@@ -624,7 +633,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const Outcome outcome = run(*plan, 1, input);
   Counts::known().add_run(*plan, input, outcome.refusal.empty());
   const auto check_rows = [&](const auto& job) {
-    if constexpr (requires { job.rows; }) require_sound(job, input, outcome.out);
+    if constexpr (requires { job.rows.format; }) require_sound(job, input, outcome.out);
   };
   if (outcome.refusal.empty()) std::visit(check_rows, *plan);
   if (size % 4 != 0) return 0;
