@@ -6,6 +6,7 @@
 #include <bcrypt.h>
 #include <fmt/format.h>
 #include <wincrypt.h>
+#undef near  // an empty macro
 
 #include <array>
 #include <cstdint>

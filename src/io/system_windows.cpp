@@ -4,6 +4,7 @@
 #include <windows.h>
 // after windows.h, whose types it needs
 #include <shellapi.h>
+#undef near  // an empty macro
 
 #include <fcntl.h>
 #include <io.h>

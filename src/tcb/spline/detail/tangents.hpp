@@ -25,15 +25,15 @@ working_t<S> overshoot_factor(const working_t<S>& in, const working_t<S>& chord_
                               const working_t<S>& chord_after) {
   using W = working_t<S>;
   const auto size = [](const W& value) { return value < W(0) ? -value : value; };
-  [[maybe_unused]] W near(0);  // what counts as 0: the rounding errors of double-doubles
-  if constexpr (std::is_same_v<S, double>) near = W(0x1p-90) * (size(chord_before) + size(chord_after));
+  [[maybe_unused]] W margin(0);  // what counts as 0: the rounding errors of double-doubles
+  if constexpr (std::is_same_v<S, double>) margin = W(0x1p-90) * (size(chord_before) + size(chord_after));
   W factor(1);
   const auto limit = [&](const W& tangent, const W& chord) {
-    if (size(tangent) <= near) return;
+    if (size(tangent) <= margin) return;
     const W most = W(3) * chord;
     if (tangent < W(0) ? !(chord < W(0)) : !(chord > W(0))) {
       factor = W(0);
-    } else if (size(tangent) > size(most) + near) {
+    } else if (size(tangent) > size(most) + margin) {
       const W needed = most / tangent * (W(1) - W(0x1p-50));
       if (needed < factor) factor = needed;
     }
