@@ -30,7 +30,7 @@ std::optional<ExactPlaces> arc_lengths(const SamplingRequest& request, const Ext
   arc.step = grid.step();
   const bool by_end = !request.to && needs_end(request) && grid.step() != 0;
   if (!by_end) return arc;
-  const Rational steps = steps_between(arc.from, Rational(*extent.length), arc.step);
+  const Rational steps = (Rational(*extent.length) - arc.from) / arc.step;
   arc.intervals = whole_number(numerator(steps));
   return arc;
 }

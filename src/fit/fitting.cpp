@@ -11,7 +11,7 @@
 
 #include "error.hpp"
 #include "fit/fit.hpp"
-#include "keys/angles.hpp"
+#include "keys/prepare.hpp"
 #include "keys/rotations.hpp"
 #include "option_names.hpp"
 #include "sample/build.hpp"

@@ -22,6 +22,30 @@ namespace tcb {
 /// throws an Error (data) with all of them.
 Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live);
 
+/// Plain channels that seem to be angles: by their names, and as they jump by more than half a turn.
+class LikelyAngles {
+ public:
+  explicit LikelyAngles(const Schema& schema);
+
+  /// Passes keys on. Requires: this outlives the source.
+  Source<KeyBlock> observe(Source<KeyBlock> blocks);
+
+  /// The channels and their units, so far. Angles that are all within a turn of radians are in radians.
+  std::vector<NamedAngle> found() const;
+
+ private:
+  struct Channel {
+    std::size_t channel;
+    std::string name;
+    bool is_named = true;     ///< by a name that is one of angles alone
+    bool is_positive = true;  ///< no number is below 0
+    double largest = 0, jump = 0;
+    std::optional<double> before = {};
+  };
+  bool has_names_;  ///< the channels have; small numbers without a name are no angles
+  std::vector<Channel> channels_;
+};
+
 /// A part of a curve that gaps divide, which has a curve of its own.
 struct CurvePart {
   std::size_t number = 0;  ///< of the part, from 0
@@ -38,29 +62,53 @@ struct InputCurve {
   std::optional<CurvePart> part = {};  ///< where gaps divide curves
 };
 
-/// The curves of an input, in order of first appearance.
+/// The curves of an input, in order of first appearance. It outlives the sources of their keys.
 class Curves {
  public:
   /// `live`: an error has only the faults in the bytes that were read, as more may take long to arrive.
   Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live);
+  Curves(const Curves&) = delete;
+  Curves& operator=(const Curves&) = delete;
 
   /// The next curve. It ends the previous one, whose remaining keys are skipped.
   /// Throws: Error (data) with all faults of the keys.
   std::optional<InputCurve> next();
 
   /// Number of keys that were skipped so far.
-  std::uint64_t skipped() const;
+  std::uint64_t skipped() const { return skipped_; }
   /// Plain channels that seem to be angles.
-  std::vector<NamedAngle> likely_angles() const;
+  std::vector<NamedAngle> likely_angles() const { return angles_.found(); }
   /// How often times of day passed midnight so far.
-  std::uint64_t midnights() const;
+  std::uint64_t midnights() const { return midnights_; }
   /// How many gaps divided curves so far, and the largest one.
-  std::uint64_t gaps() const;
-  double largest_gap() const;
+  std::uint64_t gaps() const { return gaps_; }
+  double largest_gap() const { return largest_gap_; }
 
  private:
-  class Splitter;
-  std::shared_ptr<Splitter> splitter_;
+  std::optional<KeyBlock> next_keys();
+  std::vector<std::string> group() const;
+  bool has_gap(std::size_t key) const;
+  std::optional<Time> next_part();
+  bool fill();
+
+  std::uint64_t midnights_ = 0;
+  LikelyAngles angles_;
+  Source<KeyBlock> blocks_;
+  bool may_break_;
+  std::optional<Rational> max_gap_;  ///< in the unit of the times
+  std::size_t groups_;
+  std::shared_ptr<const CurveInfo> curve_info_;
+  bool own_curves_;
+  std::optional<KeyBlock> block_;  ///< holds the next key
+  std::size_t at_ = 0;             ///< its index
+  std::uint64_t skipped_ = 0;
+  bool first_ = true;         ///< no curve has begun
+  bool started_ = false;      ///< the next key is the first of the current curve
+  std::optional<Time> last_;  ///< the time of the last key that was handed out of the current curve
+  Time origin_;               ///< the time of the first key of the first part of the current curve
+  std::size_t part_ = 0;      ///< of the curve that gaps divide
+  std::uint64_t gaps_ = 0;
+  double largest_gap_ = 0;
 };
 
 }  // namespace tcb

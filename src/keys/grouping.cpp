@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -31,38 +32,6 @@ struct KeyReference {
   std::uint32_t curve = 0;
   bool breaks = false;  ///< there is a break before it
   bool gap = false;
-};
-
-/// Numbers for texts, in order of first appearance: a hash table of the numbers, and the texts in one string.
-class TextNumbers {
- public:
-  std::uint32_t number(const std::string& text) {
-    if (texts_.size() * 2 >= slots_.size()) grow();
-    std::uint32_t& slot = slots_[find(text)];
-    if (slot == none) {
-      slot = static_cast<std::uint32_t>(texts_.size());
-      texts_.add(text);
-    }
-    return slot;
-  }
-
- private:
-  static constexpr std::uint32_t none = UINT32_MAX;
-
-  std::size_t find(std::string_view text) const {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t at = std::hash<std::string_view>()(text) & mask;
-    while (slots_[at] != none && texts_[slots_[at]] != text) at = (at + 1) & mask;
-    return at;
-  }
-
-  void grow() {
-    slots_.assign(std::max<std::size_t>(64, slots_.size() * 2), none);
-    for (std::size_t i = 0; i < texts_.size(); ++i) slots_[find(texts_[i])] = static_cast<std::uint32_t>(i);
-  }
-
-  std::vector<std::uint32_t> slots_;
-  Texts texts_;
 };
 
 /// All keys of an input: first add() for each block, then arrange(), then next() for each block of the result.
@@ -138,9 +107,9 @@ class Groups {
       group_ += block.text(key, i);
       group_ += '\0';
     }
-    const std::uint32_t number = numbers_.number(group_);
-    if (number == sections_.size()) sections_.push_back(section_);
-    return number;
+    const auto [found, is_new] = numbers_.try_emplace(group_, static_cast<std::uint32_t>(numbers_.size()));
+    if (is_new) sections_.push_back(section_);
+    return found->second;
   }
 
   /// Sorts the keys of each curve, from break to break.
@@ -187,8 +156,8 @@ class Groups {
   std::vector<std::uint32_t>
       sections_;  ///< of each curve: the section of the input, from break to break, of its last key
   std::vector<std::shared_ptr<const CurveInfo>> curve_infos_;  ///< of each curve, where each has its own
-  TextNumbers numbers_;
-  std::string group_;
+  std::unordered_map<std::string, std::uint32_t> numbers_;     ///< of curves, by the texts of their groups
+  std::string group_;                                          ///< memory to reuse
   std::uint32_t section_ = 0;
   std::uint64_t skipped_ = 0;
   std::size_t next_ = 0;

@@ -27,6 +27,44 @@
 namespace tcb {
 namespace {
 
+/// A stage that holds keys of a curve back until those after them are known.
+class HoldingStage {
+ public:
+  explicit HoldingStage(Source<KeyBlock> blocks) : blocks_(std::move(blocks)) {}
+  HoldingStage(const HoldingStage&) = delete;
+  HoldingStage& operator=(const HoldingStage&) = delete;
+  virtual ~HoldingStage() = default;
+
+  std::optional<KeyBlock> next() {
+    std::optional<KeyBlock> block = waiting_ ? std::exchange(waiting_, std::nullopt) : blocks_();
+    if (!held_.empty() && (!block || block->begins_curve(0))) {
+      waiting_ = std::move(block);
+      end_curve();
+      return std::exchange(held_, {});
+    }
+    if (!block || block->empty()) return block;
+    return pass(std::move(*block));
+  }
+
+ protected:
+  /// The keys to pass on of those that are held and those of a block, which continues their curve.
+  virtual KeyBlock pass(KeyBlock block) = 0;
+  /// No key of the curve follows those that are held.
+  virtual void end_curve() {}
+
+  KeyBlock held_;
+
+ private:
+  Source<KeyBlock> blocks_;
+  std::optional<KeyBlock> waiting_;  ///< a block that begins a curve
+};
+
+template <class Stage, class... Settings>
+Source<KeyBlock> through(Source<KeyBlock> blocks, Settings&&... settings) {
+  const auto stage = std::make_shared<Stage>(std::move(blocks), std::forward<Settings>(settings)...);
+  return [stage] { return stage->next(); };
+}
+
 /// The value of a key in a column; nothing if it distinguishes no curves.
 using Label = std::function<std::optional<std::size_t>(std::size_t key)>;
 
@@ -59,28 +97,21 @@ struct KeyLocation {
   }
 };
 
-/// The stage of in_order().
-class Order {
+/// The stage of in_order(). With Duplicates::last, the next key may replace the last one, which is held.
+class Order : public HoldingStage {
  public:
   Order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels)
-      : blocks_(std::move(blocks)), duplicates_(duplicates), labels_(std::move(labels)) {}
+      : HoldingStage(std::move(blocks)), duplicates_(duplicates), labels_(std::move(labels)) {}
 
-  std::optional<KeyBlock> next() {
-    std::optional<KeyBlock> block = waiting_ ? std::exchange(waiting_, std::nullopt) : blocks_();
-    if (!held_.empty() && (!block || block->begins_curve(0))) {
-      waiting_ = std::move(block);
-      return std::exchange(held_, {});
-    }
-    if (!block) return std::nullopt;
-    if (!held_.empty() || !is_in_order(*block)) block = filtered(std::move(*block));
-    if (block->empty()) return block;
-    before_ = location(*block, block->size() - 1);
-    // The next key may replace the last one.
-    if (duplicates_ == Duplicates::last) held_ = block->split_last();
+ private:
+  KeyBlock pass(KeyBlock block) override {
+    if (!held_.empty() || !is_in_order(block)) block = filtered(std::move(block));
+    if (block.empty()) return block;
+    before_ = location(block, block.size() - 1);
+    if (duplicates_ == Duplicates::last) held_ = block.split_last();
     return block;
   }
 
- private:
   bool is_in_order(const KeyBlock& block) const {
     const auto& times = block.keys.times;
     if (before_ && !times.empty() && !block.begins_curve(0) && !is_earlier(before_->time, times[0])) return false;
@@ -165,34 +196,19 @@ class Order {
         .at(text_position);
   }
 
-  Source<KeyBlock> blocks_;
   Duplicates duplicates_;
   CurveLabels labels_;
   std::string column_;                 ///< that distinguishes curves, if one does
   std::optional<KeyLocation> before_;  ///< of the last key that remained
-  KeyBlock held_;                      ///< that key, where the next one may replace it
-  std::optional<KeyBlock> waiting_;
 };
 
-/// The stage of spread_out().
-class Spreader {
+/// The stage of spread_out(), which holds the keys of one time.
+class Spreader : public HoldingStage {
  public:
-  explicit Spreader(Source<KeyBlock> blocks) : blocks_(std::move(blocks)) {}
-
-  std::optional<KeyBlock> next() {
-    std::optional<KeyBlock> block = waiting_ ? std::exchange(waiting_, std::nullopt) : blocks_();
-    if (!held_.empty() && (!block || block->begins_curve(0))) {
-      waiting_ = std::move(block);
-      end_curve(held_, 0, held_.size());
-      return std::exchange(held_, {});
-    }
-    if (!block || block->empty()) return block;
-    return spread(std::move(*block));
-  }
+  using HoldingStage::HoldingStage;
 
  private:
-  /// The keys whose next time is known; those of the last time are held.
-  KeyBlock spread(KeyBlock block) {
+  KeyBlock pass(KeyBlock block) override {
     KeyBlock all = std::exchange(held_, {});
     const std::size_t held = all.size();
     auto curve_info = held > 0 ? std::move(all.curve_info) : std::move(block.curve_info);
@@ -202,7 +218,8 @@ class Spreader {
     std::size_t group = 0;  // the first key with the current time
     for (std::size_t key = 1; key < all.size(); ++key) {
       if (std::ranges::binary_search(breaks, key)) {
-        end_curve(all, std::exchange(group, key), key);
+        divide(all, std::exchange(group, key), key);
+        step_.reset();
       } else if (all.keys.times[key] != all.keys.times[group]) {
         step_ = exact_time(all.keys.times[key]) - exact_time(all.keys.times[group]);
         divide(all, group, key);
@@ -219,9 +236,8 @@ class Spreader {
     return result;
   }
 
-  /// The last keys of a curve.
-  void end_curve(KeyBlock& block, std::size_t first, std::size_t last) {
-    divide(block, first, last);
+  void end_curve() override {
+    divide(held_, 0, held_.size());
     step_.reset();
   }
 
@@ -244,10 +260,85 @@ class Spreader {
     if (per_key > 0) block.decimals = std::move(decimals);
   }
 
-  Source<KeyBlock> blocks_;
-  KeyBlock held_;                 ///< keys with one time
   std::optional<Rational> step_;  ///< between the last two times of the curve
-  std::optional<KeyBlock> waiting_;
+};
+
+/// The stage of joined_segments(), which holds the end of the last segment. Keys come in pairs: the start of a segment,
+/// and its end.
+class Joiner : public HoldingStage {
+ public:
+  using HoldingStage::HoldingStage;
+
+ private:
+  KeyBlock pass(KeyBlock block) override {
+    std::vector<std::size_t> kept, breaks;
+    const bool continues = !held_.empty();
+    for (std::size_t start = 0; start < block.size(); start += 2) {
+      const bool begins = start == 0 ? !continues : block.has_break_before(start);
+      if (begins && start > 0) kept.push_back(start - 1);
+      if (block.has_break_before(start)) breaks.push_back(kept.size());
+      if (!begins) join(start == 0 ? held_ : block, start == 0 ? 0 : start - 1, block, start);
+      kept.push_back(start);
+      require_duration(block, start);
+    }
+    KeyBlock result = block.selected(kept);
+    if (!result.decimals.empty()) result.decimals = joined_decimals(block, kept);
+    result.take_block_data(block);
+    result.breaks.before = std::move(breaks);
+    held_ = block.range(block.size() - 1, block.size());
+    return result;
+  }
+
+  /// Gives the start of a segment the incoming velocities of the end before it. Throws: Error (data) if they are apart.
+  void join(const KeyBlock& before, std::size_t end, KeyBlock& block, std::size_t start) const {
+    const Time &from = block.keys.times[start], &to = before.keys.times[end];
+    const double distance = std::abs((from - to).hi);
+    if (!(distance <= 0x1p-51 * std::max(size_, std::abs(from.hi)))) {
+      throw data_error(
+          "this segment starts at {}, but the segment before it ends at {}; expected segments without gaps, in order; "
+          "correct them, or divide the curves with {}",
+          time_text(from), time_text(to), option::group)
+          .at(block.text_position(start));
+    }
+    const std::size_t channels = block.keys.channels;
+    for (std::size_t i = 0; i < channels; ++i) {
+      const double here = block.keys.position(start)[i], there = before.keys.position(end)[i];
+      if (here != there)
+        throw data_error(
+            "this segment starts at the position {}, but the segment before it ends at {}; expected the same position; "
+            "correct one of the two",
+            here, there)
+            .at(block.text_position(start));
+      block.keys.velocities[start * channels + i].in = before.keys.velocities[end * channels + i].in;
+    }
+  }
+
+  /// Sets the size of the times of a segment, to which their rounding errors are relative.
+  void require_duration(const KeyBlock& block, std::size_t start) {
+    const Time &from = block.keys.times[start], &to = block.keys.times[start + 1];
+    const double duration = (to - from).hi;
+    if (!(from < to)) throw segment_without_duration(duration).at(block.text_position(start));
+    size_ = std::max(std::abs(from.hi), duration);
+  }
+
+  /// The numbers of the keys as written, with the incoming velocities of the ends that they are joined to.
+  Texts joined_decimals(const KeyBlock& block, const std::vector<std::size_t>& kept) const {
+    Texts texts;
+    const std::size_t per_key = block.decimals.size() / block.size(), channels = block.keys.channels;
+    const std::size_t first = NumberOfKey::of_channel(NumberOfKey::velocity_in_of, 0, channels);
+    for (const std::size_t key : kept) {
+      const bool is_start = key % 2 == 0;
+      for (std::size_t i = 0; i < per_key; ++i) {
+        const bool is_incoming = is_start && i >= first && i < first + channels;
+        const Texts& from = is_incoming && key == 0 ? held_.decimals : block.decimals;
+        const std::size_t owner = !is_incoming ? key : key == 0 ? 0 : key - 1;
+        texts.add(from.empty() ? std::string_view() : from[owner * per_key + i]);
+      }
+    }
+    return texts;
+  }
+
+  double size_ = 0;  ///< of the times of the last segment
 };
 
 }  // namespace
@@ -303,14 +394,12 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
   };
 }
 
-Source<KeyBlock> spread_out(Source<KeyBlock> blocks) {
-  const auto spreader = std::make_shared<Spreader>(std::move(blocks));
-  return [spreader] { return spreader->next(); };
-}
+Source<KeyBlock> spread_out(Source<KeyBlock> blocks) { return through<Spreader>(std::move(blocks)); }
+
+Source<KeyBlock> joined_segments(Source<KeyBlock> ends) { return through<Joiner>(std::move(ends)); }
 
 Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels) {
-  const auto order = std::make_shared<Order>(std::move(blocks), duplicates, std::move(labels));
-  return [order] { return order->next(); };
+  return through<Order>(std::move(blocks), duplicates, std::move(labels));
 }
 
 namespace {
@@ -330,7 +419,7 @@ Texts with_times(const Texts& decimals, std::size_t per_key, std::span<const Rat
 }  // namespace
 
 Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, const Rational& rate,
-                               const std::shared_ptr<std::uint64_t>& midnights) {
+                               std::uint64_t& midnights) {
   const std::optional<Rational> day = day_of(notation, rate);
   if (!day) return blocks;
   const auto later = [=](const Time& time, const Rational& days) {
@@ -340,7 +429,7 @@ Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, c
     const std::optional<Rational> frame = whole_frame(seconds, rate);
     return nearest_time((frame ? *frame / rate : seconds) + days);
   };
-  const auto add_days = [=, days = Rational(0), before = std::optional<double>()](KeyBlock block) mutable {
+  const auto add_days = [=, &midnights, days = Rational(0), before = std::optional<double>()](KeyBlock block) mutable {
     std::vector<Rational> added;
     for (std::size_t i = 0; i < block.size(); ++i) {
       if (block.begins_curve(i)) {
@@ -350,7 +439,7 @@ Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, c
       Time& time = block.keys.times[i];
       if (before && *before - time.hi > nearest_double(*day) / 2) {
         days += *day;
-        ++*midnights;
+        ++midnights;
       }
       before = time.hi;
       added.push_back(days);

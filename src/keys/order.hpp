@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,9 +30,10 @@ struct CurveLabels {
 Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks);
 
 /// The keys of times of day, to which a day is added where they go back by more than half of it. Counts these in
-/// `midnights`. Times in other notations stay. `rate`: of the frames of timecode. Requires: no gaps.
+/// `midnights`, which outlives the source. Times in other notations stay. `rate`: of the frames of timecode. Requires:
+/// no gaps.
 Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, const Rational& rate,
-                               const std::shared_ptr<std::uint64_t>& midnights);
+                               std::uint64_t& midnights);
 
 /// The keys without gaps, which become breaks. A break between two blocks is at the front of the later one.
 Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);
@@ -41,6 +41,10 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);
 /// The keys, where those with the same time get equal parts of the step to the next time of the curve, the last ones of
 /// a curve of the step before. Holds the keys of one time.
 Source<KeyBlock> spread_out(Source<KeyBlock> blocks);
+
+/// The keys of segments, whose ends are two keys each: where a segment begins at the end of the one before it, both are
+/// one key, with the velocities of both. Throws: Error (data) with the line of a segment that does not begin there.
+Source<KeyBlock> joined_segments(Source<KeyBlock> ends);
 
 /// The keys whose times increase up to the next break. Decreasing times, and equal ones where they are an error, are
 /// faults of the block, which name the column that distinguishes curves, if one does. Duplicates::last delays one key

@@ -8,12 +8,13 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "error.hpp"
-#include "keys/angles.hpp"
 #include "option_names.hpp"
 #include "schema/roles.hpp"
+#include "tcb/spline/angle.hpp"
 #include "tcb/spline/scalar.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -46,12 +47,79 @@ void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
 
 using spline::DoubleDouble;
 
-/// Adds times to blocks, one after the other.
-class Parameterizer {
+/// One angle of successive keys.
+class AngleChain {
  public:
-  Parameterizer(double exponent, std::vector<std::size_t> metric) : exponent_(exponent), metric_(std::move(metric)) {}
+  AngleChain(const AngleColumn& angle, std::string name) : angle_(angle), name_(std::move(name)) {}
+
+  void check(const KeyBlock& block) {
+    for (std::size_t key = 0; key < block.size(); ++key) {
+      const double value = block.keys.position(key)[angle_.channel];
+      const std::uint64_t line = block.line(key);
+      if (std::isnan(value))
+        throw data_error("the angle {} is missing; expected a number at every key; fill it in, or remove the row",
+                         in_quotes(name_))
+            .at({"", line, 0});
+      require_angle(value, angle_.degrees, false, name_, line);
+      if (line_ == 0) std::tie(first_, first_line_) = std::tie(value, line);
+      require_turn(value, line, line_);
+      std::tie(before_, line_) = std::tie(value, line);
+    }
+  }
+
+  /// Checks the turn from the last key to the first one.
+  void close() const { require_turn(first_, line_, first_line_); }
+
+ private:
+  /// Throws: Error (data), at a line, for half a turn from the last key to another one.
+  void require_turn(double value, std::uint64_t line, std::uint64_t other) const {
+    if (line_ == 0) return;
+    const double half = spline::whole_turn<double>(angle_.degrees).hi / 2;
+    const spline::DoubleDouble chord = spline::exact_difference(value, before_);
+    const auto rest = chord - spline::nearest_turns<double>(chord, angle_.degrees);
+    const bool is_half_turn = std::abs(std::abs(rest.hi) - half) <= half * 0x1p-50;
+    if (is_half_turn)
+      throw data_error(
+          "the angle {} is exactly half a turn from the angle on line {}, so its direction is undefined; expected a "
+          "smaller difference; add a key between them",
+          in_quotes(name_), other)
+          .at({"", line, 0});
+  }
+
+  AngleColumn angle_;
+  std::string name_;
+  double before_ = 0, first_ = 0;  ///< of the last key, and of the first one
+  std::uint64_t line_ = 0;         ///< of the last one; 0: there is none
+  std::uint64_t first_line_ = 0;
+};
+
+/// The steps that take one block after another.
+class Steps {
+ public:
+  explicit Steps(const KeyPreparation& needs) : needs_(needs), before_in_(needs.channels.size()) {}
 
   KeyBlock operator()(KeyBlock block) {
+    if (needs_.exponent) add_times(block);
+    if (needs_.retiming) retime(block, *needs_.retiming);
+    if (needs_.unlikely_scale) require_scale(block, *needs_.unlikely_scale);
+    if (!needs_.ease) block.keys.eases.clear();
+    if (needs_.monotone && !block.empty()) require_rules_alone(block);
+    if (!block.keys.velocities.empty()) require_velocities(block);
+    for (std::size_t i = 0; i < block.keys.eases.size(); ++i) require_ease(block.keys.eases[i], block.line(i));
+    if (count_ == 0 && !block.empty()) first_line_ = block.line(0);
+    count_ += block.size();
+    return block;
+  }
+
+  /// Throws: Error (data) for too few keys.
+  void end() const {
+    if (count_ >= needs_.least) return;
+    throw data_error("there {}; a curve needs at least two; add keys", count_ == 0 ? "are no keys" : "is only one key")
+        .at({"", first_line_, 0});
+  }
+
+ private:
+  void add_times(KeyBlock& block) {
     Keys& keys = block.keys;
     keys.times.reserve(block.size());
     for (std::size_t i = 0; i < block.size(); ++i) {
@@ -61,12 +129,10 @@ class Parameterizer {
       before_.assign(position.begin(), position.end());
       line_ = block.line(i);
     }
-    return block;
   }
 
- private:
   void advance(std::span<const double> position, std::uint64_t line) {
-    const double step = parameter_step<double, double>(before_, position, exponent_, metric_);
+    const double step = parameter_step<double, double>(before_, position, *needs_.exponent, needs_.metric);
     if (step == 0)
       throw data_error(
           "the position repeats the one on line {}, so the distance from which the time is made is 0; expected "
@@ -83,79 +149,105 @@ class Parameterizer {
           .at({"", line, 0});
   }
 
-  double exponent_;
-  std::vector<std::size_t> metric_;
-  DoubleDouble time_;
-  std::vector<double> before_;  ///< position of the previous key; empty at the first one
-  std::uint64_t line_ = 0;      ///< line of the previous key
-};
+  /// Other times, and velocities that fit.
+  void retime(KeyBlock& block, const Retiming& retiming) const {
+    const auto& [factor, origin] = retiming;
+    const double number = nearest_double(factor);
+    for (Time& time : block.keys.times) {
+      const auto frame = needs_.frames ? needs_.frames->exact(time) : std::nullopt;
+      time = nearest_time(origin + (frame.value_or(Rational(time.hi) + Rational(time.lo)) - origin) * factor);
+    }
+    for (auto& [in, out] : block.keys.velocities) {
+      in /= number;
+      out /= number;
+    }
+  }
 
-/// The last key in each channel, whose outgoing velocity is needed if another one follows.
-class VelocityCheck {
- public:
-  VelocityCheck(std::vector<std::string> channels, bool equal_speed)
-      : channels_(std::move(channels)), equal_speed_(equal_speed), before_(channels_.size()) {}
+  /// Throws: Error (data) for tension, continuity or bias beyond 5 in size: they are probably on the scale on which the
+  /// product shows them.
+  static void require_scale(const KeyBlock& block, ShownTcbScale shown) {
+    const auto require = [&](std::size_t key, Role role, double value) {
+      if (std::abs(value) > 5) throw tcb_of_scale(shown, role_name(role), value).at({"", block.line(key), 0});
+    };
+    const std::size_t per_key = std::max<std::size_t>(block.keys.tcbs_per_key(), 1);
+    for (std::size_t i = 0; i < block.size() * per_key; ++i) {
+      const auto& tcb = block.keys.tcb(i / per_key, i % per_key);
+      require(i / per_key, Role::tension, tcb.tension);
+      require(i / per_key, Role::continuity, tcb.continuity);
+      require(i / per_key, Role::bias, tcb.bias);
+    }
+  }
 
-  KeyBlock operator()(KeyBlock block) {
+  static void require_rules_alone(const KeyBlock& block) {
+    const auto refuse = [&](const Error& error) { throw Error(error).at({"", block.line(0)}); };
+    if (!block.keys.eases.empty()) {
+      refuse(data_error(
+          "the keys have ease, and the preset has monotone timing; expected one of the two; give {}, or another {}",
+          option::no_ease, option::preset));
+    }
+    if (!block.keys.velocities.empty()) {
+      refuse(data_error(
+          "the keys have velocities, which a preset with monotone timing would change; expected one of the two; give "
+          "another {}",
+          option::preset));
+    }
+    if (block.keys.is_sparse()) {
+      refuse(data_error(
+          "some numbers were skipped by {} skip-cell, but a preset with monotone timing needs a number in every "
+          "channel; fill them in, or give another {}",
+          option::missing, option::preset));
+    }
+  }
+
+  void require_velocities(const KeyBlock& block) {
     const Keys& keys = block.keys;
-    if (keys.velocities.empty()) return block;
-    if (equal_speed_)
+    if (needs_.equal_speed)
       throw data_error("the keys have velocities, which {} would change; expected one of the two; remove {}",
                        option::equal_speed, option::equal_speed);
     for (std::size_t i = 0; i < keys.velocities.size(); ++i) {
       const std::size_t channel = i % keys.channels;
       const bool is_key = !std::isnan(keys.positions[i]);
-      if (keys.given[channel] && is_key) add(channel, keys.velocities[i], block.line(i / keys.channels));
+      if (keys.given[channel] && is_key) require_velocity(channel, keys.velocities[i], block.line(i / keys.channels));
     }
-    return block;
   }
 
- private:
-  struct Before {
-    std::uint64_t line = 0;  ///< 0: there is none
-    bool has_outgoing = false;
-  };
-
-  void add(std::size_t channel, const spline::Velocity<double>& velocity, std::uint64_t line) {
-    Before& before = before_[channel];
+  /// A velocity is needed except before the first key in a channel and after its last one.
+  void require_velocity(std::size_t channel, const spline::Velocity<double>& velocity, std::uint64_t line) {
+    KeyInChannel& before = before_in_[channel];
     const bool has_before = before.line != 0;
     if (has_before && !before.has_outgoing) {
       throw data_error(
           "the outgoing velocity of channel {} is missing; expected a number at every key but the last; fill it in, or "
           "remove the row",
-          in_quotes(channels_[channel]))
+          in_quotes(needs_.channels[channel]))
           .at({"", before.line, 0});
     }
     if (has_before && std::isnan(velocity.in)) {
       throw data_error(
           "the incoming velocity of channel {} is missing; expected a number at every key but the first; fill it in, "
           "or remove the row",
-          in_quotes(channels_[channel]))
+          in_quotes(needs_.channels[channel]))
           .at({"", line, 0});
     }
     before = {line, !std::isnan(velocity.out)};
   }
 
-  std::vector<std::string> channels_;
-  bool equal_speed_;
-  std::vector<Before> before_;
+  struct KeyInChannel {
+    std::uint64_t line = 0;  ///< 0: there is none
+    bool has_outgoing = false;
+  };
+
+  KeyPreparation needs_;
+  DoubleDouble time_;           ///< made from distances
+  std::vector<double> before_;  ///< the position of the key before, and its line; empty at the first one
+  std::uint64_t line_ = 0;
+  std::vector<KeyInChannel> before_in_;  ///< the last key in each channel
+  std::size_t count_ = 0;
+  std::uint64_t first_line_ = 0;
 };
 
-}  // namespace
-
-Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs) {
-  blocks = with_quaternions(std::move(blocks), needs.rotations);
-  blocks = with_clear_angles(std::move(blocks), needs.angles, needs.channels, needs.closed);
-  if (needs.may_be_timed) blocks = with_clear_times(std::move(blocks), needs.channels[0]);
-  if (needs.exponent) blocks = parameterized(std::move(blocks), *needs.exponent, needs.metric);
-  if (needs.retiming) blocks = retimed(std::move(blocks), *needs.retiming, needs.frames);
-  if (needs.unlikely_scale) blocks = within_tcb_scale(std::move(blocks), *needs.unlikely_scale);
-  if (!needs.ease) blocks = without_ease(std::move(blocks));
-  if (needs.monotone) blocks = with_rules_alone(std::move(blocks));
-  blocks = with_complete_velocities(std::move(blocks), needs.channels, needs.equal_speed);
-  return checked(std::move(blocks), needs.least);
-}
-
+/// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases
+/// from key to key, up to the thousandth: then it may be the time.
 Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) {
   return [blocks = std::move(blocks), channel = std::move(channel), held = std::deque<KeyBlock>(),
           is_clear = false]() mutable -> std::optional<KeyBlock> {
@@ -184,82 +276,52 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) 
   };
 }
 
-Source<KeyBlock> retimed(Source<KeyBlock> blocks, const Retiming& retiming, const std::optional<FrameTimes>& frames) {
-  return mapped(std::move(blocks), [retiming, frames](KeyBlock block) {
-    const auto& [factor, origin] = retiming;
-    const double number = nearest_double(factor);
-    for (Time& time : block.keys.times) {
-      const auto frame = frames ? frames->exact(time) : std::nullopt;
-      time = nearest_time(origin + (frame.value_or(Rational(time.hi) + Rational(time.lo)) - origin) * factor);
-    }
-    for (auto& [in, out] : block.keys.velocities) {
-      in /= number;
-      out /= number;
-    }
-    return block;
-  });
-}
+}  // namespace
 
-Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown) {
-  return mapped(std::move(blocks), [shown](KeyBlock block) {
-    const auto require = [&](std::size_t key, Role role, double value) {
-      if (std::abs(value) <= 5) return;
-      throw tcb_of_scale(shown, role_name(role), value).at({"", block.line(key), 0});
-    };
-    const std::size_t per_key = std::max<std::size_t>(block.keys.tcbs_per_key(), 1);
-    for (std::size_t i = 0; i < block.size() * per_key; ++i) {
-      const auto& tcb = block.keys.tcb(i / per_key, i % per_key);
-      require(i / per_key, Role::tension, tcb.tension);
-      require(i / per_key, Role::continuity, tcb.continuity);
-      require(i / per_key, Role::bias, tcb.bias);
-    }
-    return block;
-  });
-}
-
-Source<KeyBlock> with_rules_alone(Source<KeyBlock> blocks) {
-  return mapped(std::move(blocks), [](KeyBlock block) {
-    if (block.empty()) return block;
-    if (!block.keys.eases.empty())
-      throw data_error(
-          "the keys have ease, and the preset has monotone timing; expected one of the two; give {}, or another {}",
-          option::no_ease, option::preset)
-          .at({"", block.line(0)});
-    if (!block.keys.velocities.empty())
-      throw data_error(
-          "the keys have velocities, which a preset with monotone timing would change; expected one of the two; give "
-          "another {}",
-          option::preset)
-          .at({"", block.line(0)});
-    if (block.keys.is_sparse())
-      throw data_error(
-          "some numbers were skipped by {} skip-cell, but a preset with monotone timing needs a number in every "
-          "channel; fill them in, or give another {}",
-          option::missing, option::preset)
-          .at({"", block.line(0)});
-    return block;
-  });
-}
-
-Source<KeyBlock> without_ease(Source<KeyBlock> blocks) {
-  return mapped(std::move(blocks), [](KeyBlock block) {
-    block.keys.eases.clear();
-    return block;
-  });
-}
-
-Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least) {
-  return [blocks = std::move(blocks), least, count = std::size_t{0},
-          line = std::uint64_t{0}]() mutable -> std::optional<KeyBlock> {
+Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<AngleColumn>& angles,
+                                   const std::vector<std::string>& channels, bool closed) {
+  if (angles.empty()) return blocks;
+  std::vector<AngleChain> chains;
+  for (const AngleColumn& angle : angles) chains.emplace_back(angle, channels[angle.channel]);
+  return [blocks = std::move(blocks), chains = std::move(chains), closed]() mutable {
     std::optional<KeyBlock> block = blocks();
-    if (!block && count < least)
-      throw data_error("there {}; a curve needs at least two; add keys", count == 0 ? "are no keys" : "is only one key")
-          .at({"", line, 0});
-    if (!block) return std::nullopt;
-    for (std::size_t i = 0; i < block->keys.eases.size(); ++i) require_ease(block->keys.eases[i], block->line(i));
-    if (count == 0 && block->keys.size() > 0) line = block->line(0);
-    count += block->keys.size();
+    for (AngleChain& chain : chains) {
+      if (block) chain.check(*block);
+      if (!block && closed) chain.close();
+    }
     return block;
+  };
+}
+
+SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles) {
+  if (angles.empty()) return {std::move(blocks), {}};
+  std::vector<KeyBlock> all;
+  for (AngleColumn& angle : angles) angle.is_signed = false;
+  while (std::optional<KeyBlock> block = blocks()) {
+    const Keys& keys = block->keys;
+    for (AngleColumn& angle : angles) {
+      for (std::size_t i = angle.channel; i < keys.positions.size(); i += keys.channels) {
+        angle.is_signed = angle.is_signed || keys.positions[i] < 0;
+      }
+    }
+    all.push_back(std::move(*block));
+  }
+  const auto again = [all = std::move(all), next = std::size_t{0}]() mutable -> std::optional<KeyBlock> {
+    if (next == all.size()) return std::nullopt;
+    return std::move(all[next++]);
+  };
+  return {again, std::move(angles)};
+}
+
+Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs) {
+  blocks = with_quaternions(std::move(blocks), needs.rotations);
+  blocks = with_clear_angles(std::move(blocks), needs.angles, needs.channels, needs.closed);
+  if (needs.may_be_timed) blocks = with_clear_times(std::move(blocks), needs.channels[0]);
+  return [blocks = std::move(blocks), steps = Steps(needs)]() mutable -> std::optional<KeyBlock> {
+    std::optional<KeyBlock> block = blocks();
+    if (block) return steps(std::move(*block));
+    steps.end();
+    return std::nullopt;
   };
 }
 
@@ -276,15 +338,6 @@ void DistancePower<double>::add_square(double a, double b) {
 double DistancePower<double>::power(double exponent) const {
   const DoubleDouble unit(std::ldexp(1.0, unit_));
   return (spline::power(spline::sqrt(sum_), exponent) * spline::power(unit, exponent)).hi;
-}
-
-Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric) {
-  return mapped(std::move(blocks), Parameterizer(exponent, std::move(metric)));
-}
-
-Source<KeyBlock> with_complete_velocities(Source<KeyBlock> blocks, std::vector<std::string> channels,
-                                          bool equal_speed) {
-  return mapped(std::move(blocks), VelocityCheck(std::move(channels), equal_speed));
 }
 
 }  // namespace tcb

@@ -40,37 +40,21 @@ struct KeyPreparation {
   std::size_t least = 2;                             ///< number of keys, 1 or 2
 };
 
-/// The keys after all steps. Throws: Error (data) with the line of a key.
+/// The keys after all steps. Without times they get t[i+1] = t[i] + |P[i+1] - P[i]|^exponent, which is t[i] + 1 for
+/// exponent 0. Throws: Error (data) with the line of a key.
 Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs);
 
-// Each step:
+/// Keys, and whether any angle of a channel is negative, for which all keys are read where there are angles.
+struct SignedKeys {
+  Source<KeyBlock> blocks;
+  std::vector<AngleColumn> angles;
+};
+SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles);
 
-/// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases
-/// from key to key, up to the thousandth: then it may be the time.
-Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel);
-
-/// Keys with other times, and velocities that fit. `frames`: where the times are frames in seconds.
-Source<KeyBlock> retimed(Source<KeyBlock> blocks, const Retiming& retiming, const std::optional<FrameTimes>& frames);
-
-/// Passes keys on. Throws: Error (data) for tension, continuity or bias beyond 5 in size: they are probably on the
-/// scale on which the product shows them.
-Source<KeyBlock> within_tcb_scale(Source<KeyBlock> blocks, ShownTcbScale shown);
-
-/// Passes keys on. Throws: Error (data) about keys with ease, velocities or missing positions, which monotone timing
-/// does not have.
-Source<KeyBlock> with_rules_alone(Source<KeyBlock> blocks);
-
-/// The keys without their ease.
-Source<KeyBlock> without_ease(Source<KeyBlock> blocks);
-
-/// Passes keys on, and checks that there are at least `least` of them, 1 or 2, and that their ease is in [0, 1].
-/// Requires: increasing times. Throws: Error (data) with the line of the key.
-Source<KeyBlock> checked(Source<KeyBlock> blocks, std::size_t least);
-
-/// Adds times to keys without any: t[i+1] = t[i] + |P[i+1] - P[i]|^exponent, which is t[i] + 1 for exponent
-/// 0. `metric`: the channels that count for distances; empty: all. Throws: Error (data) if two positions are equal,
-/// or a step is lost in rounding; it has both lines.
-Source<KeyBlock> parameterized(Source<KeyBlock> blocks, double exponent, std::vector<std::size_t> metric);
+/// Passes keys on. `closed`: the first key follows the last one. Throws: Error (data), at its line, for an angle that
+/// is missing or beyond what its unit allows, and for half a turn between two.
+Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<AngleColumn>& angles,
+                                   const std::vector<std::string>& channels, bool closed = false);
 
 /// The power of a distance at a scalar, from its square. Doubles add up squares as double-doubles, in units of a power
 /// of two, so that none overflows or vanishes. Exact scalars have their own, in exact/rounding.hpp.
@@ -106,9 +90,5 @@ S parameter_step(std::span<const P> a, std::span<const P> b, double exponent, st
   for (std::size_t i = 0; i < channels; ++i) distance.add_square(a[channel(i)], b[channel(i)]);
   return distance.power(exponent);
 }
-
-/// Passes keys on. Throws: Error (data) with the line of a key where a given velocity is missing, except before a
-/// channel's first key and after its last; and about `equal_speed`, which would change them.
-Source<KeyBlock> with_complete_velocities(Source<KeyBlock> blocks, std::vector<std::string> channels, bool equal_speed);
 
 }  // namespace tcb

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "error.hpp"
-#include "keys/angles.hpp"
 #include "option_names.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/rotation_notation.hpp"
@@ -427,15 +426,33 @@ std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotati
   return converted;
 }
 
+void require_angle(double angle, bool degrees, bool makes_turns, const std::string& name, std::uint64_t line) {
+  constexpr double turn = 6.283185307179586, most_turns = 1e4;
+  if (std::abs(angle) <= (degrees ? 360 * most_turns : makes_turns ? turn * most_turns : turn)) return;
+  const bool counts_turns = degrees || makes_turns;
+  throw(counts_turns
+            ? data_error(
+                  "{} has an angle of {}; expected at most 10000 turns; check its column, and its unit with {} or {}",
+                  in_quotes(name), angle, option::angles, option::angle)
+            : data_error("{} has an angle of {} radians; expected at most one turn, 6.2832; give degrees as its unit "
+                         "with {} or {}, or subtract whole turns",
+                         in_quotes(name), angle, option::angles, option::angle))
+      .at({"", line, 0});
+}
+
 Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations) {
   if (rotations.rotations.empty()) return blocks;
-  auto chains = std::make_shared<std::vector<SignChain>>();
-  for (const RotationSchema& rotation : rotations.rotations) chains->emplace_back(rotation, rotations.curve);
-  blocks = mapped(with_converted_rotations(std::move(blocks), rotations), [chains](KeyBlock block) {
-    for (SignChain& chain : *chains) chain.add(block);
+  std::vector<SignChain> chains;
+  for (const RotationSchema& rotation : rotations.rotations) chains.emplace_back(rotation, rotations.curve);
+  return [blocks = with_converted_rotations(std::move(blocks), rotations), chains = std::move(chains),
+          closed = rotations.closed]() mutable {
+    std::optional<KeyBlock> block = blocks();
+    for (SignChain& chain : chains) {
+      if (block) chain.add(*block);
+      if (!block && closed) chain.close();
+    }
     return block;
-  });
-  return rotations.closed ? with_checked_seam(std::move(blocks), std::move(chains)) : blocks;
+  };
 }
 
 }  // namespace tcb

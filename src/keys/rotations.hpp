@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "schema/key_block.hpp"
@@ -39,5 +41,8 @@ std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotati
 /// of zero, a matrix that is no rotation, a quaternion that is zero or not of the norm 1, half a turn between two, and
 /// velocities of some numbers alone, of a rotation in another form, or with the curve slerp.
 Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations);
+
+/// Throws: Error (data) for an angle of more turns than its unit allows. `makes_turns`: they count.
+void require_angle(double angle, bool degrees, bool makes_turns, const std::string& name, std::uint64_t line);
 
 }  // namespace tcb

@@ -7,7 +7,6 @@
 
 #include "error.hpp"
 #include "exact/exact_rows.hpp"
-#include "keys/angles.hpp"
 #include "keys/prepare.hpp"
 #include "option_names.hpp"
 #include "sample/build.hpp"
@@ -69,9 +68,11 @@ std::optional<FrameTimes> named_times(const CurveRequest& request, const TimeSch
 /// About how many rows a curve will have, by the part of it that is known.
 class RowEstimate {
  public:
-  /// Requires: a request with rows segment after segment.
-  RowEstimate(const SamplingRequest& request, const Extent& extent) : request_(request), first_(extent.first) {
+  /// Requires: a request with rows segment after segment. `segments`: those of the whole curve, if it is known.
+  RowEstimate(const SamplingRequest& request, const Extent& extent, std::uint64_t segments = 0)
+      : request_(request), first_(extent.first), segments_(segments), length_(extent.length.value_or(0)) {
     if (!by_segment(request.mode)) spacing_ = spacing(request, extent);
+    if (extent.last) end_ = made_ = *extent.last;
   }
 
   /// Adds keys that were read, and segments that were made.
@@ -82,12 +83,6 @@ class RowEstimate {
   void add(const SegmentBlock& block) {
     if (!block.segments.times.empty()) made_ = block.segments.times.back();
     for (const auto& length : block.lengths) length_ += length.value;
-  }
-  /// Adds all segments of a curve whose extent is known.
-  void add_all(const Extent& extent, std::uint64_t segments) {
-    end_ = made_ = *extent.last;
-    length_ = extent.length.value_or(0);
-    segments_ = segments;
   }
 
   double rows() const {
@@ -106,48 +101,34 @@ class RowEstimate {
   std::optional<Spacing> spacing_;  ///< nothing: each segment has its own rows
   Time first_, end_;                ///< of the keys
   Time made_;                       ///< end of the segments
-  double length_ = 0;               ///< of these
-  std::uint64_t segments_ = 0;
+  std::uint64_t segments_;
+  double length_;  ///< of the segments
 };
-
-/// Rows come in any order, or depend on more than one segment.
-bool is_in_any_order(const SamplingRequest& request, const CurveSpec& spec) {
-  return request.mode == Mode::at || request.mode == Mode::arc_at || request.mode == Mode::tolerance ||
-         spec.extrapolations.extend_curve();
-}
-
-/// There is one row, for which a curve may have a single key.
-bool is_one_row(const SamplingRequest& request) {
-  const bool is_count = request.mode == Mode::count || request.mode == Mode::arc_count;
-  return (is_count && request.count == 1) || request.places.size() == 1;
-}
-
-bool needs_lengths(const SamplingRequest& request, std::span<const std::size_t> fields) {
-  return by_length(request.mode) ||
-         std::ranges::any_of(fields, [](std::size_t field) { return tcb::fields()[field].needs_lengths; });
-}
-
-MetricUse metric_use(const SamplingRequest& request, std::span<const std::size_t> fields, bool times_of_distances) {
-  const auto is_of_path = [](std::size_t field) {
-    return tcb::fields()[field].over_metric && !tcb::fields()[field].needs_lengths;
-  };
-  const bool is_near_path = request.mode == Mode::tolerance && request.tolerance.limits_distance();
-  if (std::ranges::any_of(fields, is_of_path) || times_of_distances || is_near_path) return MetricUse::path;
-  return needs_lengths(request, fields) ? MetricUse::lengths : MetricUse::nothing;
-}
 
 }  // namespace
 
 CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size_t> fields, const CurveSpec& spec,
                        bool may_miss, bool exact) {
+  const Mode mode = request.mode;
+  const auto any_field = [&](const auto& holds) {
+    return std::ranges::any_of(fields, [&](std::size_t field) { return holds(tcb::fields()[field]); });
+  };
+  const bool has_field_of_path =
+      any_field([](const Field& field) { return field.over_metric && !field.needs_lengths; });
+  const bool times_of_distances = !spec.timed && spec.parameter.value_or(0) != 0;
+  const bool is_near_path = mode == Mode::tolerance && request.tolerance.limits_distance();
+  const bool is_count = mode == Mode::count || mode == Mode::arc_count;
   CurveNeeds needs;
-  needs.random_access = is_in_any_order(request, spec);
+  needs.random_access =
+      mode == Mode::at || mode == Mode::arc_at || mode == Mode::tolerance || spec.extrapolations.extend_curve();
   needs.all_keys = spec.closed || needs.random_access || may_miss || exact || needs_end(request);
-  needs.lengths = needs_lengths(request, fields);
-  needs.whole_length = needs.all_keys && !needs.random_access && by_length(request.mode);
-  needs.single_key = is_one_row(request);
+  needs.lengths = by_length(mode) || any_field([](const Field& field) { return field.needs_lengths; });
+  needs.whole_length = needs.all_keys && !needs.random_access && by_length(mode);
+  needs.single_key = (is_count && request.count == 1) || request.places.size() == 1;
   needs.angle_signs = !spec.angles.empty();
-  needs.metric = metric_use(request, fields, !spec.timed && spec.parameter.value_or(0) != 0);
+  needs.metric = has_field_of_path || times_of_distances || is_near_path ? MetricUse::path
+                 : needs.lengths                                         ? MetricUse::lengths
+                                                                         : MetricUse::nothing;
   return needs;
 }
 
@@ -339,8 +320,7 @@ CurveSamples CurvePipeline::samples_on_grid(StreamedCurve curve, const ExactKeys
   if (!by_segment(request_.mode)) facts.step = nearest_time(spacing(request_, extent).grid.step());
   Source<SegmentBlock> segments = curve.segments(needs_.lengths && !lengths);
   if (lengths) segments = with_lengths(std::move(segments), std::move(*lengths));
-  RowEstimate estimate(request_, extent);
-  estimate.add_all(extent, curve.keys.size() - (spec_.closed ? 0 : 1));
+  const RowEstimate estimate(request_, extent, curve.keys.size() - (spec_.closed ? 0 : 1));
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
   CurveSamples samples = samples_in_order(std::move(segments), sampler, extent.first);
   samples.expected_rows = [rows = estimate.rows()] { return rows; };
@@ -371,11 +351,9 @@ CurveSamples CurvePipeline::samples_in_order(Source<SegmentBlock> segments, std:
 CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const ExactKeys* exact) const {
   const Extent& extent = curve.extent;
   if (spec_.extrapolations.extend_curve() && may_leave_curve(request_) && !request_.origin) {
-    const Bound first = first_key(extent.first), last = last_key(*extent.last);
-    const auto& [before, after] = spec_.extrapolations;
+    const Rational first = exact_time(extent.first), last = exact_time(*extent.last);
     for (const auto& [option, time] : {std::pair(option::from, request_.from), std::pair(option::to, request_.to)}) {
-      if (time && before == Extrapolation::error) require_not_before(option, *time, first);
-      if (time && after == Extrapolation::error) require_not_after(option, *time, last);
+      if (time) require_extended_to(option, *time, spec_.extrapolations, first, last);
     }
   }
   const auto kept =

@@ -375,16 +375,15 @@ std::string as_object(const Facts& lines) {
   return out + "}\n";
 }
 
-}  // namespace
-
-void explain(const std::string& path, const ExplainJob& job, const std::function<void(std::string_view)>& print) {
+/// Prints the explanation of one file.
+void explain(const std::string& path, const ExplainJob& job, Output& output) {
   const Input input = open_input(path, read_file(path), job.keys.input);
   Facts lines{{"file", shown_name(path)}};
   const auto append = [&lines](const Facts& more) { lines.insert(lines.end(), more.begin(), more.end()); };
   append(input_facts(input));
   const auto print_lines = [&] {
-    if (job.format->is_json) return print(as_object(lines));
-    for (const auto& [name, value] : lines) print(fmt::format("{}: {}\n", name, printable(value)));
+    if (job.format->is_json) return output.write(as_object(lines));
+    for (const auto& [name, value] : lines) output.write(fmt::format("{}: {}\n", name, printable(value)));
   };
   try {
     Curves curves(input.schema, input.keys, job.keys.curves, is_live(path));
@@ -400,12 +399,13 @@ void explain(const std::string& path, const ExplainJob& job, const std::function
   print_lines();
 }
 
+}  // namespace
+
 Exit explain(const ExplainJob& job) {
   Output output("-");
-  const auto print = [&output](std::string_view text) { output.write(text); };
   for (const InputFile& file : find_inputs(job.files).files) {
     try {
-      in_file(shown_name(file.path), [&] { explain(file.path, job, print); });
+      in_file(shown_name(file.path), [&] { explain(file.path, job, output); });
     } catch (const Error&) {
       output.commit();  // what is known of the files so far helps to mend the error
       throw;

@@ -2,10 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "error.hpp"
@@ -27,11 +24,8 @@ struct ExplainJob {
   std::optional<bool> header;       ///< of the output; nothing: as the input has one
 };
 
-/// Prints the explanation of each file. Throws: Error, with the file.
-Exit explain(const ExplainJob& job);
-
-/// Prints the explanation of one file: reads the keys and places the samples, but evaluates none. Throws: Error as
+/// Prints the explanation of each file: reads the keys and places the samples, but evaluates none. Throws: Error as
 /// resample() does; what was detected at the beginning of the file is printed all the same.
-void explain(const std::string& path, const ExplainJob& job, const std::function<void(std::string_view)>& print);
+Exit explain(const ExplainJob& job);
 
 }  // namespace tcb

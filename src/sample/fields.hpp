@@ -11,10 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "sample/pieces.hpp"
+#include "numbers/decimal_time.hpp"
 #include "sample/point.hpp"
 #include "sample/sampler.hpp"
 #include "sample/table.hpp"
+#include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 #include "tcb/spline/scalar.hpp"
@@ -65,20 +66,12 @@ void write_position(Point<S>& point, CellWriter<S> out) {
     }
   }
 }
-template <class S>
-void write_length(Point<S>& point, CellWriter<S> out) {
-  out.add(point.length());
-}
 template <class S, std::vector<S> spline::Derivatives<S>::*derivative>
 void write_derivative(Point<S>& point, CellWriter<S> out) {
   const std::vector<S>& values = point.derivatives().*derivative;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!point.segment().is_rotation(i)) out.add_of_channel(values[i], i, true);
   }
-}
-template <class S>
-void write_speed(Point<S>& point, CellWriter<S> out) {
-  out.add(point.speed());
 }
 template <class S>
 void write_tangent(Point<S>& point, CellWriter<S> out) {
@@ -104,39 +97,108 @@ void write_angular_speed(Point<S>& point, CellWriter<S> out) {
     }
   }
 }
+
+// Pieces: the cubics from a sample to the end of its piece, in three forms, with their duration and length.
+//
+// With the piece from t0 to t1, h = t1 - t0, and X a channel:
+//   hermite  X(t0), X'(t0), X(t1), X'(t1)
+//   bezier   X(t0), X(t0) + h X'(t0) / 3, X(t1) - h X'(t1) / 3, X(t1)
+//   poly     c0, c1, c2, c3 with X(t) = c0 + c1 (t - t0) + c2 (t - t0)^2 + c3 (t - t0)^3
+// Requires: a segment without ease.
+// Promises: positions are those of samples at t0 and t1. For doubles each other number is within 2 ulp of the exact
+//   one; on a part of a segment, within 4 ulp of its largest term.
+
+/// The time of a sample; at a key that of the key.
 template <class S>
-void write_curvature(Point<S>& point, CellWriter<S> out) {
-  out.add(point.curvature());
+const spline::Time<S>& time_of(const CurveSegmentOf<S>& segment, const SampleOf<S>& sample) {
+  return sample.at.u == S(0) ? segment.start : sample.at.w == S(0) ? segment.end : sample.t;
 }
 template <class S>
-void write_torsion(Point<S>& point, CellWriter<S> out) {
-  out.add(point.torsion());
+const spline::Time<S>& piece_start(const Point<S>& point) {
+  return time_of(point.segment(), point.sample());
 }
 template <class S>
-void write_segment(Point<S>& point, CellWriter<S> out) {
-  out.add(static_cast<S>(point.segment().number));
+const spline::Time<S>& piece_end(const Point<S>& point) {
+  return time_of(point.segment(), point.end());
 }
+
+/// The time from a piece's start to its end, before it is rounded.
 template <class S>
-void write_u(Point<S>& point, CellWriter<S> out) {
-  out.add(point.u());
-}
-template <class S>
-void write_key(Point<S>& point, CellWriter<S> out) {
-  out.add(point.key());
-}
-template <class S>
-void write_arc_error(Point<S>& point, CellWriter<S> out) {
-  out.add(static_cast<S>(point.segment().s_error));
+spline::Time<S> piece_time(const Point<S>& point) {
+  const auto& segment = point.segment();
+  return spline::elapsed<S>(segment.precise(piece_start(point)), segment.precise(piece_end(point)));
 }
 
 template <class S>
-void write_duration(Point<S>& point, CellWriter<S> out) {
-  out.add(piece_duration(point));
+S piece_duration(const Point<S>& point) {
+  const spline::Time<S>&start = piece_start(point), &end = piece_end(point);
+  if constexpr (std::is_same_v<S, double>) {
+    if (is_long_decimal(start) || is_long_decimal(end)) {
+      return nearest_double(exact_number(end, false) - exact_number(start, false));
+    }
+  }
+  return spline::high_part<S>(piece_time(point));
 }
+
+/// A channel of the piece as a cubic of its own, between the positions of samples.
 template <class S>
-void write_piece_length(Point<S>& point, CellWriter<S> out) {
-  out.add(piece_length(point));
+spline::Cubic<S> piece_cubic(const Point<S>& point, std::size_t channel) {
+  const auto& segment = point.segment();
+  const spline::Cubic<S>& whole = segment.cubics[channel];
+  if constexpr (spline::bounds_errors<S>) {  // whose places tell whether they are at keys; times may not
+    return spline::part_between(whole, point.sample().at, point.end().at);
+  }
+  spline::Cubic<S> cubic =
+      spline::expanded_part(whole, segment.precise(segment.start), segment.precise(segment.end),
+                            segment.precise(piece_start(point)), segment.precise(piece_end(point)));
+  cubic.p0 = spline::position(whole, point.sample().at);
+  cubic.p1 = spline::position(whole, point.end().at);
+  return cubic;
 }
+
+/// A working value rounded; a zero is not negative.
+template <class S>
+S rounded_once(const spline::working_t<S>& value) {
+  return spline::high_part<S>(value) + S(0);
+}
+
+/// The forms of the cubic of a piece that takes the time h.
+template <class S>
+using CubicForm = std::array<S, 4> (*)(const spline::Cubic<S>& x, const spline::working_t<S>& h);
+
+template <class S>
+std::array<S, 4> hermite_form(const spline::Cubic<S>& x, const spline::working_t<S>& h) {
+  using W = spline::working_t<S>;
+  return {x.p0, rounded_once<S>(W(x.out) / h), x.p1, rounded_once<S>(W(x.in) / h)};
+}
+
+template <class S>
+std::array<S, 4> bezier_form(const spline::Cubic<S>& x, const spline::working_t<S>&) {
+  using W = spline::working_t<S>;
+  return {x.p0, rounded_once<S>(W(x.p0) + W(x.out) / W(3)), rounded_once<S>(W(x.p1) - W(x.in) / W(3)), x.p1};
+}
+
+template <class S>
+std::array<S, 4> polynomial_form(const spline::Cubic<S>& x, const spline::working_t<S>& h) {
+  using W = spline::working_t<S>;
+  const W c = W(x.c) + W(x.c_low);
+  return {x.p0, rounded_once<S>(W(x.out) / h), rounded_once<S>(c / h / h), rounded_once<S>(W(x.d) / h / h / h)};
+}
+
+/// The length of the piece over the metric channels. Lengths are not rational.
+template <class S>
+S piece_length(const Point<S>& point) {
+  if constexpr (spline::has_roots<S>) {
+    std::vector<spline::Cubic<S>> cubics;
+    for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) cubics.push_back(piece_cubic(point, i));
+    spline::SegmentLength<S> length;
+    length.assign(cubics, {}, point.segment().metric);
+    return length.total().value;
+  } else {
+    return S(0);
+  }
+}
+
 /// The four numbers of a piece's cubic in a form, for each channel; then zeros, up to the number of columns.
 template <class S>
 void write_form(Point<S>& point, CellWriter<S> out, CubicForm<S> form, std::size_t columns) {
@@ -164,20 +226,22 @@ struct FieldOf : Field {
   WriteColumn write_column = nullptr;  ///< the same for doubles, where that saves time
 };
 
-/// The fields of samples, which come first. To add a field: its function, and a row. The order is that of fields in
-/// help and manual.
+/// The fields of samples, which come first. To add a field: a row, with a function if it has more than one number. The
+/// order is that of fields in help and manual.
 template <class S>
 inline constexpr std::array sample_fields{
     FieldOf<S>{{.name = "time", .kind = CellKind::time}, write_sample_time<S>, write_times},
     FieldOf<S>{{.name = "position", .per_channel = true, .shows_rotations = true}, write_position<S>, write_positions},
-    FieldOf<S>{{.name = "s", .needs_lengths = true, .over_metric = true, .is_rational = false}, write_length<S>},
+    FieldOf<S>{{.name = "s", .needs_lengths = true, .over_metric = true, .is_rational = false},
+               [](Point<S>& point, CellWriter<S> out) { out.add(point.length()); }},
     FieldOf<S>{{.name = "velocity", .suffix = "_v", .per_channel = true, .of_motion = true, .has_side = true},
                write_derivative<S, &spline::Derivatives<S>::velocity>},
     FieldOf<S>{{.name = "acceleration", .suffix = "_a", .per_channel = true, .of_motion = true, .has_side = true},
                write_derivative<S, &spline::Derivatives<S>::acceleration>},
     FieldOf<S>{{.name = "jerk", .suffix = "_j", .per_channel = true, .of_motion = true, .has_side = true},
                write_derivative<S, &spline::Derivatives<S>::jerk>},
-    FieldOf<S>{{.name = "speed", .over_metric = true, .has_side = true}, write_speed<S>},
+    FieldOf<S>{{.name = "speed", .over_metric = true, .has_side = true},
+               [](Point<S>& point, CellWriter<S> out) { out.add(point.speed()); }},
     FieldOf<S>{{.name = "tangent",
                 .suffix = "_t",
                 .per_channel = true,
@@ -185,26 +249,32 @@ inline constexpr std::array sample_fields{
                 .over_metric = true,
                 .has_side = true},
                write_tangent<S>},
-    FieldOf<S>{{.name = "curvature", .over_metric = true, .has_side = true}, write_curvature<S>},
-    FieldOf<S>{{.name = "torsion", .over_metric = true, .has_side = true}, write_torsion<S>},
+    FieldOf<S>{{.name = "curvature", .over_metric = true, .has_side = true},
+               [](Point<S>& point, CellWriter<S> out) { out.add(point.curvature()); }},
+    FieldOf<S>{{.name = "torsion", .over_metric = true, .has_side = true},
+               [](Point<S>& point, CellWriter<S> out) { out.add(point.torsion()); }},
     FieldOf<S>{{.name = "angular_velocity", .per_rotation = true, .columns = 3, .has_side = true, .is_rational = false},
                write_angular_velocity<S>},
     FieldOf<S>{{.name = "angular_speed", .per_rotation = true, .has_side = true, .is_rational = false},
                write_angular_speed<S>},
-    FieldOf<S>{{.name = "segment", .kind = CellKind::whole, .has_side = true}, write_segment<S>},
-    FieldOf<S>{{.name = "u", .has_side = true}, write_u<S>},
-    FieldOf<S>{{.name = "key", .kind = CellKind::whole}, write_key<S>},
+    FieldOf<S>{{.name = "segment", .kind = CellKind::whole, .has_side = true},
+               [](Point<S>& point, CellWriter<S> out) { out.add(static_cast<S>(point.segment().number)); }},
+    FieldOf<S>{{.name = "u", .has_side = true}, [](Point<S>& point, CellWriter<S> out) { out.add(point.u()); }},
+    FieldOf<S>{{.name = "key", .kind = CellKind::whole},
+               [](Point<S>& point, CellWriter<S> out) { out.add(point.key()); }},
     FieldOf<S>{
         {.name = "arc_error", .needs_lengths = true, .over_metric = true, .is_exact = false, .is_rational = false},
-        write_arc_error<S>},
+        [](Point<S>& point, CellWriter<S> out) { out.add(static_cast<S>(point.segment().s_error)); }},
 };
 
 /// The fields of pieces. Those with columns for each channel are the forms in which a cubic can be given.
 template <class S>
 inline constexpr std::array piece_fields{
-    FieldOf<S>{{.name = "length", .of_piece = true, .over_metric = true, .is_rational = false}, write_piece_length<S>},
+    FieldOf<S>{{.name = "length", .of_piece = true, .over_metric = true, .is_rational = false},
+               [](Point<S>& point, CellWriter<S> out) { out.add(piece_length(point)); }},
     FieldOf<S>{{.name = "start", .kind = CellKind::time, .of_piece = true}, write_sample_time<S>},
-    FieldOf<S>{{.name = "duration", .kind = CellKind::duration, .of_piece = true}, write_duration<S>},
+    FieldOf<S>{{.name = "duration", .kind = CellKind::duration, .of_piece = true},
+               [](Point<S>& point, CellWriter<S> out) { out.add(piece_duration(point)); }},
     FieldOf<S>{
         {.name = "hermite", .suffix = "_p", .per_channel = true, .columns = 4, .odd_suffix = "_v", .of_piece = true},
         write_cubics<S, hermite_form<S>>},

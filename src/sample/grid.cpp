@@ -55,36 +55,6 @@ std::string shown(const Rational& rows) {
   return fmt::format("{}.{}e{}", digits[0], digits.substr(1, 2), digits.size() - 1);
 }
 
-/// A request beyond an end.
-Error outside(End end, const std::string& value, const std::string& limit) {
-  switch (end) {
-    case End::first_key:
-      return usage_error("time {} is before the first key, at {}; give a time on the curve, or {}", value, limit,
-                         option::extrapolate);
-    case End::last_key:
-      return usage_error("time {} is after the last key, at {}; give a time on the curve, or {}", value, limit,
-                         option::extrapolate);
-    case End::first_piece:
-      return usage_error("time {} is before the first key, at {}; give a time on the curve", value, limit);
-    case End::last_piece:
-      return usage_error("time {} is after the last key, at {}; give a time on the curve", value, limit);
-    case End::least_length:
-      return usage_error("arc length {} is below {}, that of the first key; give a length within the curve", value,
-                         limit);
-    case End::length: break;
-  }
-  return usage_error("arc length {} is beyond the length of the curve, {}; give a length within the curve", value,
-                     limit);
-}
-
-/// A value that is rounded to the bound is shown as a ratio.
-[[noreturn]] void refuse(std::string_view option, const Rational& value, const Bound& bound) {
-  const std::string limit = text(bound.value);
-  std::string shown = text(value);
-  if (shown == limit) shown = whole_text(numerator(value)) + "/" + whole_text(denominator(value));
-  throw outside(bound.end, shown, limit).about(option);
-}
-
 }  // namespace
 
 Grid::Grid(const Rational& start, const Rational& step) : start_(start), step_(step), is_single_(step == 0) {
@@ -184,8 +154,6 @@ bool Grid::resolves(const Time& t, int decimals) const {
   return time(1, decimals) > time(0, decimals) && nearest_time(exact_time(t) + step_, decimals) > t;
 }
 
-Rational steps_between(const Rational& from, const Rational& to, const Rational& step) { return (to - from) / step; }
-
 void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least, std::optional<TimeUnit> likely_unit) {
   const Rational rows = floor(steps) + 1;
   if (rows <= max_rows) return;
@@ -248,7 +216,7 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   if (!to && arc && extent.length) to = Rational(*extent.length);  // a computed double is its own value
   if (!to && !arc && extent.last) to = request.exact(*extent.last);
   if (to && *to < from && request.count != 1) {
-    if (arc) require_not_after(option::from, from, curve_length(*extent.length));
+    if (arc) require_not_after(option::from, from, Ends::of_length, Rational(*extent.length));
     throw usage_error("{} is after {}, where samples end without {}; give an earlier start, or {}", text(from),
                       text(*to), option::to, option::to)
         .about(option::from);
@@ -260,7 +228,7 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   }
   if (request.mode == Mode::step || request.mode == Mode::arc_step) {
     if (!to) return {Grid(from, request.step), Spacing::unlimited, to};
-    const Rational steps = steps_between(from, *to, request.step);
+    const Rational steps = (*to - from) / request.step;
     require_rows(steps, request.max_rows, false, request.likely_unit);
     if (!needs_end(request) || *to <= from) {
       const std::uint64_t most = request.key_times ? whole_number(floor(steps)) + 1 : Spacing::unlimited;
@@ -283,17 +251,38 @@ std::string text(const Rational& value) {
   return time.lo == 0 ? fmt::format("{}", time.hi) : whole_text(Rational(time.hi) + Rational(time.lo));
 }
 
-Bound first_key(const Time& time) { return {End::first_key, exact_time(time)}; }
-Bound last_key(const Time& time) { return {End::last_key, exact_time(time)}; }
-Bound curve_start() { return {End::least_length, 0}; }
-Bound curve_length(double length) { return {End::length, exact_time({length})}; }
+namespace {
 
-void require_not_before(std::string_view option, const Rational& value, const Bound& bound) {
-  if (value < bound.value) refuse(option, value, bound);
+/// A value that is rounded to the bound is shown as a ratio.
+std::string beside(const Rational& value, const Rational& bound) {
+  const std::string shown = text(value);
+  return shown == text(bound) ? whole_text(numerator(value)) + "/" + whole_text(denominator(value)) : shown;
 }
 
-void require_not_after(std::string_view option, const Rational& value, const Bound& bound) {
-  if (value > bound.value) refuse(option, value, bound);
+std::string or_extended(Ends ends) { return ends == Ends::of_keys ? fmt::format(", or {}", option::extrapolate) : ""; }
+
+}  // namespace
+
+void require_not_before(std::string_view option, const Rational& value, Ends ends, const Rational& first) {
+  if (value >= first) return;
+  const std::string shown = beside(value, first), limit = text(first);
+  throw(ends == Ends::of_length
+            ? usage_error("arc length {} is below {}, that of the first key; give a length within the curve", shown,
+                          limit)
+            : usage_error("time {} is before the first key, at {}; give a time on the curve{}", shown, limit,
+                          or_extended(ends)))
+      .about(option);
+}
+
+void require_not_after(std::string_view option, const Rational& value, Ends ends, const Rational& last) {
+  if (value <= last) return;
+  const std::string shown = beside(value, last), limit = text(last);
+  throw(ends == Ends::of_length
+            ? usage_error("arc length {} is beyond the length of the curve, {}; give a length within the curve", shown,
+                          limit)
+            : usage_error("time {} is after the last key, at {}; give a time on the curve{}", shown, limit,
+                          or_extended(ends)))
+      .about(option);
 }
 
 void require_resolution(const Grid& grid, const Time& end, int decimals) {

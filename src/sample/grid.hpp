@@ -75,9 +75,6 @@ struct Spacing {
 /// Requires: a mode of equal steps. Throws: Error (usage) for more than max_rows rows, if that is known.
 Spacing spacing(const SamplingRequest& request, const Extent& extent);
 
-/// The number of steps between two places; a whole number, or not.
-Rational steps_between(const Rational& from, const Rational& to, const Rational& step);
-
 /// Throws: Error (usage) with the number of rows, if there are more than allowed; `at_least`: and more may come.
 void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least = false,
                   std::optional<TimeUnit> likely_unit = {});
@@ -85,21 +82,13 @@ void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least =
 /// A rational for people: a decimal of 31 digits at most in full, otherwise the nearest double, shortest.
 std::string text(const Rational& value);
 
-/// An end of the curve, or of its pieces, in time; or an end of the curve in arc length.
-enum class End { first_key, last_key, first_piece, last_piece, least_length, length };
-struct Bound {
-  End end;
-  Rational value;
-};
+/// The ends of a request: those of the keys, beyond which a curve can be extended, or of pieces, both in time, or of
+/// the curve in arc length.
+enum class Ends { of_keys, of_pieces, of_length };
 
-Bound first_key(const Time& time);
-Bound last_key(const Time& time);
-Bound curve_start();
-Bound curve_length(double length);
-
-/// Throws: Error (usage) about the option if its value lies before the bound, or after it.
-void require_not_before(std::string_view option, const Rational& value, const Bound& bound);
-void require_not_after(std::string_view option, const Rational& value, const Bound& bound);
+/// Throws: Error (usage) about the option if its value lies before the first end, or after the last one.
+void require_not_before(std::string_view option, const Rational& value, Ends ends, const Rational& first);
+void require_not_after(std::string_view option, const Rational& value, Ends ends, const Rational& last);
 
 /// Throws: Error (usage) if neighbouring rows of the grid would be the same double at `end`.
 void require_resolution(const Grid& grid, const Time& end, int decimals = 0);

@@ -2,7 +2,6 @@
 #include "sample/places.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 #include <span>
 #include <string_view>
@@ -17,13 +16,6 @@
 
 namespace tcb {
 namespace {
-
-/// Throws: Error (usage) for a time outside the keys where nothing extends the curve.
-void require_extended_to(std::string_view option, const Rational& time, const Extrapolations& extrapolations,
-                         const Bound& first, const Bound& last) {
-  if (extrapolations.before == Extrapolation::error) require_not_before(option, time, first);
-  if (extrapolations.after == Extrapolation::error) require_not_after(option, time, last);
-}
 
 /// Adds the times of keys in [from, to], and drops a time that is closer to a key than a billionth of the first step.
 /// T: Time or Rational.
@@ -64,7 +56,7 @@ std::vector<Rational> exact_grid_times(const SamplingRequest& request, const Ext
   if (on.rows == 0) return {};
   const Rational &from = on.grid.start(), &step = on.grid.step(), &to = *on.end;
   const bool is_counted = on.rows != Spacing::unlimited;
-  const std::uint64_t rows = is_counted ? on.rows : whole_number(floor(steps_between(from, to, step))) + 1;
+  const std::uint64_t rows = is_counted ? on.rows : whole_number(floor((to - from) / step)) + 1;
   std::vector<Rational> times;
   for (std::uint64_t row = 0; row < rows; ++row) times.push_back(from + step * row);
   if (request.end == EndPolicy::keep && times.back() < to) times.push_back(to);
@@ -79,8 +71,7 @@ std::vector<Rational> exact_times(const SamplingRequest& request, const KeptCurv
   const Rational first = request.exact(extent.first), last = request.exact(*extent.last);
   if (request.mode == Mode::at) {
     for (std::size_t i = 0; request.key_times && i < request.places.size(); ++i) {
-      require_extended_to(option::at, request.places[i], curve.extrapolations(), {End::first_key, first},
-                          {End::last_key, last});
+      require_extended_to(option::at, request.places[i], curve.extrapolations(), first, last);
     }
     return request.places;
   }
@@ -92,42 +83,45 @@ std::vector<Rational> exact_times(const SamplingRequest& request, const KeptCurv
                              Rational(1, 1'000'000'000));
 }
 
-/// A row at a place of a list.
-class AtPlace : public Locator {
+/// Rows at the places of a list: arc lengths, or times, which may be outside the curve.
+class AtPlaces : public Locator {
  public:
-  explicit AtPlace(std::vector<Time> places) : places_(std::move(places)) {}
+  AtPlaces(std::vector<Time> places, bool by_length, const std::shared_ptr<const KeptCurve>& curve)
+      : places_(std::move(places)),
+        by_length_(by_length),
+        curve_(curve),
+        first_(curve->extent().first),
+        last_(*curve->extent().last) {}
 
   std::uint64_t size() const { return places_.size(); }
-  const Time& place_of(std::uint64_t row) const { return places_[row]; }
 
-  /// The number of the segment of a row. Throws: Error (usage) outside the curve.
-  virtual std::uint64_t segment_of(std::uint64_t row, spline::Side side) const = 0;
-
- private:
-  std::vector<Time> places_;
-};
-
-/// Places are times, which may be outside the curve.
-class AtTime : public AtPlace {
- public:
-  AtTime(std::vector<Time> places, const std::shared_ptr<const KeptCurve>& curve)
-      : AtPlace(std::move(places)), curve_(curve), first_(curve->extent().first), last_(*curve->extent().last) {}
-
-  std::uint64_t segment_of(std::uint64_t row, spline::Side side) const override {
-    const Time& t = place_of(row);
-    const auto& [before, after] = curve_->extrapolations();
-    using enum Extrapolation;
-    if (t < first_ && before == error) require_not_before(option::at, exact_time(t), first_key(first_));
-    if (t > last_ && after == error) require_not_after(option::at, exact_time(t), last_key(last_));
-    return curve_->curve().find_time(outside(t).t, side);
+  /// The number of the segment of a row. Throws: Error (usage) outside the curve where nothing extends it.
+  std::uint64_t segment_of(std::uint64_t row, spline::Side side) const {
+    const Time& place = places_[row];
+    if (by_length_) {
+      const Time length(curve_->length());
+      if (place < Time(0.0)) require_not_before(option::arc_at, exact_time(place), Ends::of_length, 0);
+      if (place > length) require_not_after(option::arc_at, exact_time(place), Ends::of_length, exact_time(length));
+      return curve_->curve().find_length(place, side);
+    }
+    if (place < first_ || place > last_) {
+      require_extended_to(option::at, exact_time(place), curve_->extrapolations(), exact_time(first_),
+                          exact_time(last_));
+    }
+    return curve_->curve().find_time(outside(place).t, side);
   }
 
   void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override {
+    if (by_length_) {
+      located.coordinates.assign(places_.begin() + static_cast<std::ptrdiff_t>(first),
+                                 places_.begin() + static_cast<std::ptrdiff_t>(last));
+      return locate_lengths(segment, located);
+    }
     const spline::TimeMap<double> locate = segment.time_map();
     located.outside.clear();
     bool all_on_curve = true;
     fill(located, first, last, [&](std::uint64_t row) -> Sample {
-      const Time& t = place_of(row);
+      const Time& t = places_[row];
       all_on_curve = all_on_curve && t >= first_ && t <= last_;
       located.outside.push_back(outside(t));
       return {t, locate(segment.precise(located.outside.back().t))};
@@ -146,55 +140,19 @@ class AtTime : public AtPlace {
     return outside;
   }
 
+  std::vector<Time> places_;
+  bool by_length_;
   std::shared_ptr<const KeptCurve> curve_;
   Time first_, last_;
 };
 
-/// Places are arc lengths.
-class AtLength : public AtPlace {
- public:
-  AtLength(std::vector<Time> places, const std::shared_ptr<const KeptCurve>& curve)
-      : AtPlace(std::move(places)), curve_(curve), length_(curve->length()) {}
-
-  std::uint64_t segment_of(std::uint64_t row, spline::Side side) const override {
-    const Time& s = place_of(row);
-    if (s < Time(0.0)) require_not_before(option::arc_at, exact_time(s), curve_start());
-    if (s > Time(length_)) require_not_after(option::arc_at, exact_time(s), curve_length(length_));
-    return curve_->curve().find_length(s, side);
-  }
-
-  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override {
-    located.coordinates.clear();
-    for (std::uint64_t row = first; row != last; ++row) located.coordinates.push_back(place_of(row));
-    locate_lengths(segment, located);
-  }
-
- private:
-  std::shared_ptr<const KeptCurve> curve_;
-  double length_;
-};
-
-/// Rows in blocks. Neighbouring rows on one segment are located together.
-Source<SampleBlock> blocks_of(std::shared_ptr<const KeptCurve> curve, std::shared_ptr<const AtPlace> rows,
-                              spline::Side side) {
-  return [curve = std::move(curve), rows = std::move(rows), side,
-          row = std::uint64_t{0}]() mutable -> std::optional<SampleBlock> {
-    if (row == rows->size()) return std::nullopt;
-    SampleBlock block{curve, {}, row == 0};
-    const std::uint64_t end = row + std::min(SampleBlock::most_rows, rows->size() - row);
-    for (; row < end; ++row) {
-      const std::uint64_t number = rows->segment_of(row, side);
-      if (block.parts.empty() || block.parts.back().segment.number != number) {
-        block.parts.push_back({curve->segment(number), row, row});
-        block.parts.back().segment.side = side;
-      }
-      block.parts.back().last = row + 1;
-    }
-    return block;
-  };
-}
-
 }  // namespace
+
+void require_extended_to(std::string_view option, const Rational& time, const Extrapolations& rules,
+                         const Rational& first, const Rational& last) {
+  if (rules.before == Extrapolation::error) require_not_before(option, time, Ends::of_keys, first);
+  if (rules.after == Extrapolation::error) require_not_after(option, time, Ends::of_keys, last);
+}
 
 RowPlaces row_places(const SamplingRequest& request, const KeptCurve& curve, bool exact) {
   const Extent& extent = curve.extent();
@@ -226,15 +184,25 @@ RowPlaces row_places(const SamplingRequest& request, const KeptCurve& curve, boo
   return result;
 }
 
+/// Neighbouring rows on one segment are located together.
 FoundRows find_rows(const std::shared_ptr<const KeptCurve>& curve, std::vector<Time> places, bool by_length,
                     spline::Side side) {
-  std::shared_ptr<const AtPlace> rows;
-  if (by_length) {
-    rows = std::make_shared<const AtLength>(std::move(places), curve);
-  } else {
-    rows = std::make_shared<const AtTime>(std::move(places), curve);
-  }
-  return {blocks_of(curve, rows, side), rows};
+  const auto rows = std::make_shared<const AtPlaces>(std::move(places), by_length, curve);
+  const auto next_block = [curve, rows, side, row = std::uint64_t{0}]() mutable -> std::optional<SampleBlock> {
+    if (row == rows->size()) return std::nullopt;
+    SampleBlock block{curve, {}, row == 0};
+    const std::uint64_t end = row + std::min(SampleBlock::most_rows, rows->size() - row);
+    for (; row < end; ++row) {
+      const std::uint64_t number = rows->segment_of(row, side);
+      if (block.parts.empty() || block.parts.back().segment.number != number) {
+        block.parts.push_back({curve->segment(number), row, row});
+        block.parts.back().segment.side = side;
+      }
+      block.parts.back().last = row + 1;
+    }
+    return block;
+  };
+  return {next_block, rows};
 }
 
 }  // namespace tcb

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "numbers/rational.hpp"
@@ -23,6 +24,10 @@ struct RowPlaces {
 /// Requires: a mode whose rows are in any order, or a curve that is extended. `exact`: places are decimals as written.
 /// Throws: Error (usage) for a place outside the curve where nothing extends it.
 RowPlaces row_places(const SamplingRequest& request, const KeptCurve& curve, bool exact);
+
+/// Throws: Error (usage) about an option, for a time outside the keys where nothing extends the curve.
+void require_extended_to(std::string_view option, const Rational& time, const Extrapolations& rules,
+                         const Rational& first, const Rational& last);
 
 /// Rows in blocks, and what locates them.
 struct FoundRows {

@@ -13,38 +13,31 @@
 namespace tcb {
 namespace {
 
-/// Samples on a grid of times or of arc lengths: what the two have in common.
+/// Samples on a grid of times, or of arc lengths: of these each at the smallest time at which the curve has that
+/// length.
 class OnGrid : public Sampler {
  public:
   OnGrid(const SamplingRequest& request, Spacing spacing);
 
   SegmentRows place(const CurveSegment& segment) override;
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
   bool done() const override { return done_; }
   std::optional<Rational> remainder() const override { return remainder_; }
 
- protected:
+ private:
   /// A range of the coordinate of the grid.
   struct Range {
     Time start, end;
   };
 
-  /// The segment's range of the coordinate, and the ends of the curve.
-  virtual Range range(const CurveSegment& segment) const = 0;
-  virtual Bound lower(const Range& range) const = 0;
-  virtual Bound upper(const Range& range) const = 0;
+  /// The segment's range of the coordinate.
+  Range range(const CurveSegment& segment) const {
+    if (by_length_) return {{segment.s_start.hi}, {segment.s_end.hi}};
+    return {segment.start, segment.end};
+  }
   /// How many decimals the coordinate has there, where doubles do not hold them.
-  virtual int decimals(const CurveSegment& segment) const = 0;
+  int decimals(const CurveSegment& segment) const { return by_length_ ? only_doubles : segment.decimals; }
 
-  /// Replaces `coordinates` with those of some rows on this segment.
-  void set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
-                       std::vector<Time>& coordinates) const;
-
-  bool keys() const { return request_.keys; }  ///< every key is a row
-
-  /// The exact time of a key.
-  Rational exact(const Time& time) const { return request_.exact(time); }
-
- private:
   /// Row 0 of the grid, and the end that the request has of its own.
   Time first(int decimals) const { return decimals != 0 ? spacing_.grid.time(0, decimals) : first_; }
   Time end(int decimals) const { return decimals != 0 ? nearest_time(*spacing_.end, decimals) : *end_; }
@@ -53,8 +46,11 @@ class OnGrid : public Sampler {
   std::uint64_t rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
   void add_keys(SegmentRows& run, const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
   void finish(const SegmentRows& run, const Time& stop, int decimals);
+  void set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
+                       std::vector<Time>& coordinates) const;
 
   SamplingRequest request_;
+  bool by_length_;
   Spacing spacing_;
   Time first_;  ///< row 0, and the end, in doubles
   std::optional<Time> end_;
@@ -62,32 +58,6 @@ class OnGrid : public Sampler {
   std::uint64_t next_ = 0;
   bool done_ = false;
   std::optional<Rational> remainder_;
-};
-
-/// Samples on a grid of times.
-class ByTime : public OnGrid {
- public:
-  using OnGrid::OnGrid;
-  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
-
- protected:
-  Range range(const CurveSegment& segment) const override { return {segment.start, segment.end}; }
-  Bound lower(const Range& range) const override { return {End::first_key, exact(range.start)}; }
-  Bound upper(const Range& range) const override { return {End::last_key, exact(range.end)}; }
-  int decimals(const CurveSegment& segment) const override { return segment.decimals; }
-};
-
-/// Samples on a grid of arc lengths: each at the smallest time at which the curve has that length.
-class ByLength : public OnGrid {
- public:
-  using OnGrid::OnGrid;
-  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
-
- protected:
-  Range range(const CurveSegment& segment) const override { return {{segment.s_start.hi}, {segment.s_end.hi}}; }
-  Bound lower(const Range&) const override { return curve_start(); }
-  Bound upper(const Range& range) const override { return curve_length(range.end.hi); }
-  int decimals(const CurveSegment&) const override { return only_doubles; }
 };
 
 /// Samples at equal intervals within every segment: the inbetweens of the paper.
@@ -111,20 +81,23 @@ class PerSegment : public Sampler {
 
 OnGrid::OnGrid(const SamplingRequest& request, Spacing spacing)
     : request_(request),
+      by_length_(by_length(request.mode)),
       spacing_(std::move(spacing)),
       first_(spacing_.grid.time(0)),
       end_(spacing_.end ? std::optional(nearest_time(*spacing_.end)) : std::nullopt),
       near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)) {}
 
 void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const {
-  if (request_.origin && !by_length(request_.mode)) return;
+  if (request_.origin && !by_length_) return;
   const Rational& from = spacing_.grid.start();
-  if (segment.number == 0) require_not_before(option::from, from, lower(on));
+  const auto bound = [&](const Time& end) { return by_length_ ? exact_time(end) : request_.exact(end); };
+  const Ends ends = by_length_ ? Ends::of_length : Ends::of_keys;
+  if (segment.number == 0) require_not_before(option::from, from, ends, bound(on.start));
   if (!segment.last) return;
-  require_not_after(option::from, from, upper(on));
+  require_not_after(option::from, from, ends, bound(on.end));
   if (!request_.to) return;
-  const Rational to = request_.key_times ? *request_.to : exact(end(decimals(segment)));
-  require_not_after(option::to, to, upper(on));
+  const Rational to = request_.key_times ? *request_.to : request_.exact(end(decimals(segment)));
+  require_not_after(option::to, to, ends, bound(on.end));
 }
 
 /// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
@@ -141,7 +114,7 @@ std::uint64_t OnGrid::rows_up_to(const CurveSegment& segment, const Range& on, c
   if (stop < start) return 0;
   if (spacing_.rows == Spacing::unlimited) {
     if (grid.rough_rows(stop) > static_cast<double>(request_.max_rows) * 0.99) {
-      require_rows(steps_between(grid.start(), exact(stop), grid.step()), request_.max_rows, !final,
+      require_rows((request_.exact(stop) - grid.start()) / grid.step(), request_.max_rows, !final,
                    request_.likely_unit);
     }
     require_resolution(grid, stop, digits);
@@ -172,7 +145,7 @@ void OnGrid::add_keys(SegmentRows& run, const CurveSegment& segment, const Range
 void OnGrid::finish(const SegmentRows& run, const Time& stop, int decimals) {
   if (run.end || next_ == 0 || spacing_.rows != Spacing::unlimited) return;
   const Time last = spacing_.grid.time(next_ - 1, decimals);
-  if (last < stop) remainder_ = exact(stop) - exact_time(last);
+  if (last < stop) remainder_ = request_.exact(stop) - exact_time(last);
 }
 
 SegmentRows OnGrid::place(const CurveSegment& segment) {
@@ -194,6 +167,7 @@ SegmentRows OnGrid::place(const CurveSegment& segment) {
   return run;
 }
 
+/// Replaces `coordinates` with those of some rows on this segment.
 void OnGrid::set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
                              std::vector<Time>& coordinates) const {
   const int digits = decimals(segment);
@@ -203,9 +177,17 @@ void OnGrid::set_coordinates(const CurveSegment& segment, std::uint64_t first, s
   coordinates.assign(1, first == SpecialRow::at_key ? on.start : end);
 }
 
-void ByTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
-  const spline::TimeMap<double> locate = segment.time_map();
+void OnGrid::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
   set_coordinates(segment, first, last, located.coordinates);
+  if (by_length_) {
+    locate_lengths(segment, located);
+    // A row that is there for a key is at its time, also at the end of a hold.
+    const bool is_key =
+        first == SpecialRow::at_end && request_.keys && located.coordinates[0] >= Time(segment.s_end.hi);
+    if (is_key) located.samples[0] = {segment.end, {1, 0}, located.coordinates[0].hi};
+    return;
+  }
+  const spline::TimeMap<double> locate = segment.time_map();
   located.samples.resize(located.coordinates.size());
   for (std::size_t i = 0; i < located.samples.size(); ++i) {
     Sample& sample = located.samples[i];
@@ -213,22 +195,6 @@ void ByTime::locate(const CurveSegment& segment, std::uint64_t first, std::uint6
     sample.at = locate(segment.precise(sample.t));
     sample.s.reset();
   }
-}
-
-/// The sample at an arc length. A length that rounds to that of a key is at the key.
-Sample sample_at_length(const CurveSegment& segment, const Time& duration, const Time& s,
-                        const spline::LocalParameter<double>& at) {
-  if (s <= Time(segment.s_start.hi) || at.u == 0) return {segment.start, {0, -1}, s.hi};
-  if (s >= Time(segment.s_end.hi) || at.w == 0) return {segment.end, {1, 0}, s.hi};
-  return {time_at(segment, duration, at), at, s.hi};
-}
-
-void ByLength::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
-  set_coordinates(segment, first, last, located.coordinates);
-  locate_lengths(segment, located);
-  // A row that is there for a key is at its time, also at the end of a hold.
-  const bool is_key = first == SpecialRow::at_end && keys() && located.coordinates[0] >= Time(segment.s_end.hi);
-  if (is_key) located.samples[0] = {segment.end, {1, 0}, located.coordinates[0].hi};
 }
 
 SegmentRows PerSegment::place(const CurveSegment& segment) {
@@ -282,10 +248,8 @@ class PieceSampler : public Sampler {
 void PieceSampler::require_bounds(const CurveSegment& segment) const {
   const auto require = [&](std::string_view option, const std::optional<Rational>& given) {
     if (!given) return;
-    const Bound first{End::first_piece, request_.exact(segment.start)};
-    const Bound last{End::last_piece, request_.exact(segment.end)};
-    if (segment.number == 0) require_not_before(option, *given, first);
-    if (segment.last) require_not_after(option, *given, last);
+    if (segment.number == 0) require_not_before(option, *given, Ends::of_pieces, request_.exact(segment.start));
+    if (segment.last) require_not_after(option, *given, Ends::of_pieces, request_.exact(segment.end));
   };
   require(option::from, request_.from);
   require(option::to, request_.to);
@@ -320,6 +284,7 @@ void PieceSampler::locate(const CurveSegment& segment, std::uint64_t first, std:
 
 }  // namespace
 
+/// A length that rounds to that of a key is at the key.
 void locate_lengths(const CurveSegment& segment, Located& located) {
   located.arc.assign(segment.cubics, segment.rotations, segment.metric);
   located.places.resize(located.coordinates.size());
@@ -327,15 +292,22 @@ void locate_lengths(const CurveSegment& segment, Located& located) {
   const Time duration = segment.duration();
   located.samples.clear();
   for (std::size_t i = 0; i < located.coordinates.size(); ++i) {
-    located.samples.push_back(sample_at_length(segment, duration, located.coordinates[i], located.places[i]));
+    const Time& s = located.coordinates[i];
+    const auto& at = located.places[i];
+    if (s <= Time(segment.s_start.hi) || at.u == 0) {
+      located.samples.push_back({segment.start, {0, -1}, s.hi});
+    } else if (s >= Time(segment.s_end.hi) || at.w == 0) {
+      located.samples.push_back({segment.end, {1, 0}, s.hi});
+    } else {
+      located.samples.push_back({time_at(segment, duration, at), at, s.hi});
+    }
   }
 }
 
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent) {
   if (request.mode == Mode::per_segment) return std::make_unique<PerSegment>(request);
   if (request.mode == Mode::emit) return std::make_unique<PieceSampler>(request);
-  if (by_length(request.mode)) return std::make_unique<ByLength>(request, spacing(request, extent));
-  return std::make_unique<ByTime>(request, spacing(request, extent));
+  return std::make_unique<OnGrid>(request, spacing(request, extent));
 }
 
 }  // namespace tcb

@@ -88,14 +88,14 @@ TEST(InOrder, keys_of_json_are_named_by_their_path) {
 TEST(PastMidnight, days_are_added_up_to_the_next_break) {
   const auto times = [](TimeNotation notation) {
     return in_any_blocks([&](std::size_t size) {
-      const auto midnights = std::make_shared<std::uint64_t>(0);
+      std::uint64_t midnights = 0;
       const std::string keys = "86399 1\n1 2\n50000 3\n2 4\n/\n86399 5\n43200 6\n0 7\n";
       const auto blocks = past_midnight(without_gaps(keys_of(keys, size)), notation, 25, midnights);
       std::string text;
       while (const std::optional<KeyBlock> block = blocks()) {
         for (const Time& time : block->keys.times) text += time_text(time) + " ";
       }
-      return text + "passed " + std::to_string(*midnights);
+      return text + "passed " + std::to_string(midnights);
     });
   };
   EXPECT_EQ(times(TimeNotation::clock), "86399 86401 136400 172802 86399 43200 0 passed 2");

@@ -6,12 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "error.hpp"
-#include "io/terminal.hpp"
 #include "keys/key_store.hpp"
 
 namespace tcb {
@@ -45,13 +42,11 @@ TEST(SegmentBlocks, measured_at_once_or_with_known_lengths_are_the_same) {
   EXPECT_GE(total_length(lengths), 3 + 4 + 6);
 }
 
-KeyStore kept(std::vector<spline::Time<double>> times, std::vector<double> positions,
-              std::vector<double> tensions = {}) {
+KeyStore kept(std::vector<spline::Time<double>> times, std::vector<double> positions) {
   KeyBlock block;
   block.keys.channels = 1;
   block.keys.times = std::move(times);
   block.keys.positions = std::move(positions);
-  for (const double tension : tensions) block.keys.tcbs.push_back({tension, 0, 0});
   for (std::size_t i = 0; i < block.keys.size(); ++i) block.text_positions.lines.push_back(i + 1);
   return KeyStore([block, done = false]() mutable -> std::optional<KeyBlock> {
     return std::exchange(done, true) ? std::nullopt : std::optional(block);
@@ -63,15 +58,6 @@ CurveSpec closed_spec(const char* period) {
   result.closed = true;
   if (*period != 0) result.period = parse_rational(period);
   return result;
-}
-
-std::string close_refusal(KeyStore keys, const CurveSpec& curve) {
-  try {
-    (void)take_closing(keys, curve, {"x"});
-  } catch (const Error& error) {
-    return error_text(error.in("f"));
-  }
-  return "nothing";
 }
 
 TEST(Closing, a_repeated_first_position_is_the_period_and_no_key) {
@@ -92,23 +78,6 @@ TEST(Closing, keys_without_times_need_one_step_more) {
   EXPECT_EQ(take_closing(keys, spec, {"x"}).hi, 3);
   spec.parameter = 1;  // chordal
   EXPECT_EQ(take_closing(keys, spec, {"x"}).hi, 7);
-}
-
-TEST(Closing, refuses_what_makes_no_closed_curve) {
-  EXPECT_EQ(close_refusal(kept({0.0, 1.0}, {3, 4}), closed_spec("")),
-            "f: error: the period of the closed curve is unknown; give --period, or add a last row that repeats the "
-            "first position");
-  EXPECT_EQ(
-      close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}, {0, 0, 1}), closed_spec("")),
-      "f:3: error: this key closes the curve at the position of line 1, but has a different tension, continuity or "
-      "bias; expected the same numbers; correct one of the two keys");
-  EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 5}), closed_spec("2")),
-            "f: error: the period ends before the last key, at time 2; give a longer period");
-  EXPECT_EQ(close_refusal(kept({0.0, 1.0, 2.0}, {3, 4, 3}), closed_spec("5")),
-            "f:3: error: this key repeats the position of line 1, so it ends the period, but the given period differs; "
-            "remove the key or the period");
-  EXPECT_EQ(close_refusal(kept({0.0, 2.0}, {3, 3}), closed_spec("")),
-            "f: error: a closed curve needs at least two distinct keys; add keys");
 }
 
 TEST(SegmentBlocks, of_a_closed_curve_end_at_the_first_key) {

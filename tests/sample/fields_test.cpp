@@ -39,23 +39,6 @@ TEST(Fields, motion_is_that_of_channels_without_rotation) {
   EXPECT_EQ(output_columns(std::array{field_of("angular_speed")}, schema)[1].name, "angular_speed2");
 }
 
-TEST(Fields, columns_of_pieces_are_numbered) {
-  Schema schema;
-  schema.time.name = "frame";
-  schema.channels = {"x", "y"};
-  const auto names = [&](std::string_view form) {
-    const std::array chosen{field_of("start"), field_of(form)};
-    std::string all;
-    for (const OutputColumn& column : output_columns(chosen, schema)) all += column.name + " ";
-    return all;
-  };
-  EXPECT_EQ(names("hermite"), "start x_p0 x_v0 x_p1 x_v1 y_p0 y_v0 y_p1 y_v1 ");
-  EXPECT_EQ(names("bezier"), "start x_b0 x_b1 x_b2 x_b3 y_b0 y_b1 y_b2 y_b3 ");
-  EXPECT_EQ(names("poly5"), "start x^0 x^1 x^2 x^3 x^4 y^0 y^1 y^2 y^3 y^4 ");
-  EXPECT_EQ(cells_in_row(std::array{field_of("duration"), field_of("poly32")}, {3, {}}), 97U);
-  EXPECT_EQ(named_fields().back().name, "length");
-}
-
 TEST(Fields, columns_of_times_and_positions_are_what_points_have) {
   const std::array cubics{spline::cubic<double>(0.1, 2, 3, -1), spline::cubic<double>(5, 4, 0.3, 7)};
   const CurveSegment segment{0.0, 2.0, {}, {}, cubics, {}, true};

@@ -1,5 +1,5 @@
 // Pieces: three forms of a cubic, whole and cut, for doubles and for exact rationals.
-#include "sample/pieces.hpp"
+#include "sample/fields.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "exact/rounding.hpp"
-#include "sample/fields.hpp"
 
 namespace tcb {
 namespace {

@@ -1,10 +1,11 @@
-// Angles among keys: what is refused, and whether rows show negative ones.
-#include "keys/angles.hpp"
+// Preparing keys: angles that are refused, and whether rows show negative ones; angles that are likely.
+#include "keys/prepare.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "error.hpp"
+#include "keys/curves.hpp"
 
 namespace tcb {
 namespace {
