@@ -1,8 +1,7 @@
 // Turn length: the angle in radians that rotations turn through on a segment, and its inverse.
 //
-// It is the integral of the angular speed by Gauss-Legendre rules on panels, which end where the speed is not smooth,
-// and are halved until the rule on a panel agrees with the rule on its halves. The inverse is found by Newton's method
-// between bounds.
+// It is the integral of the angular speed by Gauss-Legendre rules on panels, which are halved until the rule on a panel
+// agrees with the rule on its halves. The inverse is found by Newton's method between bounds.
 #pragma once
 
 #include <algorithm>
@@ -30,21 +29,9 @@ class TurnLength {
     rotations_.assign(rotations.begin(), rotations.end());
     panels_.clear();
     sum_ = disagreements_ = S(0);
-    breaks_.clear();
-    for (const RotationSegment<S>& rotation : rotations) {
-      for (const S& place : rotation.breaks()) breaks_.push_back(place);
-    }
-    std::ranges::sort(breaks_);
-    std::vector<Part> parts;
-    S begin(0), whole(0);
-    for (std::size_t i = 0; i <= breaks_.size(); ++i) {
-      const S end = i < breaks_.size() ? breaks_[i] : S(1);
-      parts.push_back({begin, end - begin, integral(begin, end), S(0)});
-      whole = whole + parts.back().length;
-      begin = end;
-    }
+    const S whole = integral(S(0), S(1));
     tolerance_ = S(8) * std::numeric_limits<S>::epsilon() * std::max(whole, S(1));
-    for (const Part& part : parts) refine(part, most_halvings);
+    refine({S(0), S(1), whole, S(0)}, most_halvings);
     total_ = {sum_, tolerance_ * S(panels_.size()) + disagreements_};
   }
 
@@ -98,9 +85,8 @@ class TurnLength {
     const Part right{middle, half, integral(middle, part.begin + part.width), S(0)};
     const S disagreement = abs(left.length + right.length - part.length);
     const bool is_full = panels_.size() >= most_panels;
-    const S noise = rounding_errors(part);
-    if (halvings == 0 || is_full || !(disagreement > tolerance_ + noise)) {
-      if (is_full || noise > S(0)) disagreements_ += disagreement;
+    if (halvings == 0 || is_full || !(disagreement > tolerance_)) {
+      if (is_full) disagreements_ += disagreement;
       for (Part accepted : {left, right}) {
         accepted.before = sum_;
         sum_ = sum_ + accepted.length;
@@ -110,18 +96,6 @@ class TurnLength {
     }
     refine(left, halvings - 1);
     refine(right, halvings - 1);
-  }
-
-  /// Those of the integral over a panel: at a distance from a place where points of the curve are opposite, the speed
-  /// has them divided by the square of the distance.
-  S rounding_errors(const Part& part) const {
-    S sum(0);
-    for (const S& place : breaks_) {
-      const S away = std::max(S(part.begin - place), S(place - (part.begin + part.width)));
-      const S distance = std::max(away, S(0)) + part.width / S(16);  // of the nodes, too
-      sum += S(4) * std::numeric_limits<S>::epsilon() * part.width / (distance * distance);
-    }
-    return sum;
   }
 
   LocalParameter<S> place_of(const S& length) const {
@@ -146,7 +120,6 @@ class TurnLength {
   }
 
   std::vector<RotationSegment<S>> rotations_;
-  std::vector<S> breaks_;  ///< where the speed is not smooth, in order
   std::vector<Part> panels_;
   S sum_{}, tolerance_{};
   S disagreements_{};  ///< of rules with their halves, where there are too many panels
