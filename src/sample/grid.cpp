@@ -216,7 +216,7 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   if (!to && arc && extent.length) to = Rational(*extent.length);  // a computed double is its own value
   if (!to && !arc && extent.last) to = request.exact(*extent.last);
   if (to && *to < from && request.count != 1) {
-    if (arc) require_not_after(option::from, from, Ends::of_length, Rational(*extent.length));
+    if (arc) require_not_after(option::from, from, RangeEnds::of_length, Rational(*extent.length));
     throw usage_error("{} is after {}, where samples end without {}; give an earlier start, or {}", text(from),
                       text(*to), option::to, option::to)
         .about(option::from);
@@ -259,14 +259,16 @@ std::string beside(const Rational& value, const Rational& bound) {
   return shown == text(bound) ? whole_text(numerator(value)) + "/" + whole_text(denominator(value)) : shown;
 }
 
-std::string or_extended(Ends ends) { return ends == Ends::of_keys ? fmt::format(", or {}", option::extrapolate) : ""; }
+std::string or_extended(RangeEnds ends) {
+  return ends == RangeEnds::of_keys ? fmt::format(", or {}", option::extrapolate) : "";
+}
 
 }  // namespace
 
-void require_not_before(std::string_view option, const Rational& value, Ends ends, const Rational& first) {
+void require_not_before(std::string_view option, const Rational& value, RangeEnds ends, const Rational& first) {
   if (value >= first) return;
   const std::string shown = beside(value, first), limit = text(first);
-  throw(ends == Ends::of_length
+  throw(ends == RangeEnds::of_length
             ? usage_error("arc length {} is below {}, that of the first key; give a length within the curve", shown,
                           limit)
             : usage_error("time {} is before the first key, at {}; give a time on the curve{}", shown, limit,
@@ -274,10 +276,10 @@ void require_not_before(std::string_view option, const Rational& value, Ends end
       .about(option);
 }
 
-void require_not_after(std::string_view option, const Rational& value, Ends ends, const Rational& last) {
+void require_not_after(std::string_view option, const Rational& value, RangeEnds ends, const Rational& last) {
   if (value <= last) return;
   const std::string shown = beside(value, last), limit = text(last);
-  throw(ends == Ends::of_length
+  throw(ends == RangeEnds::of_length
             ? usage_error("arc length {} is beyond the length of the curve, {}; give a length within the curve", shown,
                           limit)
             : usage_error("time {} is after the last key, at {}; give a time on the curve{}", shown, limit,

@@ -84,11 +84,11 @@ std::string text(const Rational& value);
 
 /// The ends of a request: those of the keys, beyond which a curve can be extended, or of pieces, both in time, or of
 /// the curve in arc length.
-enum class Ends { of_keys, of_pieces, of_length };
+enum class RangeEnds { of_keys, of_pieces, of_length };
 
 /// Throws: Error (usage) about the option if its value lies before the first end, or after the last one.
-void require_not_before(std::string_view option, const Rational& value, Ends ends, const Rational& first);
-void require_not_after(std::string_view option, const Rational& value, Ends ends, const Rational& last);
+void require_not_before(std::string_view option, const Rational& value, RangeEnds ends, const Rational& first);
+void require_not_after(std::string_view option, const Rational& value, RangeEnds ends, const Rational& last);
 
 /// Throws: Error (usage) if neighbouring rows of the grid would be the same double at `end`.
 void require_resolution(const Grid& grid, const Time& end, int decimals = 0);

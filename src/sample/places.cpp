@@ -100,8 +100,9 @@ class AtPlaces : public Locator {
     const Time& place = places_[row];
     if (by_length_) {
       const Time length(curve_->length());
-      if (place < Time(0.0)) require_not_before(option::arc_at, exact_time(place), Ends::of_length, 0);
-      if (place > length) require_not_after(option::arc_at, exact_time(place), Ends::of_length, exact_time(length));
+      if (place < Time(0.0)) require_not_before(option::arc_at, exact_time(place), RangeEnds::of_length, 0);
+      if (place > length)
+        require_not_after(option::arc_at, exact_time(place), RangeEnds::of_length, exact_time(length));
       return curve_->curve().find_length(place, side);
     }
     if (place < first_ || place > last_) {
@@ -150,8 +151,8 @@ class AtPlaces : public Locator {
 
 void require_extended_to(std::string_view option, const Rational& time, const Extrapolations& rules,
                          const Rational& first, const Rational& last) {
-  if (rules.before == Extrapolation::error) require_not_before(option, time, Ends::of_keys, first);
-  if (rules.after == Extrapolation::error) require_not_after(option, time, Ends::of_keys, last);
+  if (rules.before == Extrapolation::error) require_not_before(option, time, RangeEnds::of_keys, first);
+  if (rules.after == Extrapolation::error) require_not_after(option, time, RangeEnds::of_keys, last);
 }
 
 RowPlaces row_places(const SamplingRequest& request, const KeptCurve& curve, bool exact) {

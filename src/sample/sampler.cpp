@@ -91,7 +91,7 @@ void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const 
   if (request_.origin && !by_length_) return;
   const Rational& from = spacing_.grid.start();
   const auto bound = [&](const Time& end) { return by_length_ ? exact_time(end) : request_.exact(end); };
-  const Ends ends = by_length_ ? Ends::of_length : Ends::of_keys;
+  const RangeEnds ends = by_length_ ? RangeEnds::of_length : RangeEnds::of_keys;
   if (segment.number == 0) require_not_before(option::from, from, ends, bound(on.start));
   if (!segment.last) return;
   require_not_after(option::from, from, ends, bound(on.end));
@@ -248,8 +248,8 @@ class PieceSampler : public Sampler {
 void PieceSampler::require_bounds(const CurveSegment& segment) const {
   const auto require = [&](std::string_view option, const std::optional<Rational>& given) {
     if (!given) return;
-    if (segment.number == 0) require_not_before(option, *given, Ends::of_pieces, request_.exact(segment.start));
-    if (segment.last) require_not_after(option, *given, Ends::of_pieces, request_.exact(segment.end));
+    if (segment.number == 0) require_not_before(option, *given, RangeEnds::of_pieces, request_.exact(segment.start));
+    if (segment.last) require_not_after(option, *given, RangeEnds::of_pieces, request_.exact(segment.end));
   };
   require(option::from, request_.from);
   require(option::to, request_.to);
