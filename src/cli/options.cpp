@@ -41,11 +41,12 @@ Rational stored_time(SamplingRequest& sampling, std::string_view words, Text tex
   return std::move(time.value);
 }
 
-/// A bound of the samples, which may also be a date or a time of day; these are read when all options are known.
+/// A bound of the samples, which may also be a date or a time of day.
 Rational stored_bound(Typed& typed, Text text, bool InSeconds::*member) {
-  if (!find_notation(text)) return stored_time(typed.sampling, expects_ratio, text, member);
-  typed.has_times_in_words = true;
-  return 0;
+  const std::optional<Rational> seconds = seconds_in_words(typed.keys.input.units, text);
+  if (!seconds) return stored_time(typed.sampling, expects_ratio, text, member);
+  typed.sampling.in_seconds.*member = typed.sampling.in_seconds.has_duration = true;
+  return *seconds;
 }
 
 /// Sets the rate of the samples, which the text gives.

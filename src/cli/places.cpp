@@ -20,7 +20,6 @@
 #include "read/csv/splitter.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
-#include "read/text_bytes.hpp"
 #include "schema/key_rules.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -40,11 +39,13 @@ constexpr std::uint64_t most_places = 10'000'000;
 /// The numbers of a list, all with units of time or none.
 class PlaceNumbers {
  public:
+  explicit PlaceNumbers(const UnitOptions& units) : units_(units) {}
+
   /// Appends a number, or A, A + H, ... up to B for "A:B:H". Throws: Error (usage).
   void add(std::string_view item) {
     const auto notation = find_notation(item);
     if (notation && is_date(*notation)) {
-      places_.list.emplace_back(0);
+      places_.list.push_back(*seconds_in_words(units_, item));
       ++dates_;
     } else if (item.find(':') == std::string_view::npos) {
       places_.list.push_back(number(not_a_list_of_numbers, item));
@@ -58,6 +59,7 @@ class PlaceNumbers {
       throw usage_error("there are both dates and numbers; expected one of the two");
     }
     places_.are_dates = dates_ > 0;
+    places_.in_seconds = places_.in_seconds || places_.are_dates;
     return std::move(places_);
   }
 
@@ -89,6 +91,7 @@ class PlaceNumbers {
     return std::move(value.value);
   }
 
+  const UnitOptions& units_;
   NumberedPlaces places_;
   std::size_t dates_ = 0;
   bool any_ = false;
@@ -103,55 +106,33 @@ bool is_header(const std::vector<std::string_view>& cells) {
   });
 }
 
-/// The numbers of a list, line by line.
-class NumberList {
- public:
-  explicit NumberList(std::string path) : path_(std::move(path)) {}
-
-  void add_line(std::string_view text) {
-    ++line_;
-    if (line_ == 1 && text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    std::string line(text);
-    std::ranges::replace_if(
-        line, [](char c) { return c == ' ' || c == '\t' || c == '\r'; }, ',');
-    const std::vector<std::string_view> cells = split(line, ',');
-    if (line_ == 1 && is_header(cells)) return;
-    for (const std::string_view cell : cells) {
-      if (cell.empty()) continue;
-      at_position({shown_name(path_), line_, 0}, [&] { (void)ratio_or(not_a_list_of_numbers, cell); });
-      items_ += (items_.empty() ? "" : ",") + std::string(cell);
-      if (++count_ > most_places)
-        throw usage_error("the list has more than {} numbers; expected fewer; divide the list", most_places)
-            .in(shown_name(path_));
-    }
-  }
-
-  std::string items() const {
-    if (items_.empty()) throw usage_error("the file has no numbers; expected at least one").in(shown_name(path_));
-    return items_;
-  }
-
- private:
-  std::string path_, items_;
-  std::uint64_t line_ = 0, count_ = 0;
-};
-
 /// The numbers in a file as a list separated by commas. A first line without a digit is a header.
 std::string numbers_in(const std::string& path) {
-  NumberList list(path);
-  TextBytes bytes(decompressed(read_file(path)));
-  std::string text;
-  LinePosition position;
-  while (in_file(shown_name(path), [&] { return bytes.append_to(text, position); })) {
-    std::size_t begin = 0;
-    for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1, ++position.line) {
-      list.add_line(std::string_view(text).substr(begin, end - begin));
+  return in_file(shown_name(path), [&] {
+    const Source<Chunk> chunks = split_delimited(decompressed(read_file(path)), {',', ""});
+    std::string items;
+    std::uint64_t count = 0;
+    while (std::optional<Chunk> chunk = chunks()) {
+      std::uint64_t line = chunk->line;
+      if (line == 1 && chunk->text.starts_with(byte_order_mark)) chunk->text.erase(0, byte_order_mark.size());
+      std::ranges::replace_if(
+          chunk->text, [](char c) { return c == ' ' || c == '\t' || c == '\r'; }, ',');
+      for (const std::string_view text : split(chunk->text, '\n')) {
+        const TextPosition position{"", line++, 0};
+        const std::vector<std::string_view> cells = split(text, ',');
+        if (position.line == 1 && is_header(cells)) continue;
+        for (const std::string_view cell : cells) {
+          if (cell.empty()) continue;
+          at_position(position, [&] { (void)ratio_or(not_a_list_of_numbers, cell); });
+          items += (items.empty() ? "" : ",") + std::string(cell);
+          if (++count > most_places)
+            throw usage_error("the list has more than {} numbers; expected fewer; divide the list", most_places);
+        }
+      }
     }
-    text.erase(0, begin);
-    if (text.size() > longest_record) in_file(shown_name(path), [&] { refuse_long_record(position.line); });
-  }
-  if (!text.empty()) list.add_line(text);
-  return list.items();
+    if (items.empty()) throw usage_error("the file has no numbers; expected at least one");
+    return items;
+  });
 }
 
 /// Whether there is a file; false also for a name that the system does not take.
@@ -221,8 +202,8 @@ GroupedPlaces read_places(const PlaceColumn& column, const InputOptions& of_keys
 
 }  // namespace
 
-NumberedPlaces numbered_places(const std::string& text) {
-  PlaceNumbers numbers;
+NumberedPlaces numbered_places(const std::string& text, const UnitOptions& units) {
+  PlaceNumbers numbers(units);
   for (const std::string_view item : split(text, ',')) numbers.add(item);
   return numbers.take();
 }
@@ -235,14 +216,13 @@ void store_places(TypedOptions& typed, std::string_view option, const std::strin
   if (typed.places.from_input) typed.files.other_inputs.push_back(text);
   if (text.starts_with('@')) typed.files.other_inputs.push_back(text.substr(1));
   typed.give(option, listed_numbers(text));
-  NumberedPlaces places = numbered_places(typed.value(option));
+  NumberedPlaces places = numbered_places(typed.value(option), typed.keys.input.units);
+  if (places.are_dates && option != option::at) throw usage_error("there are dates; expected numbers");
   if (places.in_seconds && option == option::arc_at)
     throw usage_error(
         "a unit of time is given, but samples are placed by arc length; expected a length without a unit");
   typed.places.list = std::move(places.list);
   typed.places.in_seconds = places.in_seconds;
-  typed.has_times_in_words = typed.has_times_in_words || places.are_dates;
-  if (places.are_dates && option != option::at) throw usage_error("there are dates; expected numbers");
 }
 
 void read_place_column(TypedOptions& typed) {

@@ -13,11 +13,11 @@ namespace tcb {
 struct NumberedPlaces {
   std::vector<Rational> list;
   bool in_seconds = false;  ///< they have units of time, as in 30min
-  bool are_dates = false;   ///< each is 0 until the date is read
+  bool are_dates = false;
 };
 
-/// Throws: Error (usage); the caller adds the name of the option.
-NumberedPlaces numbered_places(const std::string& text);
+/// Dates are read by the options for units. Throws: Error (usage); the caller adds the name of the option.
+NumberedPlaces numbered_places(const std::string& text, const UnitOptions& units = {});
 
 /// Stores the places of an option: numbers as above, or for @FILE and "-" those in a file or standard input. A column
 /// of a file is only named. Throws: Error (usage); the caller adds the name of the option.

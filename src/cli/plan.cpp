@@ -65,54 +65,6 @@ void set_output_format(TypedOptions& typed, bool earlier) {
   typed.give(option::output_format, std::string(named->name));
 }
 
-/// The seconds of a date, a time of day or timecode in the value of an option; nothing for other texts.
-/// Throws: Error (usage) where another option has to tell its meaning.
-std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_view option, std::string_view text) {
-  const std::optional<TimeNotation> notation = find_notation(text);
-  if (!notation) return std::nullopt;
-  if (counts_frames(*notation) && !units.frame_rate) {
-    throw usage_error("{} is timecode, and no frame rate is given; expected one; give {}", in_quotes(text),
-                      option::input_fps)
-        .about(option);
-  }
-  const std::optional<DateFormat> format = find_date_format(text);
-  const bool is_year_first = !format || format->order == DateOrder::ymd;
-  if (!is_year_first && !units.date_order) {
-    throw usage_error(
-        "the date {} does not tell which number is the day; expected the year first; or give {} dmy or "
-        "{} mdy",
-        in_quotes(text), option::date_order, option::date_order)
-        .about(option);
-  }
-  const DateOrder order = is_year_first ? DateOrder::ymd : *units.date_order;
-  const auto seconds = read_time(text, *notation, units.frame_rate.value_or(1), order);
-  if (!seconds) throw usage_error("{} is not a time that exists; correct it", in_quotes(text)).about(option);
-  return seconds;
-}
-
-/// Reads the dates and times of day that are bounds or times of samples.
-void read_times_in_words(TypedOptions& typed) {
-  if (!typed.has_times_in_words) return;
-  const UnitOptions& units = typed.keys.input.units;
-  SamplingRequest& sampling = typed.sampling;
-  if (const auto from = seconds_in_words(units, option::from, typed.value(option::from))) {
-    sampling.from = *from;
-    sampling.in_seconds.from = sampling.in_seconds.has_duration = true;
-  }
-  if (const auto to = seconds_in_words(units, option::to, typed.value(option::to))) {
-    sampling.to = *to;
-    sampling.in_seconds.to = sampling.in_seconds.has_duration = true;
-  }
-  const std::string text = typed.value(option::at);
-  const std::vector<std::string_view> places = split(text, ',');
-  for (std::size_t i = 0; i < places.size() && i < typed.places.list.size(); ++i) {
-    const auto time = seconds_in_words(units, option::at, places[i]);
-    if (!time) continue;
-    typed.places.list[i] = *time;
-    typed.places.in_seconds = true;
-  }
-}
-
 /// Whether an earlier output measured lengths over all channels by default, as versions before 0.4 did.
 bool measures_all_channels(std::string_view program, const std::vector<std::string>& options) {
   constexpr std::array<std::string_view, 4> before{" 0.0.", " 0.1.", " 0.2.", " 0.3."};
@@ -194,6 +146,14 @@ InputListOptions files_of(const TypedOptions& typed) {
   if (files.files.empty() && files.list.empty()) files.files = {"-"};
   if (typed.keys.input.format == nullptr) files.endings = input_endings();
   files.outputs.ending = typed.output.format->ending;
+  return files;
+}
+
+/// Throws: Error (usage) for several files of keys.
+InputListOptions one_file_of(const TypedOptions& typed, std::string_view option) {
+  InputListOptions files = files_of(typed);
+  if (files.files.size() > 1)
+    throw usage_error("there are {} files of keys; expected one; remove the others", files.files.size()).about(option);
   return files;
 }
 
@@ -322,11 +282,7 @@ std::optional<ExpectedSamples> recorded_samples(const EarlierOutput& earlier) {
 /// Throws: Error (usage) for several files of keys.
 CompareJob compare_job(const TypedOptions& typed) {
   const bool identifies = typed.has(option::identify);
-  const InputListOptions files = files_of(typed);
-  if (files.files.size() > 1) {
-    throw usage_error("there are {} files of keys; expected one; remove the others", files.files.size())
-        .about(identifies ? option::identify : option::check);
-  }
+  const InputListOptions files = one_file_of(typed, identifies ? option::identify : option::check);
   Comparison comparison = typed.comparison;
   comparison.keys_file = files.files[0];
   comparison.keys = keys_of(typed);
@@ -346,11 +302,7 @@ CompareJob compare_job(const TypedOptions& typed) {
 
 /// Throws: Error (usage) for several files of keys.
 LimitsJob limits_job(const TypedOptions& typed) {
-  const InputListOptions files = files_of(typed);
-  if (files.files.size() > 1) {
-    throw usage_error("there are {} files of keys; expected one; remove the others", files.files.size())
-        .about(option::limits);
-  }
+  const InputListOptions files = one_file_of(typed, option::limits);
   require_forward_range(typed);
   return {files.files[0],      keys_of(typed), typed.limits,        typed.sampling,    files.outputs.file,
           typed.output.format, typed.threads,  verbosity_of(typed), files.other_inputs};
@@ -422,7 +374,6 @@ Job parse(std::vector<std::string> words, ColorWhen* color) {
   if (!has_sampling_option(typed) && typed.output.format->has_nodes) set_exact_pieces(typed, "hermite");
   if (!has_sampling_option(typed) && typed.output.format->has_pieces) set_exact_pieces(typed, "poly8");
   require_no_conflict(typed);
-  read_times_in_words(typed);
   read_place_column(typed);
   if (typed.meta && !provenance) provenance.emplace();
   if (provenance) provenance->meta = new_provenance(typed);

@@ -80,21 +80,25 @@ bool may_name(const std::string& word, const OptionRow& row) {
   return is_name(row.name) || is_name(row.other_name);
 }
 
-/// From the last to the first, so that an option for a text, such as --help, is stored before all others. CLI11
-/// compares each new option with all others, so only those that the words may name are declared.
+/// Those about the program come first, so that an option for a text, such as --help, is stored before all others, and
+/// then those of the input, whose units others need. CLI11 compares each new option with all others, so only those that
+/// the words may name are declared.
 void declare(CLI::App& app, TypedOptions& typed, const std::vector<std::string>& words, ColorWhen* color) {
   app.set_help_flag();
   app.add_option("FILE", typed.files.files);
-  for (std::size_t i = option_table().size(); i-- > 0;) {
-    const OptionRow& row = option_table()[i];
+  std::vector<const OptionRow*> rows;
+  for (const OptionRow& row : option_table()) {
     if (std::ranges::none_of(words, [&row](const std::string& word) { return may_name(word, row); })) continue;
-    const std::string names = fmt::format("{}", fmt::join(row.all_names(), ","));
-    CLI::Option* const option = app.add_option(names, [&row, &typed, color](const CLI::results_t& values) {
-      store(row, typed, values, color);
+    rows.insert(row.group == about_group ? rows.begin() : rows.end(), &row);
+  }
+  for (const OptionRow* const row : rows) {
+    const std::string names = fmt::format("{}", fmt::join(row->all_names(), ","));
+    CLI::Option* const option = app.add_option(names, [row, &typed, color](const CLI::results_t& values) {
+      store(*row, typed, values, color);
       return true;
     });
     option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    if (row.kind == ValueKind::flag) option->expected(0)->disable_flag_override();  // --hex=false is no option
+    if (row->kind == ValueKind::flag) option->expected(0)->disable_flag_override();  // --hex=false is no option
   }
 }
 

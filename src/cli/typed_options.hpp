@@ -55,7 +55,6 @@ struct TypedOptions {
   std::optional<Generated> generated;
   ColorWhen color = ColorWhen::by_terminal;
   std::optional<std::size_t> form = {};  ///< the field with the cubics of pieces
-  bool has_times_in_words = false;       ///< --from, --to or --at has dates, which the order of dates decides
 
   bool golden = false, exact_input = false;
   bool meta = false;

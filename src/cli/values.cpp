@@ -180,6 +180,27 @@ TimeValue time_value(std::string_view words, std::string_view text) {
   return {*seconds, true};
 }
 
+std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_view text) {
+  const std::optional<TimeNotation> notation = find_notation(text);
+  if (!notation) return std::nullopt;
+  if (counts_frames(*notation) && !units.frame_rate) {
+    throw usage_error("{} is timecode, and no frame rate is given; expected one; give {}", in_quotes(text),
+                      option::input_fps);
+  }
+  const std::optional<DateFormat> format = find_date_format(text);
+  const bool is_year_first = !format || format->order == DateOrder::ymd;
+  if (!is_year_first && !units.date_order) {
+    throw usage_error(
+        "the date {} does not tell which number is the day; expected the year first; or give {} dmy or "
+        "{} mdy",
+        in_quotes(text), option::date_order, option::date_order);
+  }
+  const DateOrder order = is_year_first ? DateOrder::ymd : *units.date_order;
+  const auto seconds = read_time(text, *notation, units.frame_rate.value_or(1), order);
+  if (!seconds) throw usage_error("{} is not a time that exists; correct it", in_quotes(text));
+  return seconds;
+}
+
 Rational step_of_rate(const Rational& rate, std::string_view text) {
   Rational step = 1 / rate;
   if (!within_doubles(step))
@@ -288,18 +309,17 @@ std::vector<Limit> limit_list(const std::string& text) {
   for (const std::string_view part : split(text, ',')) {
     const std::size_t mark = part.rfind('=');
     Limit limit{std::string(part.substr(0, mark)), {}, {}};
-    bool is_limit = !limit.name.empty();
     if (mark != std::string_view::npos) {
       const std::string_view numbers = part.substr(mark + 1);
       const std::size_t colon = numbers.find(':');
       const bool is_range = colon != std::string_view::npos;
       limit.most = parse_rational(is_range ? numbers.substr(colon + 1) : numbers);
       if (is_range) limit.least = parse_rational(numbers.substr(0, colon));
-      is_limit &= limit.most && within_doubles(*limit.most);
-      if (is_range) is_limit &= limit.least && within_doubles(*limit.least) && is_limit && *limit.least <= *limit.most;
-      if (!is_range) is_limit &= is_limit && *limit.most >= 0;
+      const bool are_numbers = limit.most && within_doubles(*limit.most) && limit.least.has_value() == is_range &&
+                               within_doubles(limit.least.value_or(0));
+      if (!are_numbers || *limit.most < limit.least.value_or(0)) limit.name.clear();
     }
-    if (!is_limit) {
+    if (limit.name.empty()) {
       throw usage_error(
           "{} is not a limit; expected NAME, NAME=LIMIT or NAME=LEAST:MOST, as in speed=2 or position_z=0:3; correct "
           "it",

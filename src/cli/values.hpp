@@ -56,6 +56,10 @@ struct TimeValue {
   bool in_seconds = false;
 };
 
+/// The seconds of a date, a time of day or timecode; nothing for other texts. Throws: Error (usage) where another
+/// option has to tell its meaning.
+std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_view text);
+
 /// A ratio, or one with a unit of time other than frames. Throws: Error (usage) with the words for any other text.
 TimeValue time_value(std::string_view words, std::string_view text);
 

@@ -38,50 +38,45 @@
 namespace tcb {
 namespace {
 
-/// One file of recordings on its way into an output.
-class FitRun {
+/// An output of the keys of one file of recordings or of several.
+class FittedKeys final : public BatchOutput {
  public:
-  FitRun(const InputFile& file, unsigned threads, const FitJob& job, Report& report, Writer& writer)
-      : path_(file.path),
-        live_(is_live(path_)),
-        threads_(job.threads.for_reading(threads, live_)),
-        job_(job),
-        progress_(report.begin_file(path_, file.size)),
-        notes_(report, path_),
-        writer_(writer) {}
+  FittedKeys(const FitJob& job, Report& report, const std::string& path)
+      : job_(job), report_(report), writer_(job.rows, path) {}
 
   /// The stages of a fit, with their observers. Returns the number of keys.
-  std::uint64_t run() {
+  std::uint64_t add(const InputFile& file, unsigned threads) override {
+    const bool live = is_live(file.path);
+    const std::shared_ptr<FileProgress> progress = report_.begin_file(file.path, file.size);
+    FileNotes notes(report_, file.path);
     ProvenanceRecorder& provenance = writer_.recorder();
-    Source<std::string> bytes = progress_->observe_bytes(read_file(path_));
-    bytes = provenance.observe_bytes(shown_name(path_), std::move(bytes));
+    Source<std::string> bytes = progress->observe_bytes(read_file(file.path));
+    bytes = provenance.observe_bytes(shown_name(file.path), std::move(bytes));
     InputOptions options = job_.keys.input;
-    options.threads = threads_;
-    const Input input = open_input(path_, bytes, options);  // split, parse
-    for (const Note& note : notes_of_columns(input.schema, job_.options)) notes_.add(note);
-    notes_.add_input(input, job_.keys);
-    Curves curves(input.schema, input.keys, job_.keys.curves, live_);  // group, order, split into recordings
-    begin(input);
-    const FitReport report = write(fitted_rows(samples(input.schema, curves)));
+    options.threads = job_.threads.for_reading(threads, live);
+    const Input input = open_input(file.path, bytes, options);  // split, parse
+    for (const Note& note : notes_of_columns(input.schema, job_.options)) notes.add(note);
+    notes.add_input(input, job_.keys);
+    Curves curves(input.schema, input.keys, job_.keys.curves, live);  // group, order, split into recordings
+    const Schema keys = keys_of_fit(input, job_.keys.rules, job_.options);
+    writer_.begin(keys, live, preset_in_words(CurveSpec()), shown_name(file.path));
+    const FitReport report = write(fitted_rows(samples(input.schema, curves, *progress), *progress, options.threads));
     if (report.keys > 0) {
       const Note note = note_of(report, job_.options);
-      notes_.add(note);
+      notes.add(note);
       provenance.set_results({{"fit", note.text}});
     }
     provenance.end_input();
-    notes_.end(curves);
+    notes.end(curves);
     return report.keys;
   }
 
- private:
-  void begin(const Input& input) {
-    const Schema keys = keys_of_fit(input, job_.keys.rules, job_.options);
-    writer_.begin(keys, live_, preset_in_words(CurveSpec()), shown_name(path_));
-  }
+  void commit() override { writer_.commit(); }
 
+ private:
   /// The samples of each recording.
-  Source<Samples> samples(const Schema& schema, Curves& curves) {
-    return [this, &schema, &curves, expected = 0.0]() mutable -> std::optional<Samples> {
+  Source<Samples> samples(const Schema& schema, Curves& curves, FileProgress& progress) {
+    return [this, &schema, &curves, &progress, expected = 0.0]() mutable -> std::optional<Samples> {
       std::optional<InputCurve> curve = curves.next();
       if (!curve) return std::nullopt;
       const Format& format = *job_.rows.format;
@@ -94,22 +89,22 @@ class FitRun {
       }
       curve->keys = writer_.recorder().observe_keys(std::move(curve->keys));
       Samples read = recorded_samples(*curve, schema, job_.keys.rules, job_.options);
-      progress_->expect_rows(expected += static_cast<double>(read.times.size()));
+      progress.expect_rows(expected += static_cast<double>(read.times.size()));
       return read;
     };
   }
 
   /// The keys of each recording, which is fitted on a thread of its own.
-  Source<FittedRows> fitted_rows(Source<Samples> recordings) const {
-    const auto keys_of = [this](const Samples& recording) {
+  Source<FittedRows> fitted_rows(Source<Samples> recordings, FileProgress& progress, unsigned threads) const {
+    const auto keys_of = [this, &progress, threads](const Samples& recording) {
       std::size_t counted = 0;
       const auto done = [&](std::size_t number) {
-        progress_->add_rows((counted + number) / fit_passes - counted / fit_passes);
+        progress.add_rows((counted + number) / fit_passes - counted / fit_passes);
         counted += number;
       };
-      return rows_of(recording, fitted(recording, job_.options, done, threads_), job_.options);
+      return rows_of(recording, fitted(recording, job_.options, done, threads), job_.options);
     };
-    return ordered_map(std::move(recordings), keys_of, threads_);
+    return ordered_map(std::move(recordings), keys_of, threads);
   }
 
   FitReport write(const Source<FittedRows>& fits) {
@@ -127,27 +122,6 @@ class FitRun {
     return report;
   }
 
-  const std::string& path_;
-  const bool live_;
-  const unsigned threads_;
-  const FitJob& job_;
-  const std::shared_ptr<FileProgress> progress_;
-  FileNotes notes_;
-  Writer& writer_;
-};
-
-/// An output of the keys of one file of recordings or of several.
-class FittedKeys final : public BatchOutput {
- public:
-  FittedKeys(const FitJob& job, Report& report, const std::string& path)
-      : job_(job), report_(report), writer_(job.rows, path) {}
-
-  std::uint64_t add(const InputFile& file, unsigned threads) override {
-    return FitRun(file, threads, job_, report_, writer_).run();
-  }
-  void commit() override { writer_.commit(); }
-
- private:
   const FitJob& job_;
   Report& report_;
   Writer writer_;

@@ -26,9 +26,8 @@ constexpr double picture_margin = 16;
 
 struct Arrangement {
   double width = 0, height = 0;
-  std::vector<View> views;        ///< the path, if there is one, then a strip per channel
-  std::vector<ViewFrame> frames;  ///< one per view
-  Box time_title;                 ///< below the strips
+  std::vector<View> views;  ///< the path, if there is one, then a strip per channel
+  Box time_title;           ///< below the strips
 };
 
 constexpr double top = 62, heading = 22, below_axis = 40, gap_between = 18;
@@ -141,8 +140,8 @@ class Arranger {
   /// `name`: of the axis to the right, which has so much room for its title; empty: it has none.
   double add(View view, const std::string& name, double room) {
     const double right = view.box.right();
-    result_.frames.push_back({title_within(view.y, scene_.channels[view.up], view.box.width),
-                              name.empty() ? "" : title_within(view.x, name, room)});
+    view.heading = title_within(view.y, scene_.channels[view.up], view.box.width);
+    if (!name.empty()) view.name = title_within(view.x, name, room);
     result_.views.push_back(std::move(view));
     return right;
   }
@@ -153,11 +152,6 @@ class Arranger {
   std::size_t columns_, rows_ = 1;
   double strip_height_ = 0, bottom_ = 0;
   Arrangement result_;
-};
-
-/// Marks that no view has, because there are too many.
-struct HiddenMarks {
-  bool keys = false, samples = false;
 };
 
 constexpr double symbol_width = 28, between_entries = 16, line_height = 20, widest_name = 200;
@@ -180,13 +174,12 @@ class Legend {
 
   /// The height of the legend with every mark.
   double height() const {
-    return entries({true, true, true, true, scene_.worst.has_value(), true, true}, {false, true}).back().at.y +
-           line_height + 8;
+    const Marks all{true, true, true, true, scene_.worst.has_value(), true, true, false, true};
+    return entries(all).back().at.y + line_height + 8;
   }
-
   /// Draws the marks that the picture has, and the names.
-  void draw(Svg& svg, const Pixel& corner, const Marks& marks, const HiddenMarks& hidden) const {
-    for (const Entry& entry : entries(marks, hidden)) {
+  void draw(Svg& svg, const Pixel& corner, const Marks& marks) const {
+    for (const Entry& entry : entries(marks)) {
       const Pixel at = corner + entry.at + Pixel{0, line_height / 2};
       svg.begin_group(entry.css);
       draw_symbol(svg, entry.symbol, at);
@@ -204,7 +197,7 @@ class Legend {
     Pixel at = {};  ///< where it begins, from the legend's left upper corner
   };
 
-  std::vector<Entry> entries(const Marks& marks, const HiddenMarks& hidden) const {
+  std::vector<Entry> entries(const Marks& marks) const {
     std::vector<Entry> all;
     if (scene_.names.size() > 1) {
       add_names(all);
@@ -225,8 +218,8 @@ class Legend {
       all.push_back({Symbol::axis_z, "z axis", css});
     }
     if (marks.worst) all.push_back({Symbol::worst, "largest difference", css});
-    if (hidden.keys) all.push_back({Symbol::none, "keys are too dense to be shown", css});
-    if (hidden.samples) all.push_back({Symbol::none, "samples are too dense to be shown", css});
+    if (marks.hides_keys) all.push_back({Symbol::none, "keys are too dense to be shown", css});
+    if (marks.hides_samples) all.push_back({Symbol::none, "samples are too dense to be shown", css});
     Pixel at;
     for (Entry& entry : all) {
       const double width = width_of(entry.text, entry.symbol != Symbol::none);
@@ -296,15 +289,14 @@ class Composer {
   std::string compose() {
     svg_.begin(arrangement_.width, arrangement_.height, scene_.title + ". " + scene_.subtitle);
     draw_titles();
-    for (std::size_t i = 0; i < marks_.size(); ++i) {
-      draw_frame(svg_, arrangement_.views[i], arrangement_.frames[i]);
-    }
+    for (const View& view : arrangement_.views) draw_frame(svg_, view);
     bytes_for_outlines_ = bytes_for_outlines();
     for (const SceneCurve& curve : scene_.curves) draw_curve(curve);
     if (scene_.worst) draw_worst(*scene_.worst);
     shown_.worst = scene_.worst.has_value();
-    legend_.draw(svg_, {picture_margin, arrangement_.height - legend_.height()}, shown_,
-                 {scene_.keys() > 0 && !any(&Marks::keys), scene_.rows() > 0 && !any(&Marks::samples)});
+    shown_.hides_keys = scene_.keys() > 0 && !any(&Marks::keys);
+    shown_.hides_samples = scene_.rows() > 0 && !any(&Marks::samples);
+    legend_.draw(svg_, {picture_margin, arrangement_.height - legend_.height()}, shown_);
     svg_.end();
     return svg_.text();
   }
@@ -347,13 +339,12 @@ class Composer {
     svg_.add_text({picture_margin, 28}, fitted(scene_.title, room, title_size), "t");
     svg_.add_text({picture_margin, 47}, fitted(scene_.subtitle, room, text_size), "u");
     bool named_time = false;
-    for (std::size_t i = 0; i < marks_.size(); ++i) {
-      const bool is_graph = arrangement_.views[i].is_graph();
-      if (arrangement_.frames[i].name.empty() || (is_graph && named_time)) continue;
-      named_time = named_time || is_graph;
-      const Box& box = is_graph ? arrangement_.time_title : arrangement_.views[i].box;
-      const double bottom = is_graph ? box.top : box.bottom();
-      svg_.add_text({box.left + box.width / 2, bottom + 34}, arrangement_.frames[i].name, "n", "middle");
+    for (const View& view : arrangement_.views) {
+      if (view.name.empty() || (view.is_graph() && named_time)) continue;
+      named_time = named_time || view.is_graph();
+      const Box& box = view.is_graph() ? arrangement_.time_title : view.box;
+      const double bottom = view.is_graph() ? box.top : box.bottom();
+      svg_.add_text({box.left + box.width / 2, bottom + 34}, view.name, "n", "middle");
     }
   }
 

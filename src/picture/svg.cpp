@@ -83,6 +83,12 @@ double character_width(std::string_view character) {
   return c >= 'A' && c <= 'Z' ? 0.79 : 0.645;
 }
 
+std::string pixels(double value) {
+  std::string text;
+  append_pixels(text, value);
+  return text;
+}
+
 /// Calls use(character) for each; a byte that is not UTF-8 is the character U+FFFD.
 template <class Use>
 void each_character(std::string_view text, Use use) {
@@ -162,12 +168,9 @@ void Svg::begin(double width, double height, std::string_view title) {
 }
 
 void Svg::add_text(const Pixel& at, std::string_view text, std::string_view css, std::string_view anchor) {
-  text_ += "<text x=\"";
-  append_pixels(text_, at.x);
-  text_ += "\" y=\"";
-  append_pixels(text_, at.y);
-  if (anchor != "start") text_ += fmt::format("\" text-anchor=\"{}", anchor);
-  text_ += fmt::format("\" class=\"{}\">{}</text>\n", css, xml_text(text));
+  const std::string anchored = anchor == "start" ? "" : fmt::format("\" text-anchor=\"{}", anchor);
+  text_ += fmt::format("<text x=\"{}\" y=\"{}{}\" class=\"{}\">{}</text>\n", pixels(at.x), pixels(at.y), anchored, css,
+                       xml_text(text));
 }
 
 void Svg::add_path(std::string_view data, std::string_view css) {
@@ -175,25 +178,13 @@ void Svg::add_path(std::string_view data, std::string_view css) {
 }
 
 void Svg::add_box(const Box& box, std::string_view css) {
-  text_ += fmt::format("<rect class=\"{}\" x=\"", css);
-  append_pixels(text_, box.left);
-  text_ += "\" y=\"";
-  append_pixels(text_, box.top);
-  text_ += "\" width=\"";
-  append_pixels(text_, box.width);
-  text_ += "\" height=\"";
-  append_pixels(text_, box.height);
-  text_ += "\"/>\n";
+  text_ += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>\n", css, pixels(box.left),
+                       pixels(box.top), pixels(box.width), pixels(box.height));
 }
 
 void Svg::add_circle(const Pixel& centre, double radius, std::string_view css) {
-  text_ += fmt::format("<circle class=\"{}\" cx=\"", css);
-  append_pixels(text_, centre.x);
-  text_ += "\" cy=\"";
-  append_pixels(text_, centre.y);
-  text_ += "\" r=\"";
-  append_pixels(text_, radius);
-  text_ += "\"/>\n";
+  text_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>\n", css, pixels(centre.x), pixels(centre.y),
+                       pixels(radius));
 }
 
 }  // namespace tcb

@@ -102,7 +102,7 @@ double width_of_numbers(const Axis& axis, double pixels) {
   return widest + 6;
 }
 
-void draw_frame(Svg& svg, const View& view, const ViewFrame& frame) {
+void draw_frame(Svg& svg, const View& view) {
   const Box& box = view.box;
   constexpr double half_height = 4, below = 17, above = 6, line_of_numbers = 14;
   std::string grid;
@@ -123,7 +123,7 @@ void draw_frame(Svg& svg, const View& view, const ViewFrame& frame) {
     append_pixel(grid, {at, box.top});
     grid += 'v';
     append_pixels(grid, box.height);
-    if (frame.name.empty()) continue;
+    if (view.name.empty()) continue;
     const double half = text_width(tick.text, small_size) / 2;
     const bool before = at - half<box.left, after = at + half> box.right();
     const double place = before ? box.left : after ? box.right() : at;
@@ -131,7 +131,7 @@ void draw_frame(Svg& svg, const View& view, const ViewFrame& frame) {
   }
   svg.add_path(grid, "g");
   svg.add_box(box, "f");
-  svg.add_text({box.left, box.top - above}, frame.heading, "n");
+  svg.add_text({box.left, box.top - above}, view.heading, "n");
 }
 
 void AxesDrawing::add(const spline::Segments<double>& segments) {

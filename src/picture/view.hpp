@@ -24,6 +24,8 @@ struct View {
   std::optional<std::size_t> right;
   std::size_t up = 0;
   Axis x = {}, y = {};
+  std::string heading = {};  ///< above the box, to the left: the name of the axis that points up
+  std::string name = {};     ///< of the axis to the right; empty: it has no texts
 
   bool is_graph() const { return !right.has_value(); }
   double x_scale() const { return box.width / x.length(); }
@@ -36,25 +38,20 @@ struct View {
   PixelSegment segment(const spline::Segments<double>& segments, std::size_t i) const;
 };
 
-/// What a view shows besides its curves.
-struct ViewFrame {
-  std::string heading;  ///< above the box, to the left: the name of the axis that points up
-  std::string name;     ///< of the axis to the right; empty: it has no texts
-};
-
 /// The ticks of an axis whose numbers have room in `pixels`.
 std::vector<Tick> ticks_with_room(const Axis& axis, double pixels, bool is_upward);
 
 /// Room for the numbers to the left of an axis that points up.
 double width_of_numbers(const Axis& axis, double pixels);
 
-void draw_frame(Svg& svg, const View& view, const ViewFrame& frame);
+void draw_frame(Svg& svg, const View& view);
 
 /// Which marks a picture has.
 struct Marks {
   bool keys = false, corners = false, handles = false, samples = false, worst = false, curve = false;
-  bool dots = false;              ///< of the samples of polylines
-  std::size_t sample_stride = 1;  ///< one of so many samples
+  bool dots = false;                               ///< of the samples of polylines
+  bool hides_keys = false, hides_samples = false;  ///< no view has them, as they are too many
+  std::size_t sample_stride = 1;                   ///< one of so many samples
 };
 
 inline constexpr double key_radius = 3.2, sample_radius = 2.2, half_tick = 4, worst_radius = 7;
