@@ -173,6 +173,14 @@ class Matcher {
   MatchedColumns result_;
 };
 
+/// How many columns the fields have before the time; nothing: the time is not among them.
+std::optional<std::size_t> columns_before_time(const Fields& fields, const Schema& keys) {
+  const auto time = std::ranges::find(fields, field_of("time"));
+  if (fields.empty()) return 0;
+  if (time == fields.end()) return std::nullopt;
+  return names_of({fields.begin(), time}, keys).size();
+}
+
 /// Matches columns by their order.
 MatchedColumns match_by_order(const SampleTable& table, const Schema& keys, const Fields& given) {
   const Fields chosen = given.empty() ? Fields{field_of("time"), field_of("position")} : given;
@@ -273,13 +281,6 @@ void MatchedColumns::align(std::span<Cell> computed, std::span<const double> giv
     if (!(cosine < 0)) continue;
     for (const std::size_t i : numbers) computed[compared[i].computed].hi *= -1;
   }
-}
-
-std::optional<std::size_t> columns_before_time(const Fields& fields, const Schema& keys) {
-  const auto time = std::ranges::find(fields, field_of("time"));
-  if (fields.empty()) return 0;
-  if (time == fields.end()) return std::nullopt;
-  return names_of({fields.begin(), time}, keys).size();
 }
 
 MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const std::vector<std::size_t>& given) {

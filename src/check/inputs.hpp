@@ -82,9 +82,6 @@ struct MatchedColumns {
 /// Throws: Error (data) if nothing can be compared.
 MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const std::vector<std::size_t>& given);
 
-/// How many columns the fields have before the time; nothing: the time is not among them.
-std::optional<std::size_t> columns_before_time(const std::vector<std::size_t>& fields, const Schema& keys);
-
 /// A curve whose keys can be read more than once.
 struct KeptKeys {
   std::vector<std::string> group;

@@ -49,6 +49,15 @@ std::string option_object(const OptionRow& row) {
                      json_text(row.value), fmt::join(known, ","), json_text(row.description()));
 }
 
+/// The rules of a preset's rotations that are not those of its positions; empty if only the curve is the usual one.
+std::string rotation_rules_text(const spline::RotationRules& rules) {
+  std::vector<std::string> words;
+  if (rules.tangents) words.push_back(fmt::format("tangents {}", name_of(*rules.tangents)));
+  if (rules.ends) words.push_back(fmt::format("ends {}", name_of(*rules.ends)));
+  if (rules.curve != spline::rotation_curves[0].id) words.push_back(fmt::format("curve {}", name_of(rules.curve)));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
 /// Text for the manual page, where dashes, backslashes and leading points have a meaning.
 std::string escaped(std::string_view text) {
   std::string out;
@@ -108,15 +117,30 @@ std::string manual_ends() {
   return out;
 }
 
-}  // namespace
-
-std::string rotation_rules_text(const spline::RotationRules& rules) {
-  std::vector<std::string> words;
-  if (rules.tangents) words.push_back(fmt::format("tangents {}", name_of(*rules.tangents)));
-  if (rules.ends) words.push_back(fmt::format("ends {}", name_of(*rules.ends)));
-  if (rules.curve != spline::rotation_curves[0].id) words.push_back(fmt::format("curve {}", name_of(rules.curve)));
-  return fmt::format("{}", fmt::join(words, ", "));
+std::string manual_page() {
+  return filled(manual_template, {{"@VERSION@", TCBSAMPLE_VERSION}, {"@OPTIONS@\n", manual_options()}});
 }
+
+std::string curves_page() {
+  return filled(curves_template,
+                {{"@PRESETS@\n", manual_presets()}, {"@TANGENTS@\n", manual_tangents()}, {"@ENDS@\n", manual_ends()}});
+}
+
+/// An object with the version, the options in the order of the help, and the presets.
+std::string tables_text() {
+  std::vector<std::string> options, preset_rows;
+  for_each_group([](std::string_view) {}, [&options](const OptionRow& row) { options.push_back(option_object(row)); });
+  for (const auto& row : spline::presets) {
+    preset_rows.push_back(fmt::format(R"({{"name":{},"tangents":{},"ends":{},"timing":{},"product":{}}})",
+                                      json_text(row.name), json_text(name_of(row.tangents)),
+                                      json_text(name_of(row.ends)), json_text(name_of(row.timing)),
+                                      json_text(row.product)));
+  }
+  return fmt::format("{{\"version\":{},\n\"options\":[\n{}],\n\"presets\":[\n{}]}}", json_text(TCBSAMPLE_VERSION),
+                     fmt::join(options, ",\n"), fmt::join(preset_rows, ",\n"));
+}
+
+}  // namespace
 
 std::string usage_text() {
   return "Usage: tcbsample [OPTION]... [FILE]...\n"
@@ -227,28 +251,6 @@ std::string filled(std::string_view text, std::initializer_list<std::pair<std::s
     }
   }
   return out.substr(0, out.find_last_not_of('\n') + 1);
-}
-
-std::string tables_text() {
-  std::vector<std::string> options, preset_rows;
-  for_each_group([](std::string_view) {}, [&options](const OptionRow& row) { options.push_back(option_object(row)); });
-  for (const auto& row : spline::presets) {
-    preset_rows.push_back(fmt::format(R"({{"name":{},"tangents":{},"ends":{},"timing":{},"product":{}}})",
-                                      json_text(row.name), json_text(name_of(row.tangents)),
-                                      json_text(name_of(row.ends)), json_text(name_of(row.timing)),
-                                      json_text(row.product)));
-  }
-  return fmt::format("{{\"version\":{},\n\"options\":[\n{}],\n\"presets\":[\n{}]}}", json_text(TCBSAMPLE_VERSION),
-                     fmt::join(options, ",\n"), fmt::join(preset_rows, ",\n"));
-}
-
-std::string manual_page() {
-  return filled(manual_template, {{"@VERSION@", TCBSAMPLE_VERSION}, {"@OPTIONS@\n", manual_options()}});
-}
-
-std::string curves_page() {
-  return filled(curves_template,
-                {{"@PRESETS@\n", manual_presets()}, {"@TANGENTS@\n", manual_tangents()}, {"@ENDS@\n", manual_ends()}});
 }
 
 std::string generated_text(Generated kind, const std::vector<std::string>& files) {

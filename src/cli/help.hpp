@@ -10,10 +10,6 @@
 
 #include "cli/typed_options.hpp"
 
-namespace tcb::spline {
-struct RotationRules;
-}
-
 namespace tcb {
 
 struct OptionRow;
@@ -25,9 +21,6 @@ std::string help_text();
 
 /// Presets, tangent rules and end rules with their formulas, in 80 columns.
 std::string presets_text();
-
-/// The rules of a preset's rotations that are not those of its positions; empty if only the curve is the usual one.
-std::string rotation_rules_text(const spline::RotationRules& rules);
 
 std::string version_text();
 
@@ -41,10 +34,6 @@ extern const char* const bash_template;
 extern const char* const zsh_template;
 extern const char* const fish_template;
 
-/// The pages in the man macros, without the last line end.
-std::string manual_page();
-std::string curves_page();
-
 /// What a value of an option is, as the tables name it.
 std::string_view name_of_kind(const OptionRow& row);
 
@@ -56,10 +45,8 @@ std::string fish_completion();
 /// The names of the columns of files, or of standard input, one per line. Throws: Error.
 std::string columns_text(const std::vector<std::string>& files, bool positions_only);
 
-/// An object with the version, the options in the order of the help, and the presets, without the last line end.
-std::string tables_text();
-
-/// A page of the manual, a completion script, the names of the columns of files, or the tables.
+/// A page of the manual, a completion script, the names of the columns of files, or the tables; without the last line
+/// end.
 std::string generated_text(Generated kind, const std::vector<std::string>& files = {});
 
 }  // namespace tcb

@@ -36,6 +36,12 @@ constexpr std::string_view not_a_list_of_numbers =
 /// So many numbers of an option are kept at most.
 constexpr std::uint64_t most_places = 10'000'000;
 
+struct NumberedPlaces {
+  std::vector<Rational> list;
+  bool in_seconds = false;  ///< they have units of time, as in 30min
+  bool are_dates = false;
+};
+
 /// The numbers of a list, all with units of time or none.
 class PlaceNumbers {
  public:
@@ -202,12 +208,6 @@ GroupedPlaces read_places(const PlaceColumn& column, const InputOptions& of_keys
 
 }  // namespace
 
-NumberedPlaces numbered_places(const std::string& text, const UnitOptions& units) {
-  PlaceNumbers numbers(units);
-  for (const std::string_view item : split(text, ',')) numbers.add(item);
-  return numbers.take();
-}
-
 void store_places(TypedOptions& typed, std::string_view option, const std::string& text) {
   typed.places.column = place_column(text, option);
   typed.places.from_input = text == "-";
@@ -216,7 +216,10 @@ void store_places(TypedOptions& typed, std::string_view option, const std::strin
   if (typed.places.from_input) typed.files.other_inputs.push_back(text);
   if (text.starts_with('@')) typed.files.other_inputs.push_back(text.substr(1));
   typed.give(option, listed_numbers(text));
-  NumberedPlaces places = numbered_places(typed.value(option), typed.keys.input.units);
+  const std::string listed = typed.value(option);
+  PlaceNumbers numbers(typed.keys.input.units);
+  for (const std::string_view item : split(listed, ',')) numbers.add(item);
+  NumberedPlaces places = numbers.take();
   if (places.are_dates && option != option::at) throw usage_error("there are dates; expected numbers");
   if (places.in_seconds && option == option::arc_at)
     throw usage_error(

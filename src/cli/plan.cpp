@@ -355,6 +355,20 @@ RetimeJob retime_job(const TypedOptions& typed, std::optional<ProvenanceRequest>
   return {std::move(limits), resample_job(typed, std::move(provenance))};
 }
 
+/// The job of these options. `provenance`: that of its output, if it has one. Requires: no conflict. Throws: Error
+/// (usage) if they do not fit each other.
+Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
+  require_one_reader(typed);
+  if (typed.has(option::check) || typed.has(option::identify)) return compare_job(typed);
+  if (typed.has(option::retime)) return retime_job(typed, std::move(provenance));
+  if (typed.has(option::limits)) return limits_job(typed);
+  require_samples(typed);
+  if (typed.explain) return explain_job(typed);
+  if (typed.has(option::fit)) return fit_job(typed, std::move(provenance));
+  if (typed.output.format->is_picture) return plot_job(typed);
+  return resample_job(typed, std::move(provenance));
+}
+
 }  // namespace
 
 Job parse(std::vector<std::string> words, ColorWhen* color) {
@@ -378,18 +392,6 @@ Job parse(std::vector<std::string> words, ColorWhen* color) {
   if (typed.meta && !provenance) provenance.emplace();
   if (provenance) provenance->meta = new_provenance(typed);
   return make_job(typed, std::move(provenance));
-}
-
-Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
-  require_one_reader(typed);
-  if (typed.has(option::check) || typed.has(option::identify)) return compare_job(typed);
-  if (typed.has(option::retime)) return retime_job(typed, std::move(provenance));
-  if (typed.has(option::limits)) return limits_job(typed);
-  require_samples(typed);
-  if (typed.explain) return explain_job(typed);
-  if (typed.has(option::fit)) return fit_job(typed, std::move(provenance));
-  if (typed.output.format->is_picture) return plot_job(typed);
-  return resample_job(typed, std::move(provenance));
 }
 
 }  // namespace tcb

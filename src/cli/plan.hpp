@@ -37,8 +37,4 @@ using Job = std::variant<PrintText, ResampleJob, ExplainJob, PlotJob, FitJob, Co
 /// expected, and the remedy. `color`: as requested, so that errors have it too.
 Job parse(std::vector<std::string> words, ColorWhen* color = nullptr);
 
-/// The job of these options. `provenance`: that of its output, if it has one. Requires: no conflict.
-/// Throws: Error (usage) if they do not fit each other.
-Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance = std::nullopt);
-
 }  // namespace tcb

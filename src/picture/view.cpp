@@ -43,6 +43,20 @@ void append_tick(std::string& data, const Pixel& at, const Pixel& direction) {
 
 bool is_finite(const Pixel& at) { return std::isfinite(at.x) && std::isfinite(at.y); }
 
+/// The ticks of an axis whose numbers have room in `pixels`.
+std::vector<Tick> ticks_with_room(const Axis& axis, double pixels, bool is_upward) {
+  constexpr double line = 22, gap = 18;
+  if (is_upward) return axis.ticks(std::max(2.0, pixels / line + 1));
+  double most = std::max(2.0, pixels / 50 + 1);
+  for (;; most -= 1) {
+    std::vector<Tick> ticks = axis.ticks(most);
+    double widest = 0;
+    for (const Tick& tick : ticks) widest = std::max(widest, text_width(tick.text, small_size));
+    const double apart = (ticks[1].value - ticks[0].value) / axis.length() * pixels;
+    if (apart >= widest + gap || most <= 3) return ticks;
+  }
+}
+
 }  // namespace
 
 Pixel View::at(const Time& t, std::span<const double> position) const {
@@ -79,19 +93,6 @@ PixelSegment View::segment(const spline::Segments<double>& segments, std::size_t
   result.points = {Pixel{x0, y0}, Pixel{x0 + out / 3, y0 - vertical.out * y_scale() / 3},
                    Pixel{x3 - in / 3, y3 + vertical.in * y_scale() / 3}, Pixel{x3, y3}};
   return result;
-}
-
-std::vector<Tick> ticks_with_room(const Axis& axis, double pixels, bool is_upward) {
-  constexpr double line = 22, gap = 18;
-  if (is_upward) return axis.ticks(std::max(2.0, pixels / line + 1));
-  double most = std::max(2.0, pixels / 50 + 1);
-  for (;; most -= 1) {
-    std::vector<Tick> ticks = axis.ticks(most);
-    double widest = 0;
-    for (const Tick& tick : ticks) widest = std::max(widest, text_width(tick.text, small_size));
-    const double apart = (ticks[1].value - ticks[0].value) / axis.length() * pixels;
-    if (apart >= widest + gap || most <= 3) return ticks;
-  }
 }
 
 double width_of_numbers(const Axis& axis, double pixels) {

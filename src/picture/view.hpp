@@ -38,9 +38,6 @@ struct View {
   PixelSegment segment(const spline::Segments<double>& segments, std::size_t i) const;
 };
 
-/// The ticks of an axis whose numbers have room in `pixels`.
-std::vector<Tick> ticks_with_room(const Axis& axis, double pixels, bool is_upward);
-
 /// Room for the numbers to the left of an axis that points up.
 double width_of_numbers(const Axis& axis, double pixels);
 

@@ -19,6 +19,31 @@
 namespace tcb {
 namespace {
 
+/// The head of a NumPy file of doubles, rows x columns in C order. Promises: the size is the same for all numbers.
+/// Source: NumPy, "numpy.lib.format", version 1.0 of the format.
+std::string npy_head(std::size_t columns, std::uint64_t rows) {
+  constexpr std::size_t size = 128;  // a multiple of 64, as the format requires
+  constexpr std::string_view magic("\x93NUMPY\x01\x00", 8);
+  constexpr char remaining = size - magic.size() - 2;
+  std::string head(magic);
+  head += {remaining, '\0'};
+  head += fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns);
+  head.resize(size - 1, ' ');
+  return head + '\n';
+}
+
+/// A text as a cell: in quotes if RFC 4180 requires them.
+std::string delimited_text(std::string_view text, char delimiter) {
+  const bool plain = text.find_first_of("\"\r\n") == std::string_view::npos &&
+                     text.find(delimiter) == std::string_view::npos && !text.starts_with('#') &&
+                     !(delimiter == ' ' &&
+                       (text.empty() || text.starts_with('>') || text.find_first_of(" \t") != std::string_view::npos));
+  if (plain) return std::string(text);
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
 std::string delimited_cell(std::string_view text, char delimiter) {
   return text.empty() && delimiter == ' ' ? "NA" : delimited_text(content(text), delimiter);
 }
@@ -99,18 +124,35 @@ void require_path_with_yaw(const Schema& schema) {
   }
 }
 
-}  // namespace
-
-std::string npy_head(std::size_t columns, std::uint64_t rows) {
-  constexpr std::size_t size = 128;  // a multiple of 64, as the format requires
-  constexpr std::string_view magic("\x93NUMPY\x01\x00", 8);
-  constexpr char remaining = size - magic.size() - 2;
-  std::string head(magic);
-  head += {remaining, '\0'};
-  head += fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns);
-  head.resize(size - 1, ' ');
-  return head + '\n';
+/// Lines of a duration and eight coefficients for each of x, y, z and yaw, which is 0 where there is no such channel.
+/// Source: the class Trajectory of Crazyswarm, which reads such files.
+Layout piece_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool) {
+  constexpr std::size_t coefficients = 8, with_yaw = 1 + 4 * coefficients;
+  Layout layout = delimited_layout(columns, marks, true);
+  if (columns.size() == with_yaw) return layout;
+  layout.head.pop_back();
+  layout.row_end.clear();
+  for (std::size_t i = 0; i < coefficients; ++i) {
+    layout.head += fmt::format(",yaw^{}", i);
+    layout.row_end += ",0";
+  }
+  layout.head += '\n';
+  layout.row_end += '\n';
+  layout.divider.clear();
+  return layout;
 }
+
+/// An array of objects, one per line.
+Layout json_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
+  return {"[\n", members(columns), "}", "null", ",\n", "\n]", "]", "\n", "null"};
+}
+
+/// An object per line.
+Layout jsonl_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
+  return {"", members(columns), "}\n", "null", "", "", "", "", "null\n"};
+}
+
+}  // namespace
 
 Layout npy_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
   Layout layout;
@@ -120,17 +162,6 @@ Layout npy_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bo
   std::array<char, number_room> bytes{};
   layout.empty = {bytes.data(), write_number(std::numeric_limits<double>::quiet_NaN(), layout.notation, bytes.data())};
   return layout;
-}
-
-std::string delimited_text(std::string_view text, char delimiter) {
-  const bool plain = text.find_first_of("\"\r\n") == std::string_view::npos &&
-                     text.find(delimiter) == std::string_view::npos && !text.starts_with('#') &&
-                     !(delimiter == ' ' &&
-                       (text.empty() || text.starts_with('>') || text.find_first_of(" \t") != std::string_view::npos));
-  if (plain) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
 }
 
 std::string json_text(std::string_view text) {
@@ -199,30 +230,6 @@ Layout delimited_layout(const std::vector<OutputColumn>& columns, const TextMark
   if (header) layout.head += layout.row_end;
   if (marks.delimiter == ' ') layout.empty = "NA";  // between blanks, an empty text would not be a cell
   return layout;
-}
-
-Layout piece_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool) {
-  constexpr std::size_t coefficients = 8, with_yaw = 1 + 4 * coefficients;
-  Layout layout = delimited_layout(columns, marks, true);
-  if (columns.size() == with_yaw) return layout;
-  layout.head.pop_back();
-  layout.row_end.clear();
-  for (std::size_t i = 0; i < coefficients; ++i) {
-    layout.head += fmt::format(",yaw^{}", i);
-    layout.row_end += ",0";
-  }
-  layout.head += '\n';
-  layout.row_end += '\n';
-  layout.divider.clear();
-  return layout;
-}
-
-Layout json_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
-  return {"[\n", members(columns), "}", "null", ",\n", "\n]", "]", "\n", "null"};
-}
-
-Layout jsonl_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bool) {
-  return {"", members(columns), "}\n", "null", "", "", "", "", "null\n"};
 }
 
 extern const OutputFormat delimited_output{.layout = delimited_layout, .text = delimited_cell};

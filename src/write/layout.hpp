@@ -37,9 +37,6 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first);
 
-/// A text as a cell: in quotes if RFC 4180 requires them.
-std::string delimited_text(std::string_view text, char delimiter);
-
 /// A text as a JSON string.
 std::string json_text(std::string_view text);
 /// Texts as a JSON list.
@@ -48,21 +45,7 @@ std::string json_list(const std::vector<std::string>& texts);
 /// Rows of delimited text, below the names if there is a header.
 Layout delimited_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool header);
 
-/// Lines of a duration and eight coefficients for each of x, y, z and yaw, which is 0 where there is no such channel.
-/// Source: the class Trajectory of Crazyswarm, which reads such files.
-Layout piece_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks = {}, bool header = true);
-
-/// An array of objects, one per line.
-Layout json_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks = {}, bool header = true);
-
-/// An object per line.
-Layout jsonl_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks = {}, bool header = true);
-
-/// The head of a NumPy file of doubles, rows x columns in C order. Promises: the size is the same for all numbers.
-/// Source: NumPy, "numpy.lib.format", version 1.0 of the format.
-std::string npy_head(std::size_t columns, std::uint64_t rows);
-
-/// Rows of doubles, the lowest byte first, after such a head with 0 rows.
+/// Rows of doubles, the lowest byte first, after the head of a NumPy file with 0 rows.
 Layout npy_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks = {}, bool header = true);
 
 }  // namespace tcb

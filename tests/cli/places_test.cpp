@@ -23,8 +23,8 @@ class Places : public FileTest {
 };
 
 TEST_F(Places, are_listed_or_in_ranges) {
-  EXPECT_THAT(numbered_places("0,1/2,-1e1").list, ElementsAre(Rational(0), Rational(1, 2), Rational(-10)));
-  EXPECT_THAT(numbered_places("1:0:-1/3").list, ElementsAre(Rational(1), Rational(2, 3), Rational(1, 3), Rational(0)));
+  EXPECT_THAT(typed("0,1/2,-1e1").places.list, ElementsAre(Rational(0), Rational(1, 2), Rational(-10)));
+  EXPECT_THAT(typed("1:0:-1/3").places.list, ElementsAre(Rational(1), Rational(2, 3), Rational(1, 3), Rational(0)));
 }
 
 TEST_F(Places, in_a_file_are_numbers_below_a_header) {

@@ -48,7 +48,7 @@ double number_at(const std::string& bytes, std::size_t number) {
 
 TEST(Npy, the_head_has_the_same_size_for_any_number_of_rows) {
   for (const std::uint64_t rows : {std::uint64_t{0}, std::uint64_t{1}, std::numeric_limits<std::uint64_t>::max()}) {
-    const std::string head = npy_head(3, rows);
+    const std::string head = find_format("npy")->output->counted_head(3, rows);
     ASSERT_EQ(head.size(), 128U);
     EXPECT_EQ(head.substr(0, 10), std::string("\x93NUMPY\x01\x00\x76\x00", 10));
     EXPECT_EQ(head.back(), '\n');
@@ -81,6 +81,10 @@ TEST(Npy, a_time_beyond_doubles_is_refused) {
 const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"x", CellKind::real}, {"n", CellKind::whole}};
 const std::vector<Cell> two_rows{Cell(0), Cell(0.1), Cell(3), {9007199254740992.0, 1}, Cell(-1e300), Cell(4)};
 
+Layout layout_of(std::string_view format, const std::vector<OutputColumn>& of) {
+  return find_format(format)->output->layout(of, {}, true);
+}
+
 /// All of an output: head, the rows in one go or one after another, tail.
 std::string output(const Layout& layout, const std::vector<OutputColumn>& of, const std::vector<Cell>& cells) {
   std::string text = layout.head;
@@ -96,20 +100,21 @@ TEST(Layout, delimited_rows) {
 }
 
 TEST(Layout, json_rows) {
-  EXPECT_EQ(output(json_layout(columns), columns, two_rows),
+  EXPECT_EQ(output(layout_of("json", columns), columns, two_rows),
             "[\n{\"t\":0,\"x\":0.1,\"n\":3},\n{\"t\":9007199254740993,\"x\":-1e+300,\"n\":4}\n]\n");
-  EXPECT_EQ(output(jsonl_layout(columns), columns, two_rows),
+  EXPECT_EQ(output(layout_of("jsonl", columns), columns, two_rows),
             "{\"t\":0,\"x\":0.1,\"n\":3}\n{\"t\":9007199254740993,\"x\":-1e+300,\"n\":4}\n");
 }
 
 TEST(Layout, an_output_without_rows_is_complete) {
   EXPECT_EQ(output(delimited_layout(columns, {','}, true), columns, {}), "t,x,n\n");
-  EXPECT_EQ(output(jsonl_layout(columns), columns, {}), "");
-  EXPECT_TRUE(nlohmann::json::parse(output(json_layout(columns), columns, {})).empty());
+  EXPECT_EQ(output(layout_of("jsonl", columns), columns, {}), "");
+  EXPECT_TRUE(nlohmann::json::parse(output(layout_of("json", columns), columns, {})).empty());
 }
 
 TEST(Layout, rows_in_several_calls_are_the_rows_in_one) {
-  for (const Layout& layout : {delimited_layout(columns, {';'}, true), json_layout(columns), jsonl_layout(columns)}) {
+  for (const Layout& layout :
+       {delimited_layout(columns, {';'}, true), layout_of("json", columns), layout_of("jsonl", columns)}) {
     std::string in_one, in_two;
     append_rows(in_one, layout, columns, two_rows, true);
     append_rows(in_two, layout, columns, {two_rows.begin(), two_rows.begin() + 3}, true);
@@ -150,7 +155,7 @@ TEST(Layout, delimited_names_read_back) {
 TEST(Layout, json_names_read_back) {
   for (const std::string name : {"a\"b", "\\", "\\\"", "a\nb", "\t", "é", "\x01\x1F", "a/b"}) {
     const std::vector<OutputColumn> one{{name}};
-    const auto row = nlohmann::json::parse(output(jsonl_layout(one), one, {Cell(1)}));
+    const auto row = nlohmann::json::parse(output(layout_of("jsonl", one), one, {Cell(1)}));
     EXPECT_EQ(row.begin().key(), name);
   }
 }
