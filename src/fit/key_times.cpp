@@ -56,6 +56,51 @@ std::vector<std::size_t> divided(const Recording& recording, std::span<const std
   return samples;
 }
 
+/// Keys with a gap where the last ones were replaced, so that the next replacement there moves few of the others.
+class KeyList {
+ public:
+  explicit KeyList(std::vector<FitKey> keys) : before_(std::move(keys)) {}
+
+  std::size_t size() const { return before_.size() + after_.size(); }
+  const FitKey& operator[](std::size_t i) const { return i < before_.size() ? before_[i] : after_[size() - 1 - i]; }
+
+  /// Keys [first, last).
+  std::vector<FitKey> range(std::size_t first, std::size_t last) const {
+    std::vector<FitKey> keys;
+    for (std::size_t i = first; i < last; ++i) keys.push_back((*this)[i]);
+    return keys;
+  }
+
+  /// The number of the first key that is not before a sample.
+  std::size_t at_sample(std::size_t sample) const {
+    std::size_t first = 0, last = size();
+    while (first < last) {
+      const std::size_t middle = first + (last - first) / 2;
+      if ((*this)[middle].sample < sample) {
+        first = middle + 1;
+      } else {
+        last = middle;
+      }
+    }
+    return first;
+  }
+
+  /// Replaces keys [first, last).
+  void replace(std::size_t first, std::size_t last, std::vector<FitKey> keys) {
+    const auto move_last = [](std::vector<FitKey>& from, std::vector<FitKey>& onto) {
+      onto.push_back(std::move(from.back()));
+      from.pop_back();
+    };
+    while (before_.size() > last) move_last(before_, after_);
+    while (before_.size() < last) move_last(after_, before_);
+    before_.resize(first);
+    std::ranges::move(keys, std::back_inserter(before_));
+  }
+
+ private:
+  std::vector<FitKey> before_, after_;  ///< after the gap the last key is the first one
+};
+
 /// While segments are divided: few iterations, and enough stiffness to keep slopes from oscillating.
 constexpr FitEffort of_division{6, 0.05, false};
 /// With as little stiffness as the last fits, to see whether that is enough.
@@ -91,7 +136,7 @@ class Thinning {
         done_(done),
         ends_(ends) {}
 
-  std::vector<FitKey> take() && { return std::move(keys_); }
+  std::vector<FitKey> keys() const { return keys_.range(0, keys_.size()); }
 
   /// All steps, on the keys at samples [from, to].
   void thin(std::size_t from, std::size_t to) {
@@ -99,33 +144,22 @@ class Thinning {
     for (const std::size_t segments : sweeps_) sweep(segments, from, to);
     remove_keys(from, to);
   }
-  void thin() { thin(keys_.front().sample, keys_.back().sample); }
+  void thin() { thin(keys_[0].sample, keys_[keys_.size() - 1].sample); }
 
   /// All steps, on the keys near a sample.
   void thin_around(std::size_t sample) {
     constexpr std::size_t reach = 20;  // keys
-    const std::size_t key = at_sample(sample);
+    const std::size_t key = keys_.at_sample(sample);
     thin(keys_[key - std::min(reach, key)].sample, keys_[std::min(key + reach, keys_.size() - 1)].sample);
   }
 
  private:
   static constexpr int most_moves = 4;
 
-  /// The number of the first key that is not before a sample.
-  std::size_t at_sample(std::size_t sample) const {
-    return static_cast<std::size_t>(std::ranges::lower_bound(keys_, sample, {}, &FitKey::sample) - keys_.begin());
-  }
-
-  /// Replaces keys [first, last] by some that are one less.
-  void replace(std::size_t first, std::size_t last, std::vector<FitKey> keys) {
-    const auto begin = keys_.begin() + static_cast<std::ptrdiff_t>(first);
-    keys_.erase(std::ranges::move(keys, begin).out, keys_.begin() + static_cast<std::ptrdiff_t>(last + 1));
-  }
-
   /// Tries to remove each key, with its neighbours fitted again where they are.
   void remove_keys(std::size_t from, std::size_t to) {
     constexpr std::size_t reach = 3;
-    for (std::size_t key = std::max<std::size_t>(at_sample(from), 1);
+    for (std::size_t key = std::max<std::size_t>(keys_.at_sample(from), 1);
          key + 1 < keys_.size() && keys_[key].sample <= to;) {
       const std::size_t first = key - std::min(reach, key), last = std::min(key + reach, keys_.size() - 1);
       const bool is_fixed = std::ranges::binary_search(fixed_, keys_[key].sample);
@@ -136,7 +170,7 @@ class Thinning {
 
   /// Tries each window of so many segments with one less.
   void sweep(std::size_t segments, std::size_t from, std::size_t to) {
-    for (std::size_t first = at_sample(from); first + 1 < keys_.size() && keys_[first].sample < to;) {
+    for (std::size_t first = keys_.at_sample(from); first + 1 < keys_.size() && keys_[first].sample < to;) {
       const std::size_t last = std::min(first + segments, next_fixed(first));
       if (last - first > 1 && shorten(first, last)) continue;
       const bool at_fixed = last == next_fixed(first) && last - first <= segments;
@@ -147,12 +181,12 @@ class Thinning {
   }
 
   void end_pass() {
-    if (done_) done_(keys_.back().sample - keys_.front().sample);
+    if (done_) done_(keys_[keys_.size() - 1].sample - keys_[0].sample);
   }
 
   /// The first key after this one that has to stay.
   std::size_t next_fixed(std::size_t key) const {
-    return at_sample(*std::ranges::upper_bound(fixed_, keys_[key].sample));
+    return keys_.at_sample(*std::ranges::upper_bound(fixed_, keys_[key].sample));
   }
 
   FixedEnds ends_of(std::size_t first, std::size_t last) const {
@@ -161,18 +195,17 @@ class Thinning {
 
   /// Removes a key between two keys, if that is possible.
   bool remove(std::size_t first, std::size_t key, std::size_t last) {
-    const auto at = [this](std::size_t i) { return keys_.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::vector<FitKey> keys(at(first), at(key));
-    keys.insert(keys.end(), at(key + 1), at(last + 1));
+    std::vector<FitKey> keys = keys_.range(first, last + 1);
+    keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(key - first));
     const std::vector<double> worst = fit_smoothly(recording_, keys, ends_of(first, last));
     if (*std::ranges::max_element(worst) > 1) return false;
-    replace(first, last, std::move(keys));
+    keys_.replace(first, last + 1, std::move(keys));
     return true;
   }
 
   /// Replaces the keys between two keys by one less, if that is possible.
   bool shorten(std::size_t first, std::size_t last) {
-    std::vector<std::size_t> marks = samples_of(std::span(keys_).subspan(first, last + 1 - first));
+    std::vector<std::size_t> marks = samples_of(keys_.range(first, last + 1));
     std::vector<double> masses(last - first, 1.0);
     double before = 4;
     for (int move = 0; move < most_moves; ++move) {
@@ -183,7 +216,7 @@ class Thinning {
       const std::vector<double> worst = fit_smoothly(recording_, keys, ends_of(first, last));
       const double largest = *std::ranges::max_element(worst);
       if (largest <= 1) {
-        replace(first, last, std::move(keys));
+        keys_.replace(first, last + 1, std::move(keys));
         return true;
       }
       if (largest > before * 0.9) break;
@@ -194,7 +227,7 @@ class Thinning {
   }
 
   const Recording& recording_;
-  std::vector<FitKey> keys_;
+  KeyList keys_;
   const std::vector<std::size_t> fixed_;
   const Sweeps& sweeps_;
   const SamplesDone& done_;
@@ -341,12 +374,12 @@ std::vector<FitKey> thinned(const Recording& recording, const std::vector<FitKey
                          [&](std::size_t sample) { return sample >= from && sample <= to; });
     Thinning thinning(recording, std::move(part), union_of(std::move(own_fixed), {}), sweeps, counted, ends_of_part);
     thinning.thin();
-    return std::move(thinning).take();
+    return thinning.keys();
   };
   const SamplesDone none;
   Thinning between(recording, in_parts(keys, ends, threads, thin), fixed, sweeps, none);
   for (std::size_t end = 1; end + 1 < ends.size(); ++end) between.thin_around(keys[ends[end]].sample);
-  return std::move(between).take();
+  return between.keys();
 }
 
 /// The fewest keys that several tries find: from two beginnings, with sweeps in either order, and until nothing is

@@ -50,7 +50,10 @@ TEST(View, corners_are_changes_of_direction) {
 
 TEST(View, frames_have_numbers_and_names) {
   Svg svg;
-  draw_frame(svg, graph(), {"height [m]", "time"});
+  View view = graph();
+  view.heading = "height [m]";
+  view.name = "time";
+  draw_frame(svg, view);
   EXPECT_THAT(svg.text(), HasSubstr(">height [m]<"));
   EXPECT_THAT(svg.text(), HasSubstr("text-anchor=\"middle\" class=\"v\">2.0<"));
 }
