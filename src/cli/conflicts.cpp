@@ -360,8 +360,8 @@ bool needs_no_metric(const TypedOptions& typed) {
 
 void require_no_conflict(const TypedOptions& typed) {
   for (const Conflict& conflict : conflicts) {
-    for (const std::string_view option : conflict.options) {
-      if (typed.has(option)) require_none(conflict, option, typed);
+    for (auto option = conflict.options.begin(); !option->empty(); ++option) {
+      if (typed.has(*option)) require_none(conflict, *option, typed);
     }
   }
 }
