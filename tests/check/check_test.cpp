@@ -31,36 +31,6 @@ SampleRows row_of(const std::string& group, double number, std::uint64_t line) {
 
 SampleTable table_of(std::vector<SampleRows> curves) { return {true, true, "t", {"x"}, {}, std::move(curves)}; }
 
-TEST(Pairs, are_made_by_group_in_any_format) {
-  const KeptInput kept = curves_of({"\"1", "\"b"});
-  SampleTable table = table_of({row_of("\"b", 5, 2), row_of("1", 4, 3)});
-  const Pairs pairs = pair_up(kept, table);
-  ASSERT_EQ(pairs.pairs.size(), 2U);
-  EXPECT_EQ(pairs.pairs[0].curve, &kept.curves[0]);
-  EXPECT_THAT(pairs.pairs[0].rows.numbers, ElementsAre(4));
-  EXPECT_THAT(pairs.pairs[1].rows.numbers, ElementsAre(5));
-  EXPECT_THAT(pairs.problems, IsEmpty());
-}
-
-TEST(Pairs, curves_of_one_file_only_are_problems) {
-  const KeptInput kept = curves_of({"\"a", "\"b"});
-  SampleTable table = table_of({row_of("\"b", 5, 2), row_of("\"c", 4, 7)});
-  const Pairs pairs = pair_up(kept, table);
-  EXPECT_EQ(pairs.pairs.size(), 1U);
-  EXPECT_THAT(pairs.problems, ElementsAre("curve id=a has no rows",
-                                          "curve id=c has no keys; its rows are in line 7 and "
-                                          "below"));
-}
-
-TEST(Pairs, are_made_by_order_if_a_file_has_no_groups) {
-  const KeptInput kept = curves_of({"\"a", "\"b", "\"c"});
-  SampleTable table = table_of({row_of("", 5, 2), row_of("", 4, 3)});
-  const Pairs pairs = pair_up(kept, table);
-  ASSERT_EQ(pairs.pairs.size(), 2U);
-  EXPECT_THAT(pairs.pairs[1].rows.numbers, ElementsAre(4));
-  EXPECT_THAT(pairs.problems, ElementsAre("number of curves: 2 in the rows, 3 in the keys, 2 compared"));
-}
-
 TEST(Pairs, a_single_curve_takes_all_rows) {
   const KeptInput kept = curves_of({""});
   SampleTable table = table_of({row_of("", 5, 2), row_of("", 4, 9)});
@@ -229,34 +199,6 @@ Check check_of(Comparison comparison) {
   return check(comparison);
 }
 
-TEST(Check, passes_where_all_numbers_are_equal) {
-  const Comparing files(line_keys, "t,x,y\n0.5,1.5,2\n2,6,8\n");
-  const Check result = check_of(files.comparison);
-  EXPECT_TRUE(result.passed());
-  EXPECT_EQ(result.rows, 2U);
-  EXPECT_EQ(result.values, 4U);
-  EXPECT_FALSE(result.first);
-}
-
-TEST(Check, counts_differences_and_finds_the_first_and_the_largest) {
-  const Comparing files(line_keys, "t,x,y\n1.5,4.75,7\n0.5,1.5,1\n1,3,4.5\n");
-  const Check result = check_of(files.comparison);
-  EXPECT_FALSE(result.passed());
-  EXPECT_EQ(result.mismatches, 4U);
-  ASSERT_EQ(result.columns.size(), 2U);
-  EXPECT_EQ(result.columns[0].mismatches, 1U);
-  EXPECT_EQ(result.columns[1].mismatches, 3U);
-  EXPECT_EQ(result.columns[1].largest.abs, 1);
-  EXPECT_EQ(result.columns[1].largest.rel, 0.5);
-  EXPECT_EQ(result.first->line, 2U);
-  EXPECT_EQ(result.first->column, "x");
-  EXPECT_EQ(result.first->distance.abs, 0.25);
-  EXPECT_EQ(result.worst->row, 1U);
-  EXPECT_EQ(result.worst->column, "y");
-  EXPECT_EQ(result.worst->given, 7);
-  EXPECT_EQ(result.worst->computed, 6);
-}
-
 TEST(Check, accepts_numbers_within_the_tolerance_of_their_column) {
   Comparing files(line_keys, "t,x,y\n0.5,1.75,2.25\n");
   files.comparison.abs = {{"x", 0.25}};
@@ -273,25 +215,6 @@ TEST(Check, a_missing_number_differs) {
   EXPECT_EQ(result.mismatches, 1U);
   EXPECT_TRUE(std::isnan(result.first->given));
   EXPECT_EQ(result.columns[1].largest.abs, 0) << "only of rows where both have a number";
-}
-
-TEST(Check, fails_for_rows_off_the_curve) {
-  const Comparing files(line_keys, "t,x,y\n0.5,1.5,2\n3,9,12\n");
-  const Check result = check_of(files.comparison);
-  EXPECT_EQ(result.mismatches, 0U);
-  EXPECT_EQ(result.rows, 1U);
-  EXPECT_THAT(result.problems,
-              ElementsAre(testing::StartsWith("rows outside the curve: 1; the first, in line 3, has time 3")));
-  EXPECT_FALSE(result.passed());
-}
-
-TEST(Check, a_tolerance_needs_a_column_that_is_compared) {
-  Comparing files(line_keys, "t,x\n0.5,1.5\n");
-  files.comparison.ulp = {{"y", 1}};
-  const Error error = error_of([&] { check(files.comparison); });
-  EXPECT_EQ(error.message(), "--ulp: no column \"y\" is compared; expected one of t, x");
-  files.comparison.ulp = {{"t", 1}};
-  EXPECT_THAT(check_of(files.comparison).problems, testing::SizeIs(1)) << "the column y is missing";
 }
 
 }  // namespace
