@@ -30,17 +30,6 @@ TEST_F(FileTest, an_output_appears_when_it_is_complete) {
   EXPECT_EQ(entries(), 1U) << "nothing else is left";
 }
 
-TEST_F(FileTest, an_output_that_is_not_complete_leaves_nothing_and_changes_nothing) {
-  made("old", "before");
-  for (const char* name : {"old", "new"}) {
-    Output output(path(name));
-    output.set_live(true);
-    output.write("half");
-  }
-  EXPECT_EQ(text_of(path("old")), "before");
-  EXPECT_EQ(entries(), 1U);
-}
-
 TEST_F(FileTest, an_output_replaces_a_file_and_the_target_of_a_link) {
   made("old", "a longer text than the new one");
   fs::create_symlink(path("old"), path("link"));
@@ -49,14 +38,6 @@ TEST_F(FileTest, an_output_replaces_a_file_and_the_target_of_a_link) {
   output.commit();
   EXPECT_EQ(text_of(path("old")), "new");
   EXPECT_TRUE(fs::is_symlink(path("link")));
-}
-
-TEST_F(FileTest, an_output_has_the_permissions_of_any_new_file) {
-  const mode_t mask = ::umask(0027);
-  Output output(path("out"));
-  output.commit();
-  ::umask(mask);
-  EXPECT_EQ(fs::status(path("out")).permissions(), static_cast<fs::perms>(0640));
 }
 
 TEST_F(FileTest, an_output_does_not_inherit_setuid_and_setgid) {
@@ -93,16 +74,6 @@ TEST_F(FileTest, an_output_that_cannot_be_written_is_refused_at_once) {
             "usage: " + path("none/out") + ": error: cannot be written: No such file or directory");
   EXPECT_EQ(error_of([&] { Output output(folder_.string()); }),
             "usage: " + folder_.string() + ": error: cannot be written: Is a directory");
-}
-
-TEST_F(FileTest, a_full_device_is_an_error) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP();
-  EXPECT_EQ(error_of([] {
-              Output output("/dev/full");
-              output.write("text");
-              output.commit();
-            }),
-            "usage: /dev/full: error: cannot be written: No space left on device");
 }
 
 TEST_F(FileTest, standard_output_gets_each_text_at_once_only_when_it_is_live) {

@@ -75,33 +75,6 @@ TEST_F(Inputs, a_folder_is_mirrored) {
   EXPECT_NE(refusal(options).find("a/x.csv is also the output of"), std::string::npos);
 }
 
-TEST_F(Inputs, a_file_that_is_named_keeps_its_name_only) {
-  touch("in/a.b.csv");
-  InputListOptions options;
-  options.files = {"in/a.b.csv"};
-  options.outputs.folder = "out";
-  options.outputs.ending = ".csv";
-  options.outputs.suffix = "-1";
-  EXPECT_EQ(found(options).at(0), "in/a.b.csv -> out/a.b-1.csv");
-}
-
-TEST_F(Inputs, an_output_is_current_if_it_is_not_older) {
-  for (const char* path : {"a.csv", "b.csv", "c.csv", "out/a.csv", "out/b.csv"}) touch(path);
-  const auto now = fs::last_write_time("a.csv");
-  fs::last_write_time("out/a.csv", now);
-  fs::last_write_time("out/b.csv", fs::last_write_time("b.csv") - std::chrono::milliseconds(1));
-  InputListOptions options;
-  options.files = {"a.csv", "b.csv", "c.csv"};
-  options.outputs.folder = "out";
-  options.outputs.ending = ".csv";
-  options.update = true;
-  const auto inputs = find_inputs(options);
-  EXPECT_TRUE(inputs.files[0].is_current);
-  EXPECT_FALSE(inputs.files[1].is_current);
-  EXPECT_FALSE(inputs.files[2].is_current);
-  EXPECT_EQ(inputs.files[0].size, 5);
-}
-
 TEST_F(Inputs, lists_name_more_files) {
   for (const char* path : {"a.csv", "b.csv"}) touch(path);
   std::ofstream("list") << "\xEF\xBB\xBF"
