@@ -191,6 +191,10 @@ std::string Axis::words(const Rational& time, const Rational& step) const {
   return day_.empty() ? text.substr(0, date) + " " + clock : clock;
 }
 
+Tick Axis::tick_in_words(double at, const Rational& step) const {
+  return {at, words(exact_time(base_) + Rational(at), step)};
+}
+
 /// Ticks at the firsts of months between two times of the zone.
 std::vector<Tick> Axis::ticks_at_months(const Rational& low, const Rational& high, double most) const {
   using std::chrono::days, std::chrono::months, std::chrono::sys_days, std::chrono::year_month_day;
@@ -216,13 +220,12 @@ std::vector<Tick> Axis::ticks_at_months(const Rational& low, const Rational& hig
     if (static_cast<double>(ticks.size()) <= most && ticks.size() >= 2) return ticks;
     if (ticks.size() < 2) break;
   }
-  return {{low_, words(exact_time(base_) + Rational(low_), seconds_of_day)},
-          {high_, words(exact_time(base_) + Rational(high_), seconds_of_day)}};
+  return {tick_in_words(low_, seconds_of_day), tick_in_words(high_, seconds_of_day)};
 }
 
 std::vector<Tick> Axis::ticks_in_words(double most) const {
-  const Rational offset = zone_offset(scale_->dates),
-                 base = exact_time(base_) + (is_date(scale_->notation) ? offset : 0);
+  const Rational offset = is_date(scale_->notation) ? zone_offset(scale_->dates) : Rational(0);
+  const Rational base = exact_time(base_) + offset;
   const Rational low = base + Rational(low_), high = base + Rational(high_);
   const std::vector<Rational> steps = steps_of(*scale_);
   const auto multiples = [&](const Rational& step) {
@@ -241,14 +244,10 @@ std::vector<Tick> Axis::ticks_in_words(double most) const {
   std::vector<Tick> ticks;
   for (Rational i = first; i <= last; i += stride) {
     const Rational time = i * *step;
-    ticks.push_back({nearest_double(time - base), words(is_date(scale_->notation) ? time - offset : time, *step)});
+    ticks.push_back({nearest_double(time - base), words(time - offset, *step)});
   }
   if (ticks.size() >= 2) return ticks;
-  const auto tick_at = [&](double at) {
-    const Rational time = base + Rational(at);
-    return Tick{at, words(is_date(scale_->notation) ? time - offset : time, *step)};
-  };
-  return {tick_at(low_), tick_at(high_)};  // shorter than all steps
+  return {tick_in_words(low_, *step), tick_in_words(high_, *step)};  // shorter than all steps
 }
 
 std::vector<Tick> Axis::ticks(double most) const {

@@ -62,6 +62,7 @@ class Axis {
   std::vector<Tick> ticks_in_words(double most) const;
   std::vector<Tick> ticks_at_months(const Rational& low, const Rational& high, double most) const;
   std::string words(const Rational& time, const Rational& step) const;
+  Tick tick_in_words(double at, const Rational& step) const;
 
   Time base_{0.0};
   std::string base_text_;
