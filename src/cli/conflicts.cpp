@@ -54,8 +54,6 @@ bool writes_poses(const Typed& typed) { return typed.output.format->poses != nul
 bool writes_no_text(const Typed& typed) { return !typed.output.format->has_marks; }
 bool writes_no_csv(const Typed& typed) { return !typed.output.format->has_any_delimiter; }
 
-bool is_comparison(const Typed& typed) { return typed.has(option::check) || typed.has(option::identify); }
-bool prints_limits(const Typed& typed) { return typed.has(option::limits) && !typed.has(option::retime); }
 bool writes_no_report(const Typed& typed) { return !typed.output.format->has_reports && !writes_picture(typed); }
 bool has_no_samples(const Typed& typed) { return !has_sampling_option(typed); }
 
@@ -350,6 +348,9 @@ void require_none(const Conflict& conflict, std::string_view name, const Typed& 
 bool has_sampling_option(const TypedOptions& typed) {
   return std::ranges::any_of(sampling_options, [&](std::string_view option) { return typed.has(option); });
 }
+
+bool is_comparison(const TypedOptions& typed) { return typed.has(option::check) || typed.has(option::identify); }
+bool prints_limits(const TypedOptions& typed) { return typed.has(option::limits) && !typed.has(option::retime); }
 
 bool needs_no_metric(const TypedOptions& typed) {
   const bool by_metric = by_length(typed.sampling.mode) || typed.has(option::tolerance) || typed.has(option::fit) ||

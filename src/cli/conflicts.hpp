@@ -17,6 +17,11 @@ inline constexpr std::array sampling_options{
 
 bool has_sampling_option(const TypedOptions& typed);
 
+/// Whether samples are compared, so that there is a report.
+bool is_comparison(const TypedOptions& typed);
+/// Whether maxima are printed, so that there is a report.
+bool prints_limits(const TypedOptions& typed);
+
 /// No length, speed or distance is requested, so that a metric has no effect.
 bool needs_no_metric(const TypedOptions& typed);
 

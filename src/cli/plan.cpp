@@ -43,8 +43,7 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
 /// for the ending of a format that is not written.
 void set_output_format(TypedOptions& typed, bool earlier) {
   const std::string& path = typed.files.outputs.file;
-  const bool prints_limits = typed.has(option::limits) && !typed.has(option::retime);
-  const bool is_report = typed.has(option::check) || typed.has(option::identify) || prints_limits;
+  const bool is_report = is_comparison(typed) || prints_limits(typed);
   const Format* const named = find_output_format(path);
   const std::string other(other_ending(path));
   if (named == nullptr && !other.empty()) {
@@ -84,21 +83,19 @@ void set_exact_pieces(TypedOptions& typed, std::string_view form) {
 
 /// Throws: Error (usage) if standard input would be read twice.
 void require_one_reader(const TypedOptions& typed) {
-  const bool keys_from_input = std::ranges::count(typed.files.files, "-") > 0;
-  const bool no_files = typed.files.files.empty();
+  const bool names_input = std::ranges::count(typed.files.files, "-") > 0;
+  const bool keys_from_input = names_input || typed.files.files.empty();
+  const bool samples_from_input = is_comparison(typed) && typed.comparison.file == "-";
   const auto require = [](bool reads_twice, std::string_view option) {
     if (reads_twice)
       throw usage_error(
           "the file and the keys are both standard input; expected it once; give a file name for one of them")
           .about(option);
   };
-  require(typed.files.list == "-" && keys_from_input, option::files);
-  const std::string_view places = typed.has(option::at) ? option::at : option::arc_at;
-  const bool is_used = keys_from_input || no_files || (typed.has(option::check) && typed.comparison.file == "-");
-  require(typed.places.from_input && is_used, places);
-  require((typed.has(option::check) && typed.comparison.file == "-") && (keys_from_input || no_files), option::check);
-  require((typed.has(option::identify) && typed.comparison.file == "-") && (keys_from_input || no_files),
-          option::identify);
+  require(typed.files.list == "-" && names_input, option::files);
+  require(typed.places.from_input && (keys_from_input || samples_from_input),
+          typed.has(option::at) ? option::at : option::arc_at);
+  require(samples_from_input && keys_from_input, typed.has(option::check) ? option::check : option::identify);
 }
 
 /// Throws: Error (usage) for a range of samples that runs backwards.
@@ -359,7 +356,7 @@ RetimeJob retime_job(const TypedOptions& typed, std::optional<ProvenanceRequest>
 /// (usage) if they do not fit each other.
 Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
   require_one_reader(typed);
-  if (typed.has(option::check) || typed.has(option::identify)) return compare_job(typed);
+  if (is_comparison(typed)) return compare_job(typed);
   if (typed.has(option::retime)) return retime_job(typed, std::move(provenance));
   if (typed.has(option::limits)) return limits_job(typed);
   require_samples(typed);
