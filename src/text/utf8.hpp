@@ -32,6 +32,23 @@ inline LinePosition position_after(std::string_view text, LinePosition position)
   return {position.line + count_lines(text), column_after(text, position.column)};
 }
 
+/// Finds the positions of places in a text that follow one another.
+class LineCounter {
+ public:
+  explicit LineCounter(LinePosition begin = {}) : position_(begin) {}
+
+  /// The position of a place, which is not before the last one.
+  LinePosition to(std::string_view text, std::size_t place) {
+    position_ = position_after(text.substr(place_, place - place_), position_);
+    place_ = place;
+    return position_;
+  }
+
+ private:
+  std::size_t place_ = 0;
+  LinePosition position_;
+};
+
 /// Where the first invalid byte of a text is, or npos.
 std::size_t find_invalid_utf8(std::string_view text);
 

@@ -101,8 +101,8 @@ void require_quaternion(const std::vector<Found>& members) {
 /// Finds what the first record holds.
 class FirstRecord {
  public:
-  FirstRecord(const JsonTape& tape, const FirstRecords& records, const InputOptions& options)
-      : tape_(tape), records_(records), signs_(options.keys.signs) {
+  FirstRecord(const JsonTable& records, const InputOptions& options)
+      : tape_(records.tape()), records_(records), signs_(options.keys.signs) {
     for (const RoleRequest& role : options.columns.roles) {
       if (role.role == Role::position) positions_.insert(role.columns.begin(), role.columns.end());
       if (role.role == Role::group || role.role == Role::carry || role.role == Role::unused) {
@@ -112,7 +112,7 @@ class FirstRecord {
   }
 
   std::vector<Found> read() {
-    for (const JsonCell& cell : records_.cells(0)) {
+    for (const JsonCell& cell : records_.first_cells()) {
       const bool is_object = cell.value != JsonCell::missing && tape_.kind(cell.value) == Kind::object;
       if (!is_object || !is_spread_always(cell.name)) {
         add(std::string(cell.name), {std::string(cell.name)}, cell);
@@ -129,8 +129,9 @@ class FirstRecord {
  private:
   /// `error` at a value of a member, which may be outside of the record in a table of columns.
   Error at(const Found& member, std::size_t value, const Error& error) const {
-    const bool is_inside = records_.value < value && value < tape_[records_.value].next;
-    return error.about(is_inside ? records_.path + tape_.path(records_.value, value) : member.path)
+    const std::size_t first = records_.place(0);
+    const bool is_inside = first < value && value < tape_[first].next;
+    return error.about(is_inside ? records_.first_path() + tape_.path(first, value) : member.path)
         .at(tape_.position(value));
   }
 
@@ -138,9 +139,9 @@ class FirstRecord {
     Found& member = members_.emplace_back();
     member.name = std::move(name);
     member.route = std::move(route);
-    member.path = fmt::format("{}.{}", records_.path, member.name);
+    member.path = fmt::format("{}.{}", records_.first_path(), member.name);
     member.node = cell.value;
-    member.place = cell.place == JsonCell::missing ? records_.value : cell.place;
+    member.place = cell.place == JsonCell::missing ? records_.place(0) : cell.place;
     member.tape = &tape_;
     if (!names_.insert(member.name).second) {
       throw member.at(data_error("the key has this member twice; expected it once; remove one"));
@@ -228,15 +229,14 @@ class FirstRecord {
     if (std::ranges::none_of(members_, &Found::text)) return;
     constexpr std::size_t most_records = 1000;
     std::unordered_set<std::string_view> numbers, missing, texts;
-    for (std::size_t record = 0; record < std::min(records_.count, most_records); ++record) {
-      for (const JsonCell& cell : records_.cells(record)) {
-        if (cell.value == JsonCell::missing) continue;
+    for (std::size_t record = 0; record < std::min(records_.size(), most_records); ++record) {
+      records_.for_each_cell(record, [&](const JsonCell& cell) {
         const Kind kind = tape_.kind(cell.value);
         if (kind == Kind::number) numbers.insert(cell.name);
         if (kind == Kind::boolean) texts.insert(cell.name);
-        if (kind != Kind::string || tape_.text(cell.value).empty()) continue;
+        if (kind != Kind::string || tape_.text(cell.value).empty()) return;
         (is_missing_sign(tape_.text(cell.value), signs_) ? missing : texts).insert(cell.name);
-      }
+      });
     }
     for (Found& member : members_) {
       const bool has_numbers =
@@ -248,7 +248,7 @@ class FirstRecord {
   }
 
   const JsonTape& tape_;
-  const FirstRecords& records_;
+  const JsonTable& records_;
   const std::vector<std::string>& signs_;
   std::unordered_set<std::string> texts_;                  ///< members that are requested as texts
   std::unordered_set<std::string> positions_{"position"};  ///< those that may be arrays of positions
@@ -694,12 +694,13 @@ void take_cells(std::vector<std::string_view>& row, const JsonTape& tape, const 
 /// The notes of the doubts about the columns. Throws: Error (data) for one that the request has to decide.
 std::vector<std::string> doubts_of(const JsonColumns& columns, const std::vector<std::string>& header,
                                    const std::vector<bool>& numeric, std::vector<std::string> meant,
-                                   const JsonTape& tape, const FirstRecords& records, const InputOptions& options) {
+                                   const JsonTable& records, const InputOptions& options) {
   constexpr std::size_t most = 50;
-  std::vector<std::vector<std::string_view>> rows(std::min(records.count, most));
+  std::vector<std::vector<std::string_view>> rows(std::min(records.size(), most));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     rows[i].resize(header.size());
-    for (const JsonCell& cell : records.cells(i)) take_cells(rows[i], tape, columns.members, cell.name, cell.value);
+    records.for_each_cell(
+        i, [&](const JsonCell& cell) { take_cells(rows[i], records.tape(), columns.members, cell.name, cell.value); });
   }
   return doubts_of_columns({.names = header,
                             .rows = rows,
@@ -713,8 +714,8 @@ std::vector<std::string> doubts_of(const JsonColumns& columns, const std::vector
 }
 
 /// What the members of the first key mean.
-JsonColumns columns_of(const std::vector<Found>& members, const JsonTape& tape, const FirstRecords& records,
-                       const InputOptions& options, const std::vector<std::string>& channels) {
+JsonColumns columns_of(const std::vector<Found>& members, const JsonTable& records, const InputOptions& options,
+                       const std::vector<std::string>& channels) {
   const ColumnOptions& requested = options.columns;
   const Arrays arrays = arrays_of(members, options, channels);
   const bool has_array = std::ranges::any_of(members, [&](const auto& member) { return arrays.has(member); });
@@ -753,7 +754,7 @@ JsonColumns columns_of(const std::vector<Found>& members, const JsonTape& tape, 
       const auto names = std::span(header).subspan(cells[i].cell, cells[i].cells);
       if (members[i].array) meant.insert(meant.end(), names.begin(), names.end());
     }
-    result.columns.doubts = doubts_of(result, header, are_numbers, std::move(meant), tape, records, options);
+    result.columns.doubts = doubts_of(result, header, are_numbers, std::move(meant), records, options);
   }
   add_optional_members(result);
   complete(result, result.members, result.all_members);
@@ -770,21 +771,12 @@ JsonColumns columns_of(const std::vector<Found>& members, const JsonTape& tape, 
 
 }  // namespace
 
-JsonCells members_of(const JsonTape& tape, std::size_t object) {
-  JsonCells cells;
-  tape.for_each_member(object, [&](std::size_t name, std::size_t value) {
-    cells.push_back({tape.text(name), value, name});
-    return true;
-  });
-  return cells;
-}
-
-JsonColumns find_members(const JsonTape& tape, const FirstRecords& records, const InputOptions& options,
+JsonColumns find_members(const JsonTable& records, const InputOptions& options,
                          const std::vector<std::string>& channels) {
-  std::vector<Found> members = FirstRecord(tape, records, options).read();
-  return at_position(tape.position(records.value), [&] {
+  std::vector<Found> members = FirstRecord(records, options).read();
+  return at_position(records.tape().position(records.place(0)), [&] {
     spread(members, options.columns);
-    return columns_of(members, tape, records, options, channels);
+    return columns_of(members, records, options, channels);
   });
 }
 

@@ -7,38 +7,17 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "read/input_options.hpp"
-#include "read/json/tape.hpp"
+#include "read/json/tables.hpp"
 #include "schema/columns.hpp"
 #include "schema/key_rules.hpp"
 #include "schema/units.hpp"
 
 namespace tcb {
-
-/// A member of a key, or a cell of a row of a table.
-struct JsonCell {
-  static constexpr std::size_t missing = static_cast<std::size_t>(-1);
-  std::string_view name;
-  std::size_t value = missing;  ///< on the tape
-  std::size_t place = missing;  ///< the name on the tape, or the value
-};
-using JsonCells = std::vector<JsonCell>;
-
-/// The members of an object.
-JsonCells members_of(const JsonTape& tape, std::size_t object);
-
-/// The first records of a list of keys.
-struct FirstRecords {
-  std::size_t count = 0;
-  std::function<JsonCells(std::size_t)> cells;  ///< of a record
-  std::string path;                             ///< of the first one
-  std::size_t value = 0;                        ///< the first one, on the tape
-};
 
 /// The meaning of the members of keys, as in the first one.
 struct JsonColumns {
@@ -71,7 +50,7 @@ inline constexpr std::uint64_t bytes_of_missing_number = 96;
 /// The meaning of the members of the first record. A member with a text there holds numbers if one of the first records
 /// has a number, or all have signs of missing ones. `channels` are names for the numbers of "position", if any.
 /// Throws: Error (data).
-JsonColumns find_members(const JsonTape& tape, const FirstRecords& records, const InputOptions& options,
+JsonColumns find_members(const JsonTable& records, const InputOptions& options,
                          const std::vector<std::string>& channels);
 
 /// Gives the numbers of "position" these names. Throws: Error (data) if there are not as many.

@@ -22,34 +22,24 @@ using Members = std::vector<Member>;
 
 bool is_text(const Column& column) { return column.role == Role::group || column.role == Role::carry; }
 
-/// Passes the members of keys to the key builder, as cells.
+/// Passes the cells of records to the key builder.
 class KeyReader {
  public:
-  KeyReader(const JsonTape& tape, const JsonColumns& columns)
+  /// `number`: of the next record, in the list at `path`.
+  KeyReader(const JsonTape& tape, const JsonColumns& columns, std::string path, std::uint64_t number)
       : tape_(tape),
         columns_(columns),
         signs_(columns.rules.signs),
         keys_(columns.columns, columns.rules, columns.units),
-        list_(tape.part().chunk.path),
-        number_(tape.part().chunk.first),
+        path_(std::move(path)),
+        number_(number),
         seen_(columns.all_members) {
-    counted_position_ = {tape.part().chunk.line, tape.part().chunk.column};
     find_required(columns.members);
   }
 
-  /// Continues in the list that another reader has read. `number`: of the next record.
-  void continue_at(std::string list, std::uint64_t number, std::size_t byte, LinePosition position) {
-    list_ = std::move(list);
-    number_ = number;
-    counted_ = byte;
-    counted_position_ = position;
-  }
-  std::size_t counted() const { return counted_; }
-  LinePosition counted_position() const { return counted_position_; }
-
   bool is_full() const { return keys_.is_full(); }
   void add_fault(Error error) { keys_.add_fault(std::move(error)); }
-  KeyBlock finish() { return keys_.finish(list_); }
+  KeyBlock finish() { return keys_.finish(path_); }
   KeyBlock finish_unreadable(const Error& error) {
     add_fault(error);
     keys_.set_unreadable();
@@ -57,66 +47,36 @@ class KeyReader {
   }
   void skip_record() { ++number_; }
 
-  /// Reads a record: an object, a row in an array, or null, which breaks the curve and counts as one in a list.
-  /// Throws: Error (data) for another value.
-  void read_record(std::size_t record, bool is_in_list) {
-    const Kind kind = tape_.kind(record);
-    const bool is_row = !columns_.row_names.empty();
-    if (kind == Kind::object && !is_row) return read_object(record);
-    if (kind == Kind::array && is_row) return read_row(record);
-    if (kind == Kind::null && tape_.written(record) == "null") {
+  /// Reads a record, or null, which breaks the curve and counts as one in a list. Throws: Error (data) for another
+  /// value.
+  void read(const JsonTable& table, std::size_t row, LineCounter& lines, bool is_in_list = true) {
+    const std::size_t place = table.place(row);
+    if (!table.is_record(row)) {
+      const bool is_break = tape_.kind(place) == Kind::null && tape_.written(place) == "null";
+      if (!is_break) throw not_a_record(tape_, place, table.columns() > 0);
       keys_.break_curve();
       if (is_in_list) skip_record();
       return;
     }
-    throw not_a_record(tape_, record, is_row);
-  }
-
-  /// `place`: where the record begins.
-  void read_cells(const JsonCells& cells, std::size_t place) {
-    begin_key(place);
+    begin_key();
+    const LinePosition position = lines.to(tape_.part().chunk.text, tape_[place].begin);
     std::size_t expected = 0;
-    for (const JsonCell& cell : cells) read_member(cell, expected);
-    end_key(place);
+    table.for_each_cell(row, [&](const JsonCell& cell) { read_member(cell, expected); });
+    if (const std::size_t cells = table.columns(); cells > 0 && tape_.count(place) != cells) {
+      add_fault(row_of_other_size(number_, tape_.count(place), cells).at(tape_.position(place)));
+    }
+    end_key(place, position);
   }
 
  private:
-  void read_object(std::size_t record) {
-    begin_key(record);
-    std::size_t expected = 0;
-    tape_.for_each_member(record, [&](std::size_t name, std::size_t value) {
-      read_member({tape_.text(name), value, name}, expected);
-      return true;
-    });
-    end_key(record);
-  }
-
-  void read_row(std::size_t record) {
-    begin_key(record);
-    std::size_t expected = 0, index = 0;
-    const auto& names = columns_.row_names;
-    tape_.for_each_element(record, [&](std::size_t value) {
-      if (index < names.size()) read_member({names[index], value, value}, expected);
-      ++index;
-      return true;
-    });
-    if (index != names.size()) {
-      add_fault(data_error("row {} of the table has {} cell{}; expected {}, one for each column; correct it", number_,
-                           index, index == 1 ? "" : "s", names.size())
-                    .at(tape_.position(record)));
-    }
-    end_key(record);
-  }
-
-  void begin_key(std::size_t place) {
+  void begin_key() {
     keys_.begin_key();
-    count_to(tape_[place].begin);
     tcb_given_ = 0;
     std::ranges::fill(seen_, 0);
     is_provenance_ = false;
   }
 
-  void end_key(std::size_t place) {
+  void end_key(std::size_t place, const LinePosition& position) {
     const std::uint64_t number = number_++;
     if (is_provenance_ && std::ranges::count(seen_, 1) == 0) return;
     for (const Member* member : required_) {
@@ -125,14 +85,7 @@ class KeyReader {
     if (!keys_.complete_time()) add_fault(time_parts_not_whole(columns_.columns.time).at(tape_.position(place)));
     if (!keys_.end_key()) return;
     keys_.set_number(number);
-    keys_.set_position(counted_position_.line, counted_position_.column);
-  }
-
-  /// Counts the lines to a place behind the last one.
-  void count_to(std::size_t byte) {
-    const std::string_view text = tape_.part().chunk.text;
-    counted_position_ = position_after(text.substr(counted_, byte - counted_), counted_position_);
-    counted_ = byte;
+    keys_.set_position(position.line, position.column);
   }
 
   void find_required(const Members& members) {
@@ -377,7 +330,7 @@ class KeyReader {
   /// Adds a fault of a value of the current member.
   void add_value_fault(std::size_t value, const Error& fault) {
     if (is_full()) return;
-    const std::string path = fmt::format("{}[{}].{}{}", list_.empty() ? "keys" : list_, number_, cell_->name,
+    const std::string path = fmt::format("{}[{}].{}{}", path_.empty() ? "keys" : path_, number_, cell_->name,
                                          value == cell_->place ? "" : tape_.path(cell_->value, value));
     add_fault(fault.about(path).at(tape_.position(value)));
   }
@@ -396,7 +349,7 @@ class KeyReader {
   const std::vector<std::string>& signs_;
   KeyBuilder keys_;
   MemoryUse missing_{columns_.max_memory};  ///< of the numbers that no record has
-  std::string list_;
+  std::string path_;
   std::uint64_t number_;             ///< of the current or the next record
   std::vector<unsigned char> seen_;  ///< 1 for the members of the current key; bits would take longer
   std::vector<const Member*> required_;
@@ -404,8 +357,6 @@ class KeyReader {
   const JsonCell* cell_ = nullptr;  ///< the current member
   bool is_provenance_ = false;      ///< the object has "meta", and is no key if it has no member of a key
   unsigned tcb_given_ = 0;          ///< a bit for each of the three
-  std::size_t counted_ = 0;         ///< a place in the text,
-  LinePosition counted_position_;   ///< and its position
 };
 
 }  // namespace
@@ -422,29 +373,28 @@ Error not_a_record(const JsonTape& tape, std::size_t value, bool is_row) {
       .at(tape.position(value));
 }
 
-KeyBlock parse_table(const JsonTable& table, TableCursor& cursor, std::size_t last, const JsonColumns& columns) {
-  KeyReader reader(table.tape(), columns);
-  reader.continue_at(table.path(), cursor.row, cursor.byte, cursor.position);
+KeyBlock parse_table(const JsonTable& table, std::size_t first, std::size_t last, const JsonColumns& columns,
+                     LineCounter& lines) {
+  KeyReader reader(table.tape(), columns, table.path(), first);
   try {
-    for (; cursor.row < last && !reader.is_full(); ++cursor.row) {
-      reader.read_cells(table.cells(cursor.row), table.place(cursor.row));
-    }
+    for (std::size_t row = first; row < last && !reader.is_full(); ++row) reader.read(table, row, lines);
   } catch (const Error& error) {
     return reader.finish_unreadable(error);
   }
-  cursor.byte = reader.counted();
-  cursor.position = reader.counted_position();
   return reader.finish();
 }
 
 KeyBlock parse_json(const JsonPart& part, const JsonColumns& columns) {
+  const Chunk& chunk = part.chunk;
+  LineCounter lines({chunk.line, chunk.column});
   if (part.kind == JsonPart::Kind::values) {
     JsonTape tape(part);
-    KeyReader reader(tape, columns);
+    KeyReader reader(tape, columns, chunk.path, chunk.first);
+    const JsonTable value(tape, {0}, {}, chunk.path, chunk.first);
     for (bool more = true; more && !reader.is_full();) {
       try {
         more = tape.read_next();
-        if (more) reader.read_record(0, false);
+        if (more) reader.read(value, 0, lines, false);
       } catch (const Error& error) {
         reader.add_fault(error);
         reader.skip_record();
@@ -454,16 +404,14 @@ KeyBlock parse_json(const JsonPart& part, const JsonColumns& columns) {
   }
   try {
     const JsonTape tape(part);
-    KeyReader reader(tape, columns);
+    const JsonTable list(tape, tape.elements(0), columns.row_names, chunk.path, chunk.first);
+    KeyReader reader(tape, columns, chunk.path, chunk.first);
     try {
-      if (tape[0].next == 1) {
+      if (list.size() == 0) {
         throw data_error("no key before or after a comma; expected an object; remove the comma")
             .at(tape.position_at(1));
       }
-      tape.for_each_element(0, [&](std::size_t record) {
-        reader.read_record(record, true);
-        return !reader.is_full();
-      });
+      for (std::size_t row = 0; row < list.size() && !reader.is_full(); ++row) reader.read(list, row, lines);
     } catch (const Error& error) {
       return reader.finish_unreadable(error);
     }
@@ -472,7 +420,7 @@ KeyBlock parse_json(const JsonPart& part, const JsonColumns& columns) {
     KeyBuilder keys(columns.columns, columns.rules, columns.units);
     keys.add_fault(error);
     keys.set_unreadable();
-    return keys.finish(part.chunk.path);
+    return keys.finish(chunk.path);
   }
 }
 

@@ -14,14 +14,8 @@ KeyBlock parse_json(const JsonPart& part, const JsonColumns& columns);
 /// The error of a value in the place of a record, which is an object, or a row that is an array.
 Error not_a_record(const JsonTape& tape, std::size_t value, bool is_row);
 
-/// How far a table was read.
-struct TableCursor {
-  std::size_t row = 0;  ///< the next one
-  std::size_t byte = 0;
-  LinePosition position = {};  ///< of the byte
-};
-
-/// The keys of the next rows of a table to before `last`, as parse_json().
-KeyBlock parse_table(const JsonTable& table, TableCursor& cursor, std::size_t last, const JsonColumns& columns);
+/// The keys of rows [first, last) of a table, as parse_json(). `lines` counts to the row before.
+KeyBlock parse_table(const JsonTable& table, std::size_t first, std::size_t last, const JsonColumns& columns,
+                     LineCounter& lines);
 
 }  // namespace tcb

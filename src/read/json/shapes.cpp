@@ -30,6 +30,13 @@ Error no_text() {
   return data_error("the input has no keys; expected a JSON object for each key; see {}", option::help);
 }
 
+/// A text that is read whole.
+struct WholeJson {
+  explicit WholeJson(JsonPart whole, std::uint64_t max_memory) : part(std::move(whole)), tape(part, max_memory) {}
+  JsonPart part;
+  JsonTape tape;
+};
+
 /// A part of the text, and the meaning of the members of its keys.
 struct Task {
   JsonPart part;
@@ -50,14 +57,13 @@ Parsed parse_part(const Task& task) {
 }
 
 /// The values on the tape that are in the place of keys, in the first part of a list or of several values.
-std::vector<std::size_t> first_values(JsonTape& tape) {
-  std::vector<std::size_t> values;
-  if (tape.part().kind == JsonPart::Kind::list) {
-    tape.for_each_element(0, [&](std::size_t value) { return values.push_back(value), true; });
-    return values;
-  }
+std::vector<std::uint32_t> first_values(JsonTape& tape) {
+  if (tape.part().kind == JsonPart::Kind::list) return tape.elements(0);
+  std::vector<std::uint32_t> values;
   try {
-    for (std::size_t next = 0; tape.read_next(true); next = tape.size()) values.push_back(next);
+    for (std::size_t next = 0; tape.read_next(true); next = tape.size()) {
+      values.push_back(static_cast<std::uint32_t>(next));
+    }
   } catch (const Error&) {
     if (values.empty()) throw;  // others are thrown again when the keys are read
   }
@@ -68,32 +74,18 @@ std::vector<std::size_t> first_values(JsonTape& tape) {
 JsonColumns columns_of(const JsonPart& part, bool are_rows, const InputOptions& options,
                        const std::vector<std::string>& channels) {
   JsonTape tape(part);
-  const std::vector<std::size_t> values = first_values(tape);
-  std::vector<std::size_t> keys;
-  for (const std::size_t value : values) {
-    if (tape.kind(value) == (are_rows ? Kind::array : Kind::object)) {
-      keys.push_back(value);
-    } else if (keys.empty() && tape.kind(value) != Kind::null) {
-      throw not_a_record(tape, value, are_rows);
-    }
-  }
-  if (keys.empty())
+  std::vector<std::uint32_t> values = first_values(tape);
+  const auto is_key = [&](std::size_t value) { return tape.kind(value) == (are_rows ? Kind::array : Kind::object); };
+  const auto first = std::ranges::find_if(values, [&](std::size_t value) { return tape.kind(value) != Kind::null; });
+  if (first == values.end())
     throw data_error("no key before or after a comma; expected an object; remove the comma").at(tape.position_at(1));
-  const auto first = static_cast<std::size_t>(std::ranges::find(values, keys[0]) - values.begin());
+  if (!is_key(*first)) throw not_a_record(tape, *first, are_rows);
+  const std::uint64_t number = part.chunk.first + static_cast<std::uint64_t>(first - values.begin());
   const std::vector<std::string> names =
-      are_rows ? usual_names(tape.count(keys[0]), options.columns.timeless) : std::vector<std::string>{};
-  const auto cells = [&](std::size_t key) {
-    if (!are_rows) return members_of(tape, keys[key]);
-    JsonCells row;
-    tape.for_each_element(keys[key], [&](std::size_t value) {
-      if (row.size() < names.size()) row.push_back({names[row.size()], value, value});
-      return true;
-    });
-    return row;
-  };
-  const std::string path =
-      fmt::format("{}[{}]", part.chunk.path.empty() ? "keys" : part.chunk.path, part.chunk.first + first);
-  JsonColumns columns = find_members(tape, {keys.size(), cells, path, keys[0]}, options, channels);
+      are_rows ? usual_names(tape.count(*first), options.columns.timeless) : std::vector<std::string>{};
+  std::erase_if(values, [&](std::size_t value) { return !is_key(value); });
+  JsonColumns columns =
+      find_members(JsonTable(tape, std::move(values), names, part.chunk.path, number), options, channels);
   columns.row_names = names;
   return columns;
 }
@@ -278,69 +270,71 @@ Records open_objects(Source<Task> source, JsonShape shape, const InputOptions& o
   return records;
 }
 
-JsonColumns columns_of(const JsonTable& table, const InputOptions& options) {
-  return find_members(table.tape(), table.first_records(), options, {});
-}
+/// The keys of tables in blocks. Of several tables each is a curve, whose id is its path.
+class TableKeys {
+ public:
+  TableKeys(std::shared_ptr<const WholeJson> text, std::vector<JsonTable> tables, JsonColumns columns,
+            const InputOptions& options)
+      : text_(std::move(text)), tables_(std::move(tables)), columns_(std::move(columns)), options_(options) {}
 
-/// The keys of a table in blocks.
-Source<KeyBlock> keys_of(JsonTable table, JsonColumns columns) {
-  constexpr std::size_t rows_of_block = 1000;
-  const TextPosition begin = table.tape().position_at(0);
-  return [table = std::move(table), columns = std::move(columns),
-          cursor = TableCursor{.position = {begin.line, begin.column}}]() mutable -> std::optional<KeyBlock> {
-    if (cursor.row >= table.size()) return std::nullopt;
-    KeyBlock block = parse_table(table, cursor, std::min(cursor.row + rows_of_block, table.size()), columns);
-    if (block.faults.unreadable || block.faults.errors.size() >= most_faults) cursor.row = table.size();
-    return block;
-  };
-}
-
-Records open_table(JsonTable table, const InputOptions& options, bool is_root) {
-  JsonColumns columns = columns_of(table, options);
-  const JsonShape shape = !is_root                     ? JsonShape::any
-                          : table.has_times_in_index() ? JsonShape::table_by_index
-                                                       : JsonShape::table;
-  Records records = records_of(columns, shape);
-  if (!is_root) records.facts.records = table.path();
-  records.keys.blocks = keys_of(std::move(table), std::move(columns));
-  return records;
-}
-
-/// Several lists are curves, whose ids are the paths.
-Records open_tables(std::vector<JsonTable> tables, const InputOptions& options) {
-  if (tables.size() == 1) return open_table(std::move(tables[0]), options, false);
-  JsonColumns columns = columns_of(tables[0], options);
-  Records records = records_of(columns, JsonShape::any);
-  require_no_groups(records.columns);
-  records.columns.groups = {"id"};
-  records.facts.records = options.records;
-  records.keys.traits.own_curves = true;
-  records.keys.blocks = [tables = std::move(tables), options, first = columns.columns, next = std::size_t{0},
-                         keys = Source<KeyBlock>()]() mutable -> std::optional<KeyBlock> {
-    while (true) {
-      if (keys) {
-        if (auto block = keys()) return block;
-      }
-      if (next == tables.size()) return std::nullopt;
-      const JsonTable& table = tables[next++];
-      JsonColumns its_columns = columns_of(table, options);
-      require_same_columns(first, its_columns.columns, table.path());
-      keys = keys_of(table, std::move(its_columns));
-      auto block = keys();
-      if (!block) continue;
+  std::optional<KeyBlock> operator()() {
+    if (row_ >= tables_[table_].size()) {
+      if (table_ + 1 == tables_.size()) return std::nullopt;
+      begin_next();
+    }
+    const JsonTable& table = tables_[table_];
+    constexpr std::size_t rows_of_block = 1000;
+    const std::size_t end = std::min(row_ + rows_of_block, table.size());
+    KeyBlock block = parse_table(table, row_, end, columns_, lines_);
+    if (row_ == 0 && tables_.size() > 1) {
       CurveInfo info;
       info.id = '"' + table.path();
-      block->curve_info = std::make_shared<const CurveInfo>(std::move(info));
-      return block;
+      block.curve_info = std::make_shared<const CurveInfo>(std::move(info));
     }
-  };
+    const bool is_read = block.faults.unreadable || block.faults.errors.size() >= most_faults;
+    row_ = is_read ? table.size() : end;
+    return block;
+  }
+
+ private:
+  void begin_next() {
+    const JsonTable& table = tables_[++table_];
+    JsonColumns columns = find_members(table, options_, {});
+    require_same_columns(columns_.columns, columns.columns, table.path());
+    columns_ = std::move(columns);
+    row_ = 0;
+    lines_ = begin();
+  }
+  LineCounter begin() const {
+    const TextPosition begin = text_->tape.position_at(0);
+    return LineCounter({begin.line, begin.column});
+  }
+
+  std::shared_ptr<const WholeJson> text_;
+  std::vector<JsonTable> tables_;
+  JsonColumns columns_;  ///< of the current table
+  InputOptions options_;
+  std::size_t table_ = 0, row_ = 0;
+  LineCounter lines_ = begin();
+};
+
+Records open_tables(std::shared_ptr<const WholeJson> text, std::vector<JsonTable> tables, const InputOptions& options,
+                    JsonShape shape = JsonShape::any) {
+  JsonColumns columns = find_members(tables[0], options, {});
+  Records records = records_of(columns, shape);
+  if (tables.size() > 1) {
+    require_no_groups(records.columns);
+    records.columns.groups = {"id"};
+    records.keys.traits.own_curves = true;
+  }
+  records.facts.records = tables.size() > 1 ? options.records : tables[0].path();
+  records.keys.blocks = TableKeys(std::move(text), std::move(tables), std::move(columns), options);
   return records;
 }
 
 /// A text that is one object, if its members are those of a key; else the reason.
-std::optional<Records> open_one_key(const std::shared_ptr<const WholeJson>& text, const InputOptions& options,
-                                    std::optional<Error>& reason) {
-  JsonPart part{JsonPart::Kind::values, text->part.chunk};
+std::optional<Records> open_one_key(const Chunk& text, const InputOptions& options, std::optional<Error>& reason) {
+  JsonPart part{JsonPart::Kind::values, text};
   part.chunk.path = "keys";
   try {
     const auto columns = std::make_shared<const JsonColumns>(columns_of(part, false, options, {}));
@@ -357,17 +351,21 @@ std::optional<Records> open_one_key(const std::shared_ptr<const WholeJson>& text
 /// A text of any shape: a table, one key, or the lists in it.
 Records open_whole(JsonPart part, const InputOptions& options) {
   const auto text = std::make_shared<const WholeJson>(std::move(part), options.max_memory);
-  if (!options.records.empty()) return open_tables(find_tables(text, options), options);
+  const JsonTape& tape = text->tape;
+  if (!options.records.empty()) return open_tables(text, find_tables(tape, options), options);
   std::optional<Error> reason;
   std::optional<Records> key;
-  if (text->tape.kind(0) == Kind::object) {
-    auto table = JsonTable::find(text, 0, "", true, options.columns.timeless);
-    if (table && table->size() > 0) return open_table(*std::move(table), options, true);
-    key = open_one_key(text, options, reason);
+  if (tape.kind(0) == Kind::object) {
+    const auto table = JsonTable::find(tape, 0, "", true, options.columns.timeless);
+    if (table && table->size() > 0) {
+      const bool has_times = table->has_times_in_index();
+      return open_tables(text, {*table}, options, has_times ? JsonShape::table_by_index : JsonShape::table);
+    }
+    key = open_one_key(text->part.chunk, options, reason);
     if (key && (key->columns.has(Role::time) || options.columns.timeless)) return *std::move(key);
   }
-  std::vector<JsonTable> tables = find_tables(text, options);
-  if (!tables.empty()) return open_tables(std::move(tables), options);
+  std::vector<JsonTable> tables = find_tables(tape, options);
+  if (!tables.empty()) return open_tables(text, std::move(tables), options);
   if (key) return *std::move(key);
   if (reason) throw *reason;
   throw data_error(

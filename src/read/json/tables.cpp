@@ -70,11 +70,6 @@ bool has_time(const JsonTape& tape, std::size_t object) {
   });
 }
 
-Error row_of_other_size(std::size_t row, std::size_t cells, std::size_t columns) {
-  return data_error("row {} of the table has {} cell{}; expected {}, one for each column; correct it", row, cells,
-                    cells == 1 ? "" : "s", columns);
-}
-
 }  // namespace
 
 std::vector<std::string> usual_names(std::size_t columns, bool is_timeless) {
@@ -84,40 +79,64 @@ std::vector<std::string> usual_names(std::size_t columns, bool is_timeless) {
   return names;
 }
 
-std::optional<JsonTable> JsonTable::find(std::shared_ptr<const WholeJson> text, std::size_t value, std::string path,
-                                         bool is_root, bool is_timeless) {
-  JsonTable table(std::move(text), value, std::move(path), is_timeless);
-  if (!table.find_layout(is_root)) return std::nullopt;
+Error row_of_other_size(std::size_t row, std::size_t cells, std::size_t columns) {
+  return data_error("row {} of the table has {} cell{}; expected {}, one for each column; correct it", row, cells,
+                    cells == 1 ? "" : "s", columns);
+}
+
+JsonCells members_of(const JsonTape& tape, std::size_t object) {
+  JsonCells cells;
+  tape.for_each_member(object, [&](std::size_t name, std::size_t value) {
+    cells.push_back({tape.text(name), value, name});
+    return true;
+  });
+  return cells;
+}
+
+JsonTable::JsonTable(const JsonTape& tape, std::vector<std::uint32_t> values, std::vector<std::string> columns,
+                     std::string path, std::size_t first)
+    : tape_(&tape),
+      path_(std::move(path)),
+      first_(first),
+      size_(values.size()),
+      are_rows_(!columns.empty()),
+      names_(std::move(columns)),
+      rows_(std::move(values)) {}
+
+std::optional<JsonTable> JsonTable::find(const JsonTape& tape, std::size_t value, std::string path, bool is_root,
+                                         bool is_timeless) {
+  JsonTable table(tape, {}, {}, std::move(path), 0);
+  if (!table.find_layout(value, is_root, is_timeless)) return std::nullopt;
   table.decide_index();
   return table;
 }
 
-bool JsonTable::find_layout(bool is_root) {
-  const JsonTape& tape = text_->tape;
-  if (tape.kind(value_) == Kind::array) {
-    const bool is_list = has_only(tape, value_, Kind::object);
-    if (!is_list && !has_only(tape, value_, Kind::array)) return false;
-    rows_ = tape.elements(value_);
+bool JsonTable::find_layout(std::size_t table, bool is_root, bool is_timeless) {
+  const JsonTape& tape = *tape_;
+  if (tape.kind(table) == Kind::array) {
+    const bool is_list = has_only(tape, table, Kind::object);
+    if (!is_list && !has_only(tape, table, Kind::array)) return false;
+    rows_ = tape.elements(table);
     size_ = rows_.size();
-    if (!is_list) read_rows(tape.count(rows_[0]));
-    if (!is_list && names_.empty()) names_ = usual_names(tape.count(rows_[0]), is_timeless_);
-    return true;
+    if (is_list) return true;
+    names_ = usual_names(tape.count(rows_[0]), is_timeless);
+    return read_rows(), true;
   }
-  if (tape.kind(value_) != Kind::object || tape[value_].next == value_ + 1) return false;
-  const std::string_view first = tape.text(value_ + 1);
-  const std::size_t inner = value_ + 2;
+  if (tape.kind(table) != Kind::object || tape[table].next == table + 1) return false;
+  const std::string_view first = tape.text(table + 1);
+  const std::size_t inner = table + 2;
   if (tape.kind(inner) == Kind::object) {
-    if (is_root && first == "schema" && tape.member(value_, "data")) return read_schema(), true;
+    if (is_root && first == "schema" && tape.member(table, "data")) return read_schema(table), true;
     if (tape[inner].next == inner + 1) return false;
-    if (is_index(first) && has_only(tape, value_, Kind::object)) return read_index(), true;
-    return is_index(tape.text(inner + 1)) && has_only(tape, value_, Kind::object) ? (read_columns(), true) : false;
+    if (is_index(first) && has_only(tape, table, Kind::object)) return read_index(table), true;
+    return is_index(tape.text(inner + 1)) && has_only(tape, table, Kind::object) ? (read_columns(table), true) : false;
   }
-  if (is_index(first) && has_only(tape, value_, Kind::array)) return read_index(), true;
+  if (is_index(first) && has_only(tape, table, Kind::array)) return read_index(table), true;
   const auto is_flat = [&](std::size_t value) {
     return tape.kind(value) == Kind::array && !holds_kind(tape, value, Kind::object);
   };
   bool is_split = false, has_times = false;
-  tape.for_each_member(value_, [&](std::size_t name, std::size_t value) {
+  tape.for_each_member(table, [&](std::size_t name, std::size_t value) {
     const std::string_view text = tape.text(name);
     const bool begins_with_object = value + 1 < tape[value].next && tape.kind(value + 1) == Kind::object;
     if (tape.kind(value) != Kind::array || begins_with_object) return !is_root;
@@ -125,38 +144,37 @@ bool JsonTable::find_layout(bool is_root) {
     has_times = is_usual_time(text);
     return !is_split && !has_times && (!is_root || is_flat(value));
   });
-  if (is_split) return read_split(), true;
-  if (has_times) return read_lists(), true;
+  if (is_split) return read_split(table), true;
+  if (has_times) return read_lists(table), true;
   return false;
 }
 
 /// Rows that are arrays. Throws: Error (data) for one of another size.
-void JsonTable::read_rows(std::size_t columns) {
-  const JsonTape& tape = text_->tape;
-  layout_ = Layout::rows;
+void JsonTable::read_rows() {
+  are_rows_ = true;
   size_ = rows_.size();
   for (std::size_t row = 0; row < size_; ++row) {
-    const bool is_row = tape.kind(rows_[row]) == Kind::array;
-    const std::size_t cells = is_row ? tape.count(rows_[row]) : 0;
-    if (cells != columns) throw row_of_other_size(row, cells, columns).at(tape.position(rows_[row]));
+    const bool is_row = tape_->kind(rows_[row]) == Kind::array;
+    const std::size_t cells = is_row ? tape_->count(rows_[row]) : 0;
+    if (cells != names_.size()) throw row_of_other_size(row, cells, names_.size()).at(tape_->position(rows_[row]));
   }
 }
 
-void JsonTable::read_split() {
-  const JsonTape& tape = text_->tape;
-  const auto columns = tape.member(value_, "columns"), data = tape.member(value_, "data"),
-             index = tape.member(value_, "index");
+void JsonTable::read_split(std::size_t table) {
+  const JsonTape& tape = *tape_;
+  const auto columns = tape.member(table, "columns"), data = tape.member(table, "data"),
+             index = tape.member(table, "index");
   const bool is_whole = columns && data && tape.kind(*columns) == Kind::array && tape.kind(*data) == Kind::array;
   if (!is_whole) {
     throw data_error("the table has no \"data\", or no \"columns\"; expected both, as pandas writes them; complete it")
-        .at(tape.position(value_));
+        .at(tape.position(table));
   }
   tape.for_each_element(*columns, [&](std::size_t name) {
     names_.emplace_back(tape.kind(name) == Kind::string ? tape.text(name) : tape.written(name));
     return true;
   });
   rows_ = tape.elements(*data);
-  read_rows(names_.size());
+  read_rows();
   if (!index) return;
   if (tape.kind(*index) == Kind::array) index_ = tape.elements(*index);
   if (index_.size() != size_) {
@@ -167,9 +185,9 @@ void JsonTable::read_split() {
 }
 
 /// The objects of "data", without the index that counts them.
-void JsonTable::read_schema() {
-  const JsonTape& tape = text_->tape;
-  const std::size_t data = *tape.member(value_, "data");
+void JsonTable::read_schema(std::size_t table) {
+  const JsonTape& tape = *tape_;
+  const std::size_t data = *tape.member(table, "data");
   const bool is_list = tape.kind(data) == Kind::array && has_only(tape, data, Kind::object);
   if (!is_list) {
     throw data_error(
@@ -186,26 +204,32 @@ void JsonTable::read_schema() {
 }
 
 /// An array for each column, as long as the first one.
-void JsonTable::read_lists() {
-  const JsonTape& tape = text_->tape;
-  layout_ = Layout::lists;
-  tape.for_each_member(value_, [&](std::size_t name, std::size_t value) {
-    if (tape.kind(value) != Kind::array) return true;
-    lists_.push_back(tape.elements(value));
+void JsonTable::read_lists(std::size_t table) {
+  const JsonTape& tape = *tape_;
+  tape.for_each_member(table, [&](std::size_t name, std::size_t values) {
+    if (tape.kind(values) != Kind::array) return true;
+    const std::size_t count = tape.count(values);
+    if (names_.empty()) size_ = count;
     names_.emplace_back(tape.text(name));
-    if (lists_.size() == 1) size_ = lists_[0].size();
-    if (lists_.back().size() == size_) return true;
-    throw data_error("the column {} has {} value{}; expected {}, as many as {}; correct it", in_quotes(names_.back()),
-                     lists_.back().size(), lists_.back().size() == 1 ? "" : "s", size_, in_quotes(names_[0]))
-        .at(tape.position(name));
+    if (count != size_) {
+      throw data_error("the column {} has {} value{}; expected {}, as many as {}; correct it", in_quotes(names_.back()),
+                       count, count == 1 ? "" : "s", size_, in_quotes(names_[0]))
+          .at(tape.position(name));
+    }
+    tape.for_each_element(values, [&, row = std::uint32_t{0}](std::size_t value) mutable {
+      cells_.push_back({row++, static_cast<std::uint32_t>(names_.size() - 1), static_cast<std::uint32_t>(value)});
+      return true;
+    });
+    return true;
   });
+  order_cells();
 }
 
 /// A row for each member, whose name is its index.
-void JsonTable::read_index() {
-  const JsonTape& tape = text_->tape;
+void JsonTable::read_index(std::size_t table) {
+  const JsonTape& tape = *tape_;
   std::unordered_set<std::string_view> names;
-  tape.for_each_member(value_, [&](std::size_t name, std::size_t value) {
+  tape.for_each_member(table, [&](std::size_t name, std::size_t value) {
     index_.push_back(static_cast<std::uint32_t>(name));
     rows_.push_back(static_cast<std::uint32_t>(value));
     if (tape.kind(value) != Kind::object) return true;
@@ -218,15 +242,14 @@ void JsonTable::read_index() {
   size_ = rows_.size();
   if (tape.kind(rows_[0]) != Kind::array) return;
   names_ = default_channel_names(tape.count(rows_[0]));
-  read_rows(names_.size());
+  read_rows();
 }
 
 /// Members of each column by the index of their row. The rows come in the order in which they are found.
-void JsonTable::read_columns() {
-  const JsonTape& tape = text_->tape;
-  layout_ = Layout::columns;
+void JsonTable::read_columns(std::size_t table) {
+  const JsonTape& tape = *tape_;
   std::unordered_map<std::string_view, std::uint32_t> rows;
-  tape.for_each_member(value_, [&](std::size_t column, std::size_t values) {
+  tape.for_each_member(table, [&](std::size_t column, std::size_t values) {
     if (tape[values].next == values + 1) return true;
     tape.for_each_member(values, [&](std::size_t name, std::size_t value) {
       const auto [row, is_new] = rows.emplace(tape.text(name), static_cast<std::uint32_t>(rows.size()));
@@ -237,8 +260,14 @@ void JsonTable::read_columns() {
     names_.emplace_back(tape.text(column));
     return true;
   });
-  std::ranges::stable_sort(cells_, {}, &Cell::row);
   size_ = rows.size();
+  order_cells();
+}
+
+/// Orders the cells of columns by their rows.
+void JsonTable::order_cells() {
+  are_cells_ = true;
+  std::ranges::stable_sort(cells_, {}, &Cell::row);
   row_begins_.resize(size_ + 1);
   for (const Cell& cell : cells_) ++row_begins_[cell.row + 1];
   for (std::size_t row = 0; row < size_; ++row) row_begins_[row + 1] += row_begins_[row];
@@ -247,78 +276,40 @@ void JsonTable::read_columns() {
 /// The index is the time where no column is, unless it counts the rows from 0, as it does where it is not given.
 void JsonTable::decide_index() {
   if (index_.empty()) return;
-  const JsonTape& tape = text_->tape;
   const auto is_time = [](std::string_view name) { return is_usual_time(name); };
   bool has_time = std::ranges::any_of(names_, is_time);
-  if (layout_ == Layout::objects) {
-    for (const JsonCell& cell : members_of(tape, rows_[0])) has_time = has_time || is_time(cell.name);
-  }
+  for_each_cell(0, [&](const JsonCell& cell) { has_time = has_time || is_time(cell.name); });
   bool counts_rows = true;
   for (std::size_t row = 0; row < index_.size() && counts_rows; ++row) {
-    const bool is_name = tape.kind(index_[row]) == Kind::name;
-    counts_rows = (is_name ? tape.text(index_[row]) : tape.written(index_[row])) == fmt::format("{}", row);
+    const bool is_name = tape_->kind(index_[row]) == Kind::name;
+    counts_rows = (is_name ? tape_->text(index_[row]) : tape_->written(index_[row])) == fmt::format("{}", row);
   }
   takes_index_ = !has_time && !counts_rows;
 }
 
-std::size_t JsonTable::place(std::size_t row) const {
-  switch (layout_) {
-    case Layout::lists: return lists_[0][row];
-    case Layout::columns: return cells_[row_begins_[row]].value;
-    default: return rows_[row];
-  }
-}
+std::string JsonTable::first_path() const { return fmt::format("{}[{}]", path_.empty() ? "keys" : path_, first_); }
 
 JsonCells JsonTable::cells(std::size_t row) const {
-  const JsonTape& tape = text_->tape;
   JsonCells cells;
-  if (takes_index_) cells.push_back({"time", index_[row], index_[row]});
-  switch (layout_) {
-    case Layout::objects:
-      for (const JsonCell& cell : members_of(tape, rows_[row])) {
-        if (!has_index_member_ || cell.name != "index") cells.push_back(cell);
-      }
-      break;
-    case Layout::rows:
-      tape.for_each_element(rows_[row], [&, column = std::size_t{0}](std::size_t value) mutable {
-        cells.push_back({names_[column++], value, value});
-        return true;
-      });
-      break;
-    case Layout::lists:
-      for (std::size_t column = 0; column < names_.size(); ++column) {
-        cells.push_back({names_[column], lists_[column][row], lists_[column][row]});
-      }
-      break;
-    case Layout::columns:
-      for (std::size_t i = row_begins_[row]; i < row_begins_[row + 1]; ++i) {
-        cells.push_back({names_[cells_[i].column], cells_[i].value, cells_[i].value});
-      }
-  }
+  for_each_cell(row, [&](const JsonCell& cell) { cells.push_back(cell); });
   return cells;
 }
 
-FirstRecords JsonTable::first_records() const {
-  const auto first = [this] {
-    JsonCells found = cells(0);
-    if (layout_ != Layout::objects && layout_ != Layout::columns) return found;
-    std::unordered_set<std::string_view> there;
-    for (const JsonCell& cell : found) there.insert(cell.name);
-    JsonCells all;
-    if (takes_index_) all.push_back(found[0]);
-    if (layout_ == Layout::objects) all = found;
-    std::size_t next = all.size();
-    for (const std::string& name : names_) {
-      if (there.insert(name).second) {
-        all.push_back({name});
-      } else if (layout_ == Layout::columns && next < found.size() && found[next].name == name) {
-        all.push_back(found[next++]);
-      }
+JsonCells JsonTable::first_cells() const {
+  const JsonCells found = cells(0);
+  if (are_rows_) return found;
+  std::unordered_set<std::string_view> there;
+  for (const JsonCell& cell : found) there.insert(cell.name);
+  std::size_t next = !are_cells_ ? found.size() : takes_index_ ? 1 : 0;
+  JsonCells all(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(next));
+  for (const std::string& name : names_) {
+    if (there.insert(name).second) {
+      all.push_back({name});
+    } else if (next < found.size() && found[next].name == name) {
+      all.push_back(found[next++]);
     }
-    return all;
-  };
-  return {size_, [this, first](std::size_t row) { return row == 0 ? first() : cells(row); },
-          fmt::format("{}[0]", path_.empty() ? "keys" : path_), place(0)};
+  }
+  return all;
 }
 
 namespace {
@@ -511,9 +502,8 @@ bool holds_table(const JsonTape& tape, std::size_t value) {
   return found;
 }
 
-std::vector<JsonTable> find_tables(const std::shared_ptr<const WholeJson>& text, const InputOptions& options) {
+std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& options) {
   const std::string_view path = options.records;
-  const JsonTape& tape = text->tape;
   std::vector<Place> with_times, others, requested;
   find_fits(tape, {0, ""},
             [&](const Place& place, Fit fit) { (fit == Fit::with_times ? with_times : others).push_back(place); });
@@ -536,7 +526,7 @@ std::vector<JsonTable> find_tables(const std::shared_ptr<const WholeJson>& text,
   }
   std::vector<JsonTable> tables;
   for (const Place& place : path.empty() ? fitting : requested) {
-    auto table = JsonTable::find(text, place.value, place.path, false, options.columns.timeless);
+    auto table = JsonTable::find(tape, place.value, place.path, false, options.columns.timeless);
     if (table && table->size() > 0) {
       tables.push_back(*std::move(table));
     } else if (!path.empty()) {

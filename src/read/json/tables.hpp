@@ -1,4 +1,4 @@
-// Tables in JSON: the lists of records in a text of any shape, however these are laid out.
+// Tables in JSON: lists of records, however these are laid out, and where they are in a text of any shape.
 //
 // Source: pandas, DataFrame.to_json() with orient "split", "table", "columns" and "index"; and a list for each column,
 // as DataFrame.to_dict("list") has.
@@ -6,94 +6,121 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "read/json/columns.hpp"
+#include "error.hpp"
+#include "read/input_options.hpp"
 #include "read/json/splitter.hpp"
 #include "read/json/tape.hpp"
 
 namespace tcb {
 
-/// A text that is read whole.
-struct WholeJson {
-  explicit WholeJson(JsonPart whole, std::uint64_t max_memory = default_max_memory)
-      : part(std::move(whole)), tape(part, max_memory) {}
-  JsonPart part;
-  JsonTape tape;
+/// A member of a key, or a cell of a row.
+struct JsonCell {
+  static constexpr std::size_t missing = static_cast<std::size_t>(-1);
+  std::string_view name;
+  std::size_t value = missing;  ///< on the tape
+  std::size_t place = missing;  ///< the name on the tape, or the value
 };
+using JsonCells = std::vector<JsonCell>;
 
-/// A list of records: objects, rows that are arrays, or columns. Cells that no record has take no memory.
+/// The members of an object.
+JsonCells members_of(const JsonTape& tape, std::size_t object);
+
+/// A row has another number of cells than there are columns.
+Error row_of_other_size(std::size_t row, std::size_t cells, std::size_t columns);
+
+/// A list of records, which are objects, rows that are arrays, or cells of columns. Cells that no record has take no
+/// memory. Requires: the tape outlives it.
 class JsonTable {
  public:
+  /// Values on a tape, in the list at `path` from number `first` on; rows have the names of their columns.
+  JsonTable(const JsonTape& tape, std::vector<std::uint32_t> values, std::vector<std::string> columns, std::string path,
+            std::size_t first);
+
   /// The table that a value is by its layout; nothing for other values. `is_root`: it is the whole text, so names of
   /// pandas count. Throws: Error (data) for a table whose rows, columns or index differ in length.
-  static std::optional<JsonTable> find(std::shared_ptr<const WholeJson> text, std::size_t value, std::string path,
-                                       bool is_root, bool is_timeless);
+  static std::optional<JsonTable> find(const JsonTape& tape, std::size_t value, std::string path, bool is_root,
+                                       bool is_timeless);
 
-  const JsonTape& tape() const { return text_->tape; }
+  const JsonTape& tape() const { return *tape_; }
   /// As in "trajectory.points"; empty for the whole text.
   const std::string& path() const { return path_; }
-  /// The value that the table is.
-  std::size_t value() const { return value_; }
   std::size_t size() const { return size_; }
   bool has_times_in_index() const { return takes_index_; }
-  /// It is an array of objects.
-  bool is_list() const { return layout_ == Layout::objects && index_.empty(); }
 
-  /// The cells of a row, with the time from the index; of the first one, also those that only other rows have.
+  /// The number of cells of a record that is a row; 0 of others.
+  std::size_t columns() const { return are_rows_ ? names_.size() : 0; }
+  /// Where a record begins, on the tape.
+  std::size_t place(std::size_t row) const { return are_cells_ ? cells_[row_begins_[row]].value : rows_[row]; }
+  /// Whether the value in the place of a record is one.
+  bool is_record(std::size_t row) const {
+    return are_cells_ || tape_->kind(rows_[row]) == (are_rows_ ? JsonNode::Kind::array : JsonNode::Kind::object);
+  }
+  /// The path of the first record, as in "keys[0]".
+  std::string first_path() const;
+
+  /// Calls f for each cell of a record, also for the time from the index.
+  template <class F>
+  void for_each_cell(std::size_t row, F f) const {
+    if (takes_index_) f(JsonCell{"time", index_[row], index_[row]});
+    if (are_cells_) {
+      for (std::size_t i = row_begins_[row]; i < row_begins_[row + 1]; ++i) {
+        f(JsonCell{names_[cells_[i].column], cells_[i].value, cells_[i].value});
+      }
+    } else if (are_rows_) {
+      tape_->for_each_element(rows_[row], [&, column = std::size_t{0}](std::size_t value) mutable {
+        if (column < names_.size()) f(JsonCell{names_[column], value, value});
+        return ++column < names_.size();
+      });
+    } else {
+      tape_->for_each_member(rows_[row], [&](std::size_t name, std::size_t value) {
+        const std::string_view text = tape_->text(name);
+        if (!has_index_member_ || text != "index") f(JsonCell{text, value, name});
+        return true;
+      });
+    }
+  }
   JsonCells cells(std::size_t row) const;
-  /// Where a row begins, on the tape.
-  std::size_t place(std::size_t row) const;
-
-  FirstRecords first_records() const;
+  /// The cells of the first record, and without a value those that only others have.
+  JsonCells first_cells() const;
 
  private:
-  enum class Layout {
-    objects,  ///< [{"t":0,"x":1},…]
-    rows,     ///< [[0,1],…]
-    lists,    ///< {"t":[0,1],"x":[1,2]}
-    columns,  ///< {"t":{"0":0,"1":1},"x":{"0":1,"1":2}}
-  };
   struct Cell {
     std::uint32_t row, column, value;
   };
 
-  JsonTable(std::shared_ptr<const WholeJson> text, std::size_t value, std::string path, bool is_timeless)
-      : text_(std::move(text)), path_(std::move(path)), value_(value), is_timeless_(is_timeless) {}
-
-  bool find_layout(bool is_root);
-  bool is_array_of(std::size_t value, JsonNode::Kind kind) const;
-  void read_rows(std::size_t rows);
-  void read_split();
-  void read_schema();
-  void read_lists();
-  void read_index();
-  void read_columns();
+  bool find_layout(std::size_t value, bool is_root, bool is_timeless);
+  void read_rows();
+  void read_split(std::size_t table);
+  void read_schema(std::size_t table);
+  void read_lists(std::size_t table);
+  void read_index(std::size_t table);
+  void read_columns(std::size_t table);
+  void order_cells();
   void decide_index();
 
-  std::shared_ptr<const WholeJson> text_;
+  const JsonTape* tape_;
   std::string path_;
-  std::size_t value_ = 0;
-  bool is_timeless_ = false;
+  std::size_t first_ = 0;  ///< the number of the first record
   std::size_t size_ = 0;
-  Layout layout_ = Layout::objects;
-  bool takes_index_ = false;                       ///< the index is the time
-  bool has_index_member_ = false;                  ///< the index is the member "index" of rows
-  std::vector<std::string> names_;                 ///< of columns; of objects, those that the first one does not have
-  std::vector<std::uint32_t> rows_;                ///< objects, or arrays
-  std::vector<std::uint32_t> index_;               ///< a name or a value for each row; empty: none
-  std::vector<std::vector<std::uint32_t>> lists_;  ///< the values of each column
-  std::vector<Cell> cells_;                        ///< in the order of rows
-  std::vector<std::uint32_t> row_begins_;          ///< among the cells; and the end
+  bool are_rows_ = false, are_cells_ = false;
+  bool takes_index_ = false;               ///< the index is the time
+  bool has_index_member_ = false;          ///< the index is the member "index" of objects
+  std::vector<std::string> names_;         ///< of columns; of objects, those that the first one does not have
+  std::vector<std::uint32_t> rows_;        ///< objects, or arrays
+  std::vector<std::uint32_t> index_;       ///< a name or a value for each record; empty: none
+  std::vector<Cell> cells_;                ///< in the order of rows
+  std::vector<std::uint32_t> row_begins_;  ///< among the cells; and the end
 };
 
 /// The lists of records in a text that can be keys: those at the path that is requested, or all where none is. An
 /// asterisk in a path stands for any name or number. Throws: Error (data).
-std::vector<JsonTable> find_tables(const std::shared_ptr<const WholeJson>& text, const InputOptions& options);
+std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& options);
 
 /// The names of columns of which none is given, as of text without a header.
 std::vector<std::string> usual_names(std::size_t columns, bool is_timeless);
