@@ -130,7 +130,8 @@ void KeyBuilder::keep_decimal(const Columns::Column& column, std::string decimal
   decimals_[number_of_key(column, block_.keys.channels)] = std::move(decimal);
 }
 
-bool KeyBuilder::scale(const Columns::Column& column, std::string_view decimal) {
+bool KeyBuilder::take_decimal(const Columns::Column& column, std::string_view decimal) {
+  if (keeps_decimals()) keep_decimal(column, std::string(decimal));
   const bool is_from_0_to_50 = is_tcb(column.role) && rules_.tcb_scale == TcbScale::max3ds;
   const std::size_t index = number_of_key(column, block_.keys.channels);
   const Rational factor = index < units_.factors.size() ? units_.factors[index] : Rational(1);

@@ -46,11 +46,13 @@ class KeyBuilder {
         return block_.keys.positions[position_ + column.channel];
     }
   }
-  /// The number of a cell may have to be scaled, from its decimal.
-  bool scales() const { return rules_.tcb_scale == TcbScale::max3ds || !units_.factors.empty(); }
-  /// Scales the number of a cell, where that is requested; false for a result beyond the doubles.
-  /// Requires: the number is set.
-  bool scale(const Columns::Column& column, std::string_view decimal);
+  /// Numbers are kept as written, or scaled.
+  bool takes_decimals() const {
+    return keeps_decimals() || rules_.tcb_scale == TcbScale::max3ds || !units_.factors.empty();
+  }
+  /// Keeps the number of a cell as written, and scales it, as far as that is requested; false for a result beyond the
+  /// doubles. Requires: the number is set.
+  bool take_decimal(const Columns::Column& column, std::string_view decimal);
   void set_time(const Time& time) { time_ = time; }
   /// The times are numbers, of seconds or another unit.
   bool has_times_as_numbers() const { return units_.notation == TimeNotation::seconds; }
@@ -64,10 +66,6 @@ class KeyBuilder {
   void set_mark(const Columns::Column& column, std::string_view text) {
     if (column.channel < marks_.size()) marks_[column.channel] = std::hash<std::string_view>()(text);
   }
-
-  bool keeps_decimals() const { return !decimals_.empty(); }
-  /// Keeps a number as written. Requires: keeps_decimals(); the column holds numbers.
-  void keep_decimal(const Columns::Column& column, std::string decimal);
 
   /// The cell has no value. Returns whether that is allowed; if so, the row may be skipped or be a gap.
   bool miss(const Columns::Column& column);
@@ -107,6 +105,8 @@ class KeyBuilder {
   KeyBlock finish(std::string path = {});
 
  private:
+  bool keeps_decimals() const { return !decimals_.empty(); }
+  void keep_decimal(const Columns::Column& column, std::string decimal);
   double& number_of_channel(const Columns::Column& column);
   bool add_nanoseconds();
   void complete_channels();

@@ -127,8 +127,7 @@ class RecordReader {
       if (!number) return read_no_number(cell, column);
       keys_.number(column) = *number;
     }
-    if (keys_.keeps_decimals()) keys_.keep_decimal(column, decimals_.text(text));
-    if (keys_.scales() && !keys_.scale(column, decimals_.text(text))) {
+    if (keys_.takes_decimals() && !keys_.take_decimal(column, decimals_.text(text))) {
       add_fault(cell, number_beyond_doubles(head_.columns.name_of(column), unquoted(cell)));
     }
   }

@@ -35,33 +35,6 @@ using Kind = JsonNode::Kind;
 constexpr std::string_view keyframe_list = "keyframes";
 constexpr std::size_t matrix_size = 16;  // 4 x 4, row by row
 
-/// A keyframe as it is written, and what is wrong with it.
-struct Keyframe {
-  LinePosition position = {};
-  std::uint64_t number = 0;
-  std::vector<WrittenNumber> matrix = {};
-  std::optional<WrittenNumber> fov, transition, render_time;  ///< transition: its own, in seconds
-  bool has_own_transition = false;
-  std::vector<Error> faults = {};
-
-  Error at(const Error& error, std::string_view member) const {
-    return error.about(fmt::format("{}[{}].{}", keyframe_list, number, member))
-        .at({"", position.line, position.column});
-  }
-};
-
-/// A camera path as it is written.
-struct PathOfCameras {
-  std::vector<Keyframe> keyframes = {};
-  WrittenNumber tension = {}, transition = {};           ///< of all keyframes, and of those that have no own
-  std::optional<WrittenNumber> fov = {};                 ///< of keyframes that have none
-  std::optional<WrittenNumber> rate = {}, seconds = {};  ///< of its frames
-  bool is_cycle = false;
-  bool has_render_times = false;
-  TextPosition position = {};
-  std::string members = {};  ///< as in Schema
-};
-
 Error array_expected() {
   return data_error("this is not an array; expected one of numbers, as in the first key; correct it");
 }
@@ -79,33 +52,11 @@ Error no_keyframes() {
       option::input_format);
 }
 
-/// Reads a camera path from its tape.
-class CameraPathReader {
+/// The values of a camera path.
+class CameraValues {
  public:
-  explicit CameraPathReader(const JsonTape& tape) : tape_(tape) {}
+  explicit CameraValues(const JsonTape& tape) : tape_(tape) {}
 
-  PathOfCameras read() {
-    if (tape_.kind(0) != Kind::object) throw no_keyframes();
-    path_.position = tape_.position(0);
-    const auto list = tape_.member(0, keyframe_list);
-    if (!list || tape_.kind(*list) != Kind::array) throw no_keyframes().at(path_.position);
-    counted_position_ = {path_.position.line, path_.position.column};
-    tape_.for_each_element(*list, [&](std::size_t value) { return read_keyframe(value), true; });
-    if (path_.keyframes.empty()) throw no_keyframes().at(path_.position);
-    constexpr double usual_transition = 0.5;  // of the viewer, where a file has none
-    path_.tension = number_around("smoothness_value").value_or(WrittenNumber{0, "0"});
-    path_.transition = number_around("default_transition_sec").value_or(WrittenNumber{usual_transition, "0.5"});
-    path_.fov = number_around("default_fov");
-    path_.rate = number_if_any("fps");
-    path_.seconds = number_if_any("seconds");
-    read_cycle();
-    path_.has_render_times =
-        std::ranges::any_of(path_.keyframes, [](const Keyframe& one) { return one.render_time.has_value(); });
-    path_.members = members_besides_cameras();
-    return std::move(path_);
-  }
-
- private:
   WrittenNumber number_of(std::size_t value) const {
     const std::string_view decimal = tape_.written(value);
     return {parse_number(decimal).value_or(0), std::string(decimal)};
@@ -116,90 +67,6 @@ class CameraPathReader {
   }
   Error at(std::size_t value, const Error& error) const {
     return error.about(tape_.path(0, value).substr(1)).at(tape_.position(value));
-  }
-
-  void read_keyframe(std::size_t value) {
-    if (tape_.kind(value) != Kind::object) throw not_a_record(tape_, value, false);
-    const std::string_view text = tape_.part().chunk.text;
-    counted_position_ = position_after(text.substr(counted_, tape_[value].begin - counted_), counted_position_);
-    counted_ = tape_[value].begin;
-    Keyframe& keyframe = path_.keyframes.emplace_back();
-    keyframe.number = path_.keyframes.size() - 1;
-    keyframe.position = counted_position_;
-    std::unordered_set<std::string_view> names;
-    tape_.for_each_member(value, [&](std::size_t name, std::size_t member) {
-      if (!names.insert(tape_.text(name)).second) {
-        add_fault(keyframe, name, data_error("the key has this member twice; expected it once; remove one"));
-      }
-      read_member(keyframe, tape_.text(name), member);
-      return true;
-    });
-    if (!names.contains("matrix")) {
-      keyframe.faults.push_back(
-          data_error("the keyframe has no matrix; expected a 4 x 4 matrix of 16 numbers, row by row; add it, or remove "
-                     "the keyframe")
-              .at({"", keyframe.position.line, keyframe.position.column}));
-    }
-    if (keyframe.matrix.size() < matrix_size || !keyframe.faults.empty()) return;
-    const auto is_number = [&](std::size_t i, double number) { return keyframe.matrix[i].value == number; };
-    if (is_number(12, 0) && is_number(13, 0) && is_number(14, 0) && is_number(15, 1)) return;
-    keyframe.faults.push_back(keyframe.at(
-        data_error("the last row of the matrix is not 0, 0, 0, 1; expected the 4 x 4 matrix of a pose, row by row; "
-                   "correct it, or transpose the matrix"),
-        "matrix"));
-  }
-
-  /// An array is one fault.
-  void add_fault(Keyframe& keyframe, std::size_t value, const Error& error) const {
-    if (keyframe.faults.empty()) keyframe.faults.push_back(at(value, error));
-  }
-
-  void read_member(Keyframe& keyframe, std::string_view name, std::size_t value) const {
-    const Kind kind = tape_.kind(value);
-    if (name == "matrix") return read_matrix(keyframe, value);
-    if (name == "override_transition_enabled") {
-      keyframe.has_own_transition = tape_.written(value) == "true";
-      if (kind == Kind::boolean || kind == Kind::null || kind == Kind::object) return;
-      return add_fault(keyframe, value, true_or_false_expected(text_of(value)));
-    }
-    std::optional<WrittenNumber>* const number = name == "fov"                       ? &keyframe.fov
-                                                 : name == "override_transition_sec" ? &keyframe.transition
-                                                 : name == "render_time"             ? &keyframe.render_time
-                                                                                     : nullptr;
-    if (number == nullptr || kind == Kind::null) return;
-    if (kind == Kind::number) {
-      *number = number_of(value);
-    } else {
-      add_fault(keyframe, value, tape_[value].is_nested() ? number_expected() : not_a_number(text_of(value)));
-    }
-  }
-
-  void read_matrix(Keyframe& keyframe, std::size_t value) const {
-    if (tape_.kind(value) == Kind::string) {
-      return add_fault(keyframe, value,
-                       data_error("the matrix is a text, as in files of nerfstudio before version 1, whose curve is "
-                                  "another one; expected 16 numbers; give {} json {} camera_path {} uniform {} "
-                                  "position=camera_to_world[3]:camera_to_world[7]:camera_to_world[11] for its frames",
-                                  option::input_format, option::records, option::parameter, option::columns));
-    }
-    if (tape_.kind(value) != Kind::array) return add_fault(keyframe, value, array_expected());
-    tape_.for_each_element(value, [&](std::size_t element) {
-      const Kind kind = tape_.kind(element);
-      if (kind == Kind::number) {
-        if (keyframe.matrix.size() < matrix_size) keyframe.matrix.push_back(number_of(element));
-      } else {
-        add_fault(keyframe, element,
-                  tape_[element].is_nested() ? number_expected()
-                  : kind == Kind::null       ? array_expected()
-                                             : not_a_number(text_of(element)));
-      }
-      return true;
-    });
-    const std::size_t size = tape_.count(value);
-    if (size == matrix_size) return;
-    add_fault(
-        keyframe, value,
-        data_error("the matrix has {} number{}; expected 16, row by row; correct it", size, size == 1 ? "" : "s"));
   }
 
   /// A number among the members around the keyframes, of which arrays and null are none.
@@ -216,11 +83,11 @@ class CameraPathReader {
     return value && tape_.kind(*value) == Kind::number ? std::optional(number_of(*value)) : std::nullopt;
   }
 
-  void read_cycle() {
+  bool is_cycle() const {
     const auto value = tape_.member(0, "is_cycle");
-    if (!value || tape_.kind(*value) == Kind::null || tape_.kind(*value) == Kind::object) return;
+    if (!value || tape_.kind(*value) == Kind::null || tape_.kind(*value) == Kind::object) return false;
     if (tape_.kind(*value) != Kind::boolean) throw at(*value, true_or_false_expected(text_of(*value)));
-    path_.is_cycle = tape_.written(*value) == "true";
+    return tape_.written(*value) == "true";
   }
 
   /// The members besides the cameras and their rate, as they are to be written again.
@@ -278,88 +145,189 @@ class CameraPathReader {
   }
 
   const JsonTape& tape_;
-  PathOfCameras path_;
-  std::size_t counted_ = 0;        ///< a place in the text,
-  LinePosition counted_position_;  ///< and its position
 };
 
-PathOfCameras read_camera_path(const Source<std::string>& bytes, std::uint64_t max_memory) {
-  TextBytes text_bytes(bytes);
-  JsonPart part{JsonPart::Kind::whole, {}};
-  while (text_bytes.append_to(part.chunk.text, {1, 1})) MemoryUse(max_memory).add(part.chunk.text.size());
-  if (std::ranges::all_of(part.chunk.text, is_json_blank)) throw no_keyframes();
-  const JsonTape tape(part, max_memory);
-  return CameraPathReader(tape).read();
-}
+/// Adds keyframes to the keys.
+class KeyframeReader {
+ public:
+  /// `transition` and `fov` are those of keyframes that have none.
+  KeyframeReader(const JsonTape& tape, KeyBuilder& keys, const Columns& columns, WrittenNumber transition,
+                 std::optional<WrittenNumber> fov)
+      : tape_(tape),
+        values_(tape),
+        keys_(keys),
+        columns_(columns),
+        transition_(std::move(transition)),
+        fov_(std::move(fov)) {}
 
-/// The names of the columns of keys.
-std::vector<std::string> names_of(const PathOfCameras& path) {
-  std::vector<std::string> names{"t", "x", "y", "z"};
-  for (const std::string_view name : rotation_columns_of(nerfstudio_poses)) names.emplace_back(name);
-  names.emplace_back("fov");
-  if (path.has_render_times) names.emplace_back("render_time");
-  return names;
-}
-
-/// The duration of the transition to a keyframe.
-Rational transition_to(Keyframe& keyframe, const PathOfCameras& path) {
-  const bool is_own = keyframe.has_own_transition && keyframe.transition;
-  const WrittenNumber& number = is_own ? *keyframe.transition : path.transition;
-  const std::string_view member = is_own ? "override_transition_sec" : "default_transition_sec";
-  Rational seconds = exact_number(number);
-  if (!(seconds > 0))
-    keyframe.faults.push_back(
-        keyframe.at(data_error("the transition takes {} seconds; expected a number above 0; correct it, "
-                               "or remove the keyframe",
-                               number.decimal),
-                    member));
-  return seconds;
-}
-
-/// The numbers of a keyframe besides its time, in the order of the columns.
-std::vector<WrittenNumber> numbers_of(Keyframe& keyframe, const PathOfCameras& path) {
-  std::vector<WrittenNumber> numbers;
-  if (keyframe.matrix.size() < matrix_size) return numbers;
-  for (const std::size_t i : {3U, 7U, 11U, 0U, 1U, 2U, 4U, 5U, 6U, 8U, 9U, 10U}) numbers.push_back(keyframe.matrix[i]);
-  const auto add = [&](const std::optional<WrittenNumber>& number, std::string_view member) {
-    if (!number)
-      keyframe.faults.push_back(keyframe.at(
-          data_error("the keyframe has no {}; expected a number in every keyframe; add it", member), member));
-    numbers.push_back(number.value_or(WrittenNumber{}));
-  };
-  add(keyframe.fov ? keyframe.fov : path.fov, "fov");
-  if (path.has_render_times) add(keyframe.render_time, "render_time");
-  return numbers;
-}
-
-/// Adds a keyframe to the keys.
-void add_key(KeyBuilder& keys, Keyframe& keyframe, const PathOfCameras& path, const Columns& columns,
-             const Rational& seconds) {
-  keys.begin_key();
-  const std::vector<WrittenNumber> numbers = numbers_of(keyframe, path);
-  for (Error& fault : keyframe.faults) keys.add_fault(std::move(fault));
-  for (std::size_t i = 0; i < columns.cells.size() && i <= numbers.size(); ++i) {
-    const Columns::Column& column = columns.cells[i];
-    const std::string decimal = i == 0 ? ratio_text(seconds) : numbers[i - 1].decimal;
-    if (column.role == Role::time) {
-      keys.set_time(i == 0 ? nearest_time(seconds) : parse_time(decimal).value_or(Time(numbers[i - 1].value)));
-    } else if (i > 0 && (column.role == Role::position || is_of_channel(column.role))) {
-      keys.number(column) = numbers[i - 1].value;
+  /// Adds a keyframe at a time after that of the one before.
+  void add(std::size_t number, std::size_t value) {
+    number_ = number;
+    position_ = lines_.to(tape_.part().chunk.text, tape_[value].begin);
+    keys_.begin_key();
+    read(value);
+    if (number > 0) {
+      const auto [duration, member] = transition();
+      if (!(exact_number(duration) > 0)) {
+        refuse(member, data_error("the transition takes {} seconds; expected a number above 0; correct it, or remove "
+                                  "the keyframe",
+                                  duration.decimal));
+      }
+      seconds_ += exact_number(duration);
     } else {
-      continue;
+      first_transition_ = exact_number(transition().first);
     }
-    if (keys.keeps_decimals()) keys.keep_decimal(column, decimal);
-    if (keys.scales() && !keys.scale(column, decimal)) {
-      keys.add_fault(
-          keyframe.at(data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
-                                 in_quotes(decimal)),
-                      columns.name_of(column)));
+    add_numbers();
+    if (!keys_.end_key()) return;
+    keys_.set_number(number);
+    keys_.set_position(position_.line, position_.column);
+  }
+
+  /// The time of the last keyframe, and for a cycle from there to the first one.
+  const Rational& seconds() const { return seconds_; }
+  const Rational& first_transition() const { return first_transition_; }
+
+ private:
+  void read(std::size_t value) {
+    matrix_.clear();
+    own_fov_ = own_transition_ = render_time_ = std::nullopt;
+    has_own_transition_ = is_faulty_ = false;
+    std::unordered_set<std::string_view> names;
+    tape_.for_each_member(value, [&](std::size_t name, std::size_t member) {
+      if (!names.insert(tape_.text(name)).second) {
+        add_fault(name, data_error("the key has this member twice; expected it once; remove one"));
+      }
+      read_member(tape_.text(name), member);
+      return true;
+    });
+    if (!names.contains("matrix")) {
+      is_faulty_ = true;
+      keys_.add_fault(
+          data_error("the keyframe has no matrix; expected a 4 x 4 matrix of 16 numbers, row by row; add it, or remove "
+                     "the keyframe")
+              .at({"", position_.line, position_.column}));
+    }
+    if (matrix_.size() < matrix_size || is_faulty_) return;
+    const auto is_number = [&](std::size_t i, double number) { return matrix_[i].value == number; };
+    if (is_number(12, 0) && is_number(13, 0) && is_number(14, 0) && is_number(15, 1)) return;
+    refuse("matrix",
+           data_error("the last row of the matrix is not 0, 0, 0, 1; expected the 4 x 4 matrix of a pose, row "
+                      "by row; correct it, or transpose the matrix"));
+  }
+
+  void read_member(std::string_view name, std::size_t value) {
+    const Kind kind = tape_.kind(value);
+    if (name == "matrix") return read_matrix(value);
+    if (name == "override_transition_enabled") {
+      has_own_transition_ = tape_.written(value) == "true";
+      if (kind == Kind::boolean || kind == Kind::null || kind == Kind::object) return;
+      return add_fault(value, true_or_false_expected(values_.text_of(value)));
+    }
+    std::optional<WrittenNumber>* const number = name == "fov"                       ? &own_fov_
+                                                 : name == "override_transition_sec" ? &own_transition_
+                                                 : name == "render_time"             ? &render_time_
+                                                                                     : nullptr;
+    if (number == nullptr || kind == Kind::null) return;
+    if (kind == Kind::number) {
+      *number = values_.number_of(value);
+    } else {
+      add_fault(value, tape_[value].is_nested() ? number_expected() : not_a_number(values_.text_of(value)));
     }
   }
-  if (!keys.end_key()) return;
-  keys.set_number(keyframe.number);
-  keys.set_position(keyframe.position.line, keyframe.position.column);
-}
+
+  void read_matrix(std::size_t value) {
+    if (tape_.kind(value) == Kind::string) {
+      return add_fault(value,
+                       data_error("the matrix is a text, as in files of nerfstudio before version 1, whose curve is "
+                                  "another one; expected 16 numbers; give {} json {} camera_path {} uniform {} "
+                                  "position=camera_to_world[3]:camera_to_world[7]:camera_to_world[11] for its frames",
+                                  option::input_format, option::records, option::parameter, option::columns));
+    }
+    if (tape_.kind(value) != Kind::array) return add_fault(value, array_expected());
+    tape_.for_each_element(value, [&](std::size_t element) {
+      const Kind kind = tape_.kind(element);
+      if (kind == Kind::number) {
+        if (matrix_.size() < matrix_size) matrix_.push_back(values_.number_of(element));
+      } else {
+        add_fault(element, tape_[element].is_nested() ? number_expected()
+                           : kind == Kind::null       ? array_expected()
+                                                      : not_a_number(values_.text_of(element)));
+      }
+      return true;
+    });
+    const std::size_t size = tape_.count(value);
+    if (size == matrix_size) return;
+    add_fault(value, data_error("the matrix has {} number{}; expected 16, row by row; correct it", size,
+                                size == 1 ? "" : "s"));
+  }
+
+  /// The first fault in the values of a keyframe.
+  void add_fault(std::size_t value, const Error& error) {
+    if (!std::exchange(is_faulty_, true)) keys_.add_fault(values_.at(value, error));
+  }
+  /// A fault of a whole member.
+  void refuse(std::string_view member, const Error& error) {
+    keys_.add_fault(error.about(fmt::format("{}[{}].{}", keyframe_list, number_, member))
+                        .at({"", position_.line, position_.column}));
+  }
+
+  /// The duration of the transition to the keyframe, and its member.
+  std::pair<WrittenNumber, std::string_view> transition() const {
+    if (has_own_transition_ && own_transition_) return {*own_transition_, "override_transition_sec"};
+    return {transition_, "default_transition_sec"};
+  }
+
+  /// The number of a cell by its index among the columns, after the time.
+  WrittenNumber number_in(std::size_t cell) {
+    constexpr std::array<std::size_t, 12> places{3, 7, 11, 0, 1, 2, 4, 5, 6, 8, 9, 10};  // in the matrix
+    if (cell <= places.size()) return matrix_[places[cell - 1]];
+    const bool is_fov = cell == places.size() + 1;
+    const std::optional<WrittenNumber>& number = !is_fov ? render_time_ : own_fov_ ? own_fov_ : fov_;
+    if (!number) {
+      const std::string_view name = is_fov ? "fov" : "render_time";
+      refuse(name, data_error("the keyframe has no {}; expected a number in every keyframe; add it", name));
+    }
+    return number.value_or(WrittenNumber{});
+  }
+
+  void add_numbers() {
+    std::vector<WrittenNumber> numbers{{nearest_double(seconds_), ratio_text(seconds_)}};
+    while (matrix_.size() == matrix_size && numbers.size() < columns_.cells.size()) {
+      numbers.push_back(number_in(numbers.size()));
+    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const Columns::Column& column = columns_.cells[i];
+      const auto& [value, decimal] = numbers[i];
+      if (column.role == Role::time) {
+        keys_.set_time(i == 0 ? nearest_time(seconds_) : parse_time(decimal).value_or(Time(value)));
+      } else if (i > 0 && (column.role == Role::position || is_of_channel(column.role))) {
+        keys_.number(column) = value;
+      } else {
+        continue;
+      }
+      if (keys_.takes_decimals() && !keys_.take_decimal(column, decimal)) {
+        refuse(columns_.name_of(column),
+               data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
+                          in_quotes(decimal)));
+      }
+    }
+  }
+
+  const JsonTape& tape_;
+  const CameraValues values_;
+  KeyBuilder& keys_;
+  const Columns& columns_;
+  const WrittenNumber transition_;
+  const std::optional<WrittenNumber> fov_;
+  LineCounter lines_;
+  Rational seconds_ = Rational(0), first_transition_ = Rational(0);
+  // Of the current keyframe:
+  std::size_t number_ = 0;
+  LinePosition position_;
+  std::vector<WrittenNumber> matrix_;
+  std::optional<WrittenNumber> own_fov_, own_transition_, render_time_;  ///< the transition in seconds
+  bool has_own_transition_ = false, is_faulty_ = false;
+};
 
 /// Lengths and speeds are those of the positions of the cameras, by the numbers of their channels.
 std::optional<TextSetting> metric_of(const Columns& columns, const TextPosition& position) {
@@ -373,14 +341,15 @@ std::optional<TextSetting> metric_of(const Columns& columns, const TextPosition&
 }
 
 /// The frames that the viewer renders of a path that lasts so long: int(fps * seconds) of doubles, evenly in time.
-std::optional<ViewerFrames> frames_of(const PathOfCameras& path, const Rational& duration) {
+std::optional<ViewerFrames> frames_of(const CameraValues& path, const Rational& duration) {
   constexpr double most = 1e9;
-  if (!path.rate || !(path.rate->value > 0) || duration <= 0) return std::nullopt;
-  const Rational seconds = path.seconds ? exact_number(*path.seconds) : duration;
-  const double count = std::floor(path.rate->value * nearest_double(seconds));
+  const std::optional<WrittenNumber> rate = path.number_if_any("fps"), given = path.number_if_any("seconds");
+  if (!rate || !(rate->value > 0) || duration <= 0) return std::nullopt;
+  const Rational seconds = given ? exact_number(*given) : duration;
+  const double count = std::floor(rate->value * nearest_double(seconds));
   if (!(count >= 1) || count > most) return std::nullopt;
   const auto whole = static_cast<std::uint64_t>(count);
-  return ViewerFrames{exact_number(*path.rate), seconds, whole, duration / Rational(whole)};
+  return ViewerFrames{exact_number(*rate), seconds, whole, duration / Rational(whole)};
 }
 
 /// Whether the beginning of a text is that of a camera path: the first list in an object is "keyframes", and the first
@@ -422,32 +391,52 @@ InputOptions options_of_camera_path(const Format&, Source<std::string>&, InputOp
 /// Keys with x, y, z, the matrix r11 to r33, fov in degrees, and render_time where the keyframes have it; the first one
 /// is at 0 seconds.
 Records open_camera_path(const Format&, Source<std::string> bytes, InputOptions options) {
-  PathOfCameras path = read_camera_path(bytes, options.max_memory);
-  const std::vector<std::string> names = names_of(path);
+  TextBytes text_bytes(std::move(bytes));
+  JsonPart part{JsonPart::Kind::whole, {}};
+  while (text_bytes.append_to(part.chunk.text, {1, 1})) MemoryUse(options.max_memory).add(part.chunk.text.size());
+  if (std::ranges::all_of(part.chunk.text, is_json_blank)) throw no_keyframes();
+  const JsonTape tape(part, options.max_memory);
+  if (tape.kind(0) != Kind::object) throw no_keyframes();
+  const TextPosition position = tape.position(0);
+  const auto list = tape.member(0, keyframe_list);
+  if (!list || tape.kind(*list) != Kind::array) throw no_keyframes().at(position);
+  const std::vector<std::uint32_t> keyframes = tape.elements(*list);
+  std::vector<std::string> names{"t", "x", "y", "z"};
+  for (const std::string_view name : rotation_columns_of(nerfstudio_poses)) names.emplace_back(name);
+  names.emplace_back("fov");
+  bool has_render_times = false;
+  for (const std::uint32_t keyframe : keyframes) {
+    if (tape.kind(keyframe) != Kind::object) throw not_a_record(tape, keyframe, false);
+    tape.for_each_member(keyframe, [&](std::size_t name, std::size_t value) {
+      has_render_times |= tape.text(name) == "render_time" && tape.kind(value) == Kind::number;
+      return true;
+    });
+  }
+  if (has_render_times) names.emplace_back("render_time");
+  if (keyframes.empty()) throw no_keyframes().at(position);
+  constexpr double usual_transition = 0.5;  // of the viewer, where a file has none
+  const CameraValues path(tape);
+  const WrittenNumber tension = path.number_around("smoothness_value").value_or(WrittenNumber{0, "0"});
+  const auto transition = path.number_around("default_transition_sec").value_or(WrittenNumber{usual_transition, "0.5"});
+  const std::optional<WrittenNumber> fov = path.number_around("default_fov");
+  const bool is_cycle = path.is_cycle();
   Records records;
-  records.columns = at_position(path.position, [&] {
+  records.camera_path = path.members_besides_cameras();
+  records.columns = at_position(position, [&] {
     return find_columns(names, std::vector<bool>(names.size(), true), options.columns.roles, options.columns.timeless);
   });
-  const spline::Tcb<double> tcb{path.tension.value, 0, 0};
-  KeyRules rules = options.keys;
-  if (!rules.tcb) rules.tcb = records.facts.tcb = tcb;
-  KeyBuilder keys(records.columns, rules, units_of_keys(options.units, records.columns, ""));
-  Rational seconds(0);
-  for (Keyframe& keyframe : path.keyframes) {
-    if (keyframe.number > 0) seconds += transition_to(keyframe, path);
-    add_key(keys, keyframe, path, records.columns, seconds);
-  }
+  if (!options.keys.tcb) options.keys.tcb = records.facts.tcb = spline::Tcb<double>{tension.value, 0, 0};
+  KeyBuilder keys(records.columns, options.keys, units_of_keys(options.units, records.columns, ""));
+  KeyframeReader reader(tape, keys, records.columns, transition, fov);
+  for (std::size_t i = 0; i < keyframes.size(); ++i) reader.add(i, keyframes[i]);
   CurveInfo& info = records.keys.curve_info;
-  info.settings.preset = {std::string(spline::name_of(spline::Preset::nerfstudio)), {"preset", path.position}};
-  info.settings.closed = {path.is_cycle, {"is_cycle", path.position}};
-  const Rational period = path.is_cycle ? seconds + transition_to(path.keyframes.front(), path) : seconds;
+  info.settings.preset = {std::string(spline::name_of(spline::Preset::nerfstudio)), {"preset", position}};
+  info.settings.closed = {is_cycle, {"is_cycle", position}};
+  const Rational period = is_cycle ? reader.seconds() + reader.first_transition() : reader.seconds();
   info.frames = frames_of(path, period);
-  if (path.is_cycle) {
-    info.settings.period = {ratio_text(period), {"is_cycle", path.position}};
-  }
-  info.settings.metric = metric_of(records.columns, path.position);
+  if (is_cycle) info.settings.period = {ratio_text(period), {"is_cycle", position}};
+  info.settings.metric = metric_of(records.columns, position);
   records.facts.shape = JsonShape::object;
-  records.camera_path = std::move(path.members);
   records.keys.blocks = [block = std::optional(keys.finish(std::string(keyframe_list)))]() mutable {
     return std::exchange(block, std::nullopt);
   };

@@ -154,18 +154,15 @@ class KeyReader {
     seen_[member.number] = 1;
     if (member.cells == 0) return;
     const Column& column = columns_.columns.cells[member.cell];
-    switch (tape_.kind(value)) {
-      case Kind::array: return member.array ? read_array(member, value) : refuse_array(member, value);
-      case Kind::object: return column.role == Role::ignored ? void() : add_shape_fault(member, value);
-      case Kind::number:
-      case Kind::null:
-        if (member.array && (tape_.kind(value) == Kind::number || column.role != Role::ignored)) {
-          return add_shape_fault(member, value);
-        }
-        break;
-      default: break;
+    const Kind kind = tape_.kind(value);
+    const bool is_number = kind == Kind::number || kind == Kind::null;
+    if (member.array && kind == Kind::array) {
+      read_array(member, value);
+    } else if (!tape_[value].is_nested() && !(member.array && is_number)) {
+      read_cell(column, value);
+    } else if (column.role != Role::ignored) {
+      add_shape_fault(member, value);
     }
-    read_cell(column, value);
   }
 
   void read_array(const Member& member, std::size_t array) {
@@ -183,18 +180,6 @@ class KeyReader {
     if (index == member.cells) return;
     add_value_fault(array, data_error("the array has {} element{}; expected {}, as in the first key; correct it", index,
                                       index == 1 ? "" : "s", member.cells));
-  }
-
-  void refuse_array(const Member& member, std::size_t array) {
-    const bool is_ignored = columns_.columns.cells[member.cell].role == Role::ignored;
-    std::size_t fault = array;
-    tape_.for_each_element(array, [&](std::size_t value) {
-      if (is_ignored && tape_.kind(value) != Kind::number) return true;
-      fault = value;
-      return false;
-    });
-    const bool is_empty = tape_[array].next == array + 1;
-    if (is_empty || fault != array) add_shape_fault(member, fault);
   }
 
   /// The members of an object, or the elements of an array, that have columns.
@@ -223,49 +208,42 @@ class KeyReader {
   }
 
   void read_cell(const Column& column, std::size_t value) {
-    switch (tape_.kind(value)) {
-      case Kind::number: {
-        const std::string_view decimal = tape_.written(value);
-        const bool is_sign = !signs_.empty() && column.role != Role::ignored && !is_text(column) &&
-                             std::ranges::count(signs_, decimal) > 0;
-        return is_sign ? miss(column, value, in_quotes(decimal)) : store(column, decimal, value);
-      }
-      case Kind::null: return read_null(column, value);
-      case Kind::boolean: return read_text(column, tape_.written(value), value);
-      default: return read_text(column, tape_.text(value), value);
-    }
-  }
-
-  void read_null(const Column& column, std::size_t value) {
-    if (column.role == Role::ignored || column.role == Role::carry) return;
-    if (!is_text(column)) {
-      const std::string_view sign = tape_.written(value);
-      return miss(column, value, sign == "null" ? "null" : in_quotes(sign));
-    }
-    if (keys_.miss(column)) return;
-    add_value_fault(value, data_error("found null; expected a text; fill it in, or give {} skip-row", option::missing));
-  }
-
-  void read_text(const Column& column, std::string_view text, std::size_t value) {
-    if (column.role == Role::ignored) return keys_.set_mark(column, text);
-    const bool is_quoted = tape_.kind(value) != Kind::boolean;
-    if (is_text(column)) return keys_.set_text(column, (is_quoted ? "\"" : "") + std::string(text));
-    const bool is_sign = is_quoted && is_missing_sign(text, signs_);
+    const Kind kind = tape_.kind(value);
+    const bool is_quoted = kind == Kind::string || kind == Kind::name;
+    const std::string_view text = is_quoted ? tape_.text(value) : tape_.written(value);
+    if (column.role == Role::ignored) return kind == Kind::null ? void() : keys_.set_mark(column, text);
+    if (is_text(column)) return read_text(column, text, value);
     const bool is_time = column.role == Role::time && is_quoted;
     if (is_time && keys_.set_time_in_words(column, text)) return;
-    const bool is_number = is_quoted && !is_sign && parse_number(text).has_value();
-    if (is_time && !is_number && (find_notation(text) || (!keys_.has_times_as_numbers() && !is_sign))) {
-      const bool has_notation = columns_.units.notation == find_notation(text);
-      add_value_fault(value, has_notation
-                                 ? data_error("{} does not exist; expected a date of the calendar, a time of day "
-                                              "without leap seconds, and an undropped frame below the rate; correct it",
-                                              in_quotes(text))
-                                 : time_in_other_notation(text));
-      return;
+    const bool is_sign =
+        is_quoted ? is_missing_sign(text, signs_) : !signs_.empty() && std::ranges::count(signs_, text);
+    if (kind == Kind::null || is_sign)
+      return miss(column, text == "null" && !is_quoted ? "null" : in_quotes(text), value);
+    if (kind == Kind::number || (is_quoted && parse_number(text))) return store(column, text, value);
+    const bool is_other_time = is_time && (find_notation(text) || !keys_.has_times_as_numbers());
+    if (!is_other_time) {
+      add_value_fault(value, data_error("{} is not a number; expected a number; correct it", in_quotes(text)));
+    } else if (columns_.units.notation != find_notation(text)) {
+      add_value_fault(value, time_in_other_notation(text));
+    } else {
+      add_value_fault(value,
+                      data_error("{} does not exist; expected a date of the calendar, a time of day without leap "
+                                 "seconds, and an undropped frame below the rate; correct it",
+                                 in_quotes(text)));
     }
-    if (is_sign) return miss(column, value, in_quotes(text));
-    if (is_number) return store(column, text, value);
-    add_value_fault(value, data_error("{} is not a number; expected a number; correct it", in_quotes(text)));
+  }
+
+  /// The text of a group, or one that is kept: as it is quoted, or a number.
+  void read_text(const Column& column, std::string_view text, std::size_t value) {
+    switch (tape_.kind(value)) {
+      case Kind::string:
+      case Kind::name: return keys_.set_text(column, '"' + std::string(text));
+      case Kind::number: return keys_.set_text(column, json_number_text(text));
+      case Kind::null: break;
+      default: return keys_.set_text(column, std::string(text));
+    }
+    if (column.role == Role::carry || keys_.miss(column)) return;
+    add_value_fault(value, data_error("found null; expected a text; fill it in, or give {} skip-row", option::missing));
   }
 
   static Error time_in_other_notation(std::string_view time) {
@@ -274,7 +252,7 @@ class KeyReader {
   }
 
   /// A number is missing. `sign`: as a message shows it.
-  void miss(const Column& column, std::size_t value, const std::string& sign) {
+  void miss(const Column& column, const std::string& sign, std::size_t value) {
     if (keys_.miss(column)) return;
     add_value_fault(value, data_error("found {}; expected a number; fill it in, or give {} skip-row{} or break", sign,
                                       option::missing, column.role == Role::time ? "" : ", skip-cell"));
@@ -287,17 +265,13 @@ class KeyReader {
     }
     const auto number = [&] { return parse_number(decimal).value_or(0); };
     switch (column.role) {
-      case Role::ignored: return keys_.set_mark(column, decimal);
-      case Role::group:
-      case Role::carry: return keys_.set_text(column, json_number_text(decimal));
       case Role::time: keys_.set_time(parse_time(decimal).value_or(Time(0))); break;
       case Role::tension: store_once(0, column, number(), value); break;
       case Role::continuity: store_once(1, column, number(), value); break;
       case Role::bias: store_once(2, column, number(), value); break;
       default: keys_.number(column) = number();
     }
-    if (keys_.keeps_decimals()) keys_.keep_decimal(column, std::string(decimal));
-    if (keys_.scales() && !keys_.scale(column, decimal)) {
+    if (keys_.takes_decimals() && !keys_.take_decimal(column, decimal)) {
       add_value_fault(value, data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
                                         in_quotes(decimal)));
     }

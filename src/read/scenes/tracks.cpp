@@ -341,8 +341,7 @@ class TrackKeys {
   }
 
   void add_decimal(const Columns::Column& column, const WrittenNumber& number, const TrackKey& key) {
-    if (keys_.keeps_decimals()) keys_.keep_decimal(column, number.decimal);
-    if (keys_.scales() && !keys_.scale(column, number.decimal)) {
+    if (keys_.takes_decimals() && !keys_.take_decimal(column, number.decimal)) {
       throw track_number_too_large(number.decimal).about(path_of(track_)).at({"", key.line, 0});
     }
   }
