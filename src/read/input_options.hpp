@@ -18,13 +18,14 @@ namespace tcb {
 
 /// Options of delimited text.
 struct DelimitedOptions {
-  std::optional<char> delimiter = {};  ///< ' ' is any run of blanks and tabs; nothing: found in the first record
-  std::optional<bool> header = {};     ///< nothing: found in the first records
-  std::string comment = "#";           ///< the prefix of lines to skip; empty: none
-  NumberMarks marks = {};              ///< in numbers
-  std::uint64_t skipped_lines = 0;     ///< at the beginning, which are not part of the table
-  bool strips_units = false;           ///< units after the numbers in cells are removed
-  std::string head = {};               ///< names of the columns, as a line above the text; empty: none
+  std::optional<char> delimiter = {};    ///< ' ' is any run of blanks and tabs; nothing: found in the first record
+  std::optional<bool> header = {};       ///< nothing: found in the first records
+  std::string comment = "#";             ///< the prefix of lines to skip; empty: none
+  NumberMarks marks = {};                ///< in numbers
+  std::uint64_t skipped_lines = 0;       ///< at the beginning, which are not part of the table
+  bool strips_units = false;             ///< units after the numbers in cells are removed
+  std::vector<std::string> names = {};   ///< of the columns of a format; empty: the text may have names
+  std::vector<std::string> others = {};  ///< of columns that may follow these, and are read if they are requested
 
   friend bool operator==(const DelimitedOptions&, const DelimitedOptions&) = default;
 };

@@ -65,7 +65,7 @@ TEST(KeyBuilder, channels_without_tension_of_their_own_have_the_common_one) {
   KeyBuilder keys(with_own, rules);
   const auto set = [&](std::size_t cell, double value, const char* decimal) {
     keys.number(with_own.cells[cell]) = value;
-    keys.keep_decimal(with_own.cells[cell], decimal);
+    keys.take_decimal(with_own.cells[cell], decimal);
   };
   keys.begin_key();
   set(2, 1, "1.0");
@@ -113,7 +113,7 @@ TEST(KeyBuilder, a_time_cannot_be_skipped_alone_and_a_group_only_with_its_row) {
 TEST(KeyBuilder, decimals_are_kept_as_written) {
   KeyBuilder keys(columns, {{}, Missing::error, true});
   keys.begin_key();
-  keys.keep_decimal(columns.cells[3], "0.10");
+  keys.take_decimal(columns.cells[3], "0.10");
   EXPECT_TRUE(keys.end_key());
   keys.set_position(1, 1);
   const KeyBlock block = keys.finish();

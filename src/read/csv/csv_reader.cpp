@@ -15,6 +15,7 @@
 #include "read/csv/tokenizer.hpp"
 #include "read/input_format.hpp"
 #include "read/key_builder.hpp"
+#include "schema/pose_formats.hpp"
 #include "schema/usual_names.hpp"
 #include "stream/ordered_map.hpp"
 #include "text/suggest.hpp"
@@ -330,6 +331,21 @@ bool has_quoted_decimal(std::string_view text) {
   return false;
 }
 
+/// The options with the columns of a format of poses, its rotation and its unit of times, unless others are requested.
+InputOptions options_of_poses(const Format& format, Source<std::string>&, InputOptions options) {
+  const PoseFormat& poses = *format.poses;
+  options.delimited.names.assign(poses.columns.begin(), poses.columns.end());
+  options.delimited.others.assign(poses.others.begin(), poses.others.end());
+  options.delimited.delimiter = format.delimiter;
+  options.delimited.header = false;
+  if (poses.form == spline::RotationForm::matrix && options.rotation.requests.empty() && !options.rotation.none) {
+    options.rotation.requests.push_back(rotation_of(poses));
+  }
+  if (poses.unit && !options.units.time && !options.units.frame_rate) options.units.time = poses.unit;
+  if (!poses.unit) options.columns.timeless = true;
+  return options;
+}
+
 }  // namespace
 
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
@@ -343,10 +359,6 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   if (!delimiter) beginning = find_delimiter(bytes, options.delimited);
   if (named) ++beginning.line;
   beginning.line += options.delimited.skipped_lines;
-  if (!options.delimited.head.empty()) {
-    bytes = preceded_by(options.delimited.head + "\n", std::move(bytes));
-    --beginning.line;
-  }
   const Dialect dialect{beginning.delimiter, options.delimited.comment, options.columns.samples.has_value()};
   const bool is_decimal = dialect.delimiter == options.delimited.marks.decimal;
   if (is_decimal && !has_quoted_decimal(beginning.text))
@@ -360,7 +372,7 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
   std::vector<Chunk> rest;
   const auto find_table_below = [&](std::string_view text) {
-    return options.delimited.head.empty() && !options.columns.samples ? find_later_table(text, dialect) : std::nullopt;
+    return options.delimited.names.empty() && !options.columns.samples ? find_later_table(text, dialect) : std::nullopt;
   };
   const auto head = std::make_shared<const DelimitedHead>([&] {
     try {
@@ -403,12 +415,18 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   return records;
 }
 
+namespace {
+
+/// The lines of a format, which has a delimiter, unless any may be found.
 Records open_lines(const Format& format, Source<std::string> bytes, InputOptions options) {
   std::optional<char>& delimiter = options.delimited.delimiter;
   if (!delimiter && !format.has_any_delimiter) delimiter = format.delimiter;
   return open_delimited(std::move(bytes), options);
 }
 
+}  // namespace
+
+extern const InputFormat poses_input{.open = open_lines, .options = options_of_poses, .has_own_columns = true};
 extern const InputFormat delimited_input{.open = open_lines, .fit = [](std::string_view) { return std::optional(1); }};
 
 }  // namespace tcb

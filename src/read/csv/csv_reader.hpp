@@ -23,7 +23,4 @@ KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head);
 /// Requires: the bytes have no byte order mark. Throws: Error (data).
 Records open_delimited(Source<std::string> bytes, const InputOptions& options);
 
-/// Opens the lines of a format, which has a delimiter, unless any may be found.
-Records open_lines(const Format& format, Source<std::string> bytes, InputOptions options);
-
 }  // namespace tcb

@@ -23,11 +23,6 @@
 namespace tcb {
 namespace {
 
-Error in_possible_text_column(const Error& error) {
-  return {error.exit(),
-          fmt::format("{}; or name the columns to take with {} position=NAME:NAME", error.message(), option::columns)};
-}
-
 Error row_unlike_header(std::size_t cells, std::size_t names) {
   const std::string_view names_of_rows =
       cells == names + 1 ? "add a name to the header if the first cells name the rows, as R writes them, " : "";
@@ -35,31 +30,6 @@ Error row_unlike_header(std::size_t cells, std::size_t names) {
       "the number of cells in the first row is {}, but {} in the header; expected the same "
       "number; {}correct one of them, or give the delimiter with {}",
       cells, names, names_of_rows, option::delimiter);
-}
-
-Error header_unclear(std::string_view text_cell, std::string_view number_cell) {
-  return data_error(
-      "the first record has both text, {}, and a number, {}; expected only names or only "
-      "numbers; give {} if they are names, {} if they are not",
-      in_quotes(text_cell), in_quotes(number_cell), option::header, option::no_header);
-}
-
-Error samples_header_unclear(std::string_view text_cell, std::string_view number_cell) {
-  return data_error(
-      "the first record has both text, {}, and a number, {}; expected only names or only "
-      "numbers; add a line of names above it, or remove the text",
-      in_quotes(text_cell), in_quotes(number_cell));
-}
-
-Error other_delimiter_likely(char delimiter, char likely_delimiter) {
-  const bool is_control = likely_delimiter < ' ';
-  const std::string argument = likely_delimiter == '|' ? "pipe"
-                               : is_control ? fmt::format("$'\\x{:02X}'", static_cast<unsigned>(likely_delimiter))
-                                            : fmt::format("'{}'", likely_delimiter);
-  return {Exit::data,
-          fmt::format("the rows have no delimiter {}, but each has {}; expected cells between delimiters; "
-                      "give {} {}",
-                      in_quotes({&delimiter, 1}), in_quotes({&likely_delimiter, 1}), option::delimiter, argument)};
 }
 
 using HeadCells = std::vector<std::string_view>;
@@ -251,7 +221,8 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
     const std::size_t digit = cell.starts_with(minus) ? minus.size() : cell.find_first_not_of("+-.,");
     if (digit >= cell.size() || cell[digit] < '0' || cell[digit] > '9') continue;
     if (find_notation(cell)) continue;
-    throw in_possible_text_column(why_not_number(fmt::format("column {}", i + 1), cell, head.marks))
+    const Error fault = why_not_number(fmt::format("column {}", i + 1), cell, head.marks);
+    throw data_error("{}; or name the columns to take with {} position=NAME:NAME", fault.message(), option::columns)
         .at(tokenizer.position(cells[i]));
   }
 }
@@ -298,8 +269,12 @@ void require_clear_header(const HeadRecords::Record& record, const DelimitedHead
   const auto number = std::ranges::find_if(record.cells, is_number);
   if (number == record.cells.end() || std::ranges::any_of(record.cells, is_name)) return;
   const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return may_be_value(cell, head); });
-  const auto fault = options.samples ? samples_header_unclear : header_unclear;
-  throw fault(*text, *number).at({"", record.line, 1});
+  const std::string remedy =
+      options.samples ? "add a line of names above it, or remove the text"
+                      : fmt::format("give {} if they are names, {} if they are not", option::header, option::no_header);
+  throw data_error("the first record has both text, {}, and a number, {}; expected only names or only numbers; {}",
+                   in_quotes(*text), in_quotes(*number), remedy)
+      .at({"", record.line, 1});
 }
 
 /// Throws: Error (data) where each record is one cell, with the same number of some other character that may delimit.
@@ -311,7 +286,12 @@ void require_delimiter(const HeadRecords& first, const Dialect& dialect) {
     const auto cells = count(first.records[0]);
     if (cells == 0 || std::ranges::any_of(first.records, [&](const auto& record) { return count(record) != cells; }))
       continue;
-    throw other_delimiter_likely(dialect.delimiter, c).at({"", first.records[0].line, 1});
+    const std::string argument = c == '|'  ? "pipe"
+                                 : c < ' ' ? fmt::format("$'\\x{:02X}'", static_cast<unsigned>(c))
+                                           : fmt::format("'{}'", c);
+    throw data_error("the rows have no delimiter {}, but each has {}; expected cells between delimiters; give {} {}",
+                     in_quotes({&dialect.delimiter, 1}), in_quotes({&c, 1}), option::delimiter, argument)
+        .at({"", first.records[0].line, 1});
   }
 }
 
@@ -495,14 +475,16 @@ class RolesByCells {
   std::vector<std::string> notes_;
 };
 
-/// Sets the columns of keys, with the doubts about them.
+/// Sets the columns of keys, with the doubts about them. `unread`: those that are not read unless they are requested.
 void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, const std::vector<bool>& numeric,
-                      const Rows& rows, const InputOptions& options, const std::vector<std::size_t>& words) {
+                      const Rows& rows, const InputOptions& options, const std::vector<std::size_t>& unread) {
   ColumnOptions requested = options.columns;
-  for (const std::size_t cell : words) {
+  for (const std::size_t cell : unread) {
     const std::string column = fmt::format("{}", cell + 1);
-    const bool is_requested = std::ranges::any_of(
-        requested.roles, [&](const RoleRequest& role) { return std::ranges::count(role.columns, column) > 0; });
+    const bool is_requested = std::ranges::any_of(requested.roles, [&](const RoleRequest& role) {
+      return std::ranges::count(role.columns, column) > 0 ||
+             (cell < names.size() && std::ranges::count(role.columns, names[cell]) > 0);
+    });
     if (!is_requested) requested.roles.push_back({Role::unused, {column}});
   }
   std::vector<std::string> notes;
@@ -536,15 +518,15 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   const ColumnOptions& columns = options.columns;
   HeadRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.marks};
-  head.is_of_format = !options.delimited.head.empty();
+  head.is_of_format = !options.delimited.names.empty();
   head.strips_units = options.delimited.strips_units;
-  if (first.records.size() == (head.is_of_format ? 1U : 0U))
+  if (first.records.empty())
     throw columns.samples ? data_error("the file is empty; expected samples; give the file that has them")
                           : data_error("the input is empty; expected a row for each key; see {}", option::help);
   if (!options.delimited.delimiter) require_delimiter(first, dialect);
-  const std::vector<std::size_t> words =
-      options.delimited.header || columns.samples ? std::vector<std::size_t>{} : repeated_words(first, head);
-  const bool is_named = words.empty() && is_header(first.records[0], head, columns.samples);
+  std::vector<std::size_t> unread;
+  if (!options.delimited.header && !columns.samples) unread = repeated_words(first, head);
+  const bool is_named = unread.empty() && is_header(first.records[0], head, columns.samples);
   const bool header = options.delimited.header.value_or(is_named);
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
@@ -563,6 +545,15 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     }
   }
   const auto& row = first.records[data];
+  if (head.is_of_format) {
+    position = {};
+    names = options.delimited.names;
+    for (const std::string& other : options.delimited.others) {
+      if (names.size() >= row.cells.size()) break;
+      unread.push_back(names.size());
+      names.push_back(other);
+    }
+  }
   require_names_for_cells(names, row, head);
   head.encoding = convert_names(names, position);
   head.names_quaternion = !columns.samples && name_quaternion(names);
@@ -575,7 +566,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     if (columns.samples) {
       head.columns = find_sample_columns(names, numeric, *columns.samples, columns.timeless);
     } else {
-      find_key_columns(head, names, numeric, cells_of(rest[0], dialect), options, words);
+      find_key_columns(head, names, numeric, cells_of(rest[0], dialect), options, unread);
     }
     if (!units.empty()) take_units(head, units, options.units);
     head.units = units_of_keys(options.units, head.columns, first_time(row.cells, head.columns));

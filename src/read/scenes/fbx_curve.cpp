@@ -309,18 +309,7 @@ FbxCurve read_old_curve(const FbxNode& channel, const FbxHead& head) {
 
 TrackChannel channel_of(std::string_view name, const FbxCurve& curve) {
   const std::vector<FbxKey>& keys = curve.keys;
-  TrackChannel channel{std::string(name)};
-  channel.before = curve.before;
-  channel.after = curve.after;
-  for (const FbxKey& key : keys) {
-    channel.keys.push_back({.time = key.time,
-                            .value = key.value,
-                            .tension = key.tension,
-                            .continuity = key.continuity,
-                            .bias = key.bias,
-                            .line = key.line});
-  }
-  require_increasing_times(channel);
+  TrackChannel channel = channel_of_keys(name, keys, curve.before, curve.after);
   const bool is_tcb = std::ranges::all_of(keys, [](const FbxKey& key) { return key.span == FbxSpan::tcb; });
   if (is_tcb || keys.size() < 2) return channel;
   const Tangents tangents(keys);

@@ -126,18 +126,7 @@ class Velocities {
 /// The keys of a channel.
 TrackChannel channel_of_envelope(std::string_view name, const Envelope& envelope) {
   const std::vector<EnvelopeKey>& keys = envelope.keys;
-  TrackChannel channel{std::string(name)};
-  channel.before = behaviors[envelope.before];
-  channel.after = behaviors[envelope.after];
-  for (const EnvelopeKey& key : keys) {
-    channel.keys.push_back({.time = key.time,
-                            .value = key.value,
-                            .tension = key.tension,
-                            .continuity = key.continuity,
-                            .bias = key.bias,
-                            .line = key.line});
-  }
-  require_increasing_times(channel);
+  TrackChannel channel = channel_of_keys(name, keys, behaviors[envelope.before], behaviors[envelope.after]);
   if (std::ranges::all_of(keys, [](const EnvelopeKey& key) { return key.span == Span::tcb; })) return channel;
   if (keys.size() < 2) return channel;
   const auto bezier = std::ranges::find(keys, Span::bezier2, &EnvelopeKey::span);

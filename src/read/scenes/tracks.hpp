@@ -67,6 +67,24 @@ struct TrackSpan {
 /// Throws: Error (data).
 void require_increasing_times(const TrackChannel& channel);
 
+/// A channel with keys whose times increase, of a format's own kind, which have the numbers of TCB keys. Throws: Error
+/// (data).
+template <class Key>
+TrackChannel channel_of_keys(std::string_view name, const std::vector<Key>& keys, std::string_view before,
+                             std::string_view after) {
+  TrackChannel channel{.name = std::string(name), .before = before, .after = after};
+  for (const Key& key : keys) {
+    channel.keys.push_back({.time = key.time,
+                            .value = key.value,
+                            .tension = key.tension,
+                            .continuity = key.continuity,
+                            .bias = key.bias,
+                            .line = key.line});
+  }
+  require_increasing_times(channel);
+  return channel;
+}
+
 /// Gives the keys of a channel the velocities of the spans between them, and adds keys for steps. Throws: Error (data)
 /// for a step that no double is within.
 void set_spans(TrackChannel& channel, const std::vector<TrackSpan>& spans);

@@ -93,7 +93,7 @@ TEST(JsonKeys, an_array_of_another_length_and_a_value_of_another_shape_are_error
             "f:2:19: error: keys[1].position: this is not an array; expected one of numbers, as in the first key; "
             "correct it");
   EXPECT_EQ(second(R"({"t":0,"x":1})", R"({"t":1,"x":[2]})"),
-            "f:2:13: error: keys[1].x[0]: this is not a number; expected one, as in the first key; correct it");
+            "f:2:12: error: keys[1].x: this is not a number; expected one, as in the first key; correct it");
 }
 
 TEST(JsonKeys, an_element_too_many_is_one_error_whatever_it_is) {

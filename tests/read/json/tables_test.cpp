@@ -8,16 +8,11 @@
 namespace tcb {
 namespace {
 
-std::shared_ptr<const WholeJson> whole(const std::string& text) {
-  return std::make_shared<const WholeJson>(JsonPart{JsonPart::Kind::whole, {text}});
-}
-
 /// The rows of a table as NAME=CELL, with the sign ? for a cell of the first row that others have.
 std::string rows_of(const JsonTable& table) {
   std::string shown = table.has_times_in_index() ? "by index: " : "";
-  const FirstRecords records = table.first_records();
-  for (std::size_t row = 0; row < records.count; ++row) {
-    for (const JsonCell& cell : records.cells(row)) {
+  for (std::size_t row = 0; row < table.size(); ++row) {
+    for (const JsonCell& cell : row == 0 ? table.first_cells() : table.cells(row)) {
       shown += fmt::format("{}={} ", cell.name,
                            cell.value == JsonCell::missing ? "?" : std::string(table.tape().written(cell.value)));
     }
@@ -27,16 +22,19 @@ std::string rows_of(const JsonTable& table) {
 }
 
 std::string table_of(const std::string& text) {
-  const auto table = JsonTable::find(whole(text), 0, "", true, false);
+  const JsonPart part{JsonPart::Kind::whole, {text}};
+  const JsonTape tape(part);
+  const auto table = JsonTable::find(tape, 0, "", true, false);
   return table ? rows_of(*table) : "none";
 }
 
 /// The paths of the lists in a text that can be keys, or the error.
 std::string paths(const std::string& text, std::string_view records = "") {
   std::string shown;
+  const JsonPart part{JsonPart::Kind::whole, {text}};
+  const JsonTape tape(part);
   const std::string error = error_of([&] {
-    for (const JsonTable& table : find_tables(whole(text), {.records = std::string(records)}))
-      shown += table.path() + " ";
+    for (const JsonTable& table : find_tables(tape, {.records = std::string(records)})) shown += table.path() + " ";
   });
   return error == "no error" ? shown : error;
 }
