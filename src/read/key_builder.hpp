@@ -69,6 +69,8 @@ class KeyBuilder {
 
   /// The cell has no value. Returns whether that is allowed; if so, the row may be skipped or be a gap.
   bool miss(const Columns::Column& column);
+  /// The key is skipped, or is a gap, as it has no value for some cell.
+  bool is_missing() const { return is_missing_; }
 
   /// Adds a fault; the current key is not kept.
   void add_fault(Error fault) {

@@ -229,7 +229,10 @@ class NpyHeader {
         (column.kind == 'i' || column.kind == 'u') && (size == 1 || size == 2 || size == 4 || size == 8);
     const bool is_number = is_float || is_whole || (column.kind == 'b' && size == 1);
     if (!has_order || !is_number) throw not_a_number(name, type);
-    if (name.find_first_of("\t\r\n\"") != std::string::npos) throw not_a_number(name, "a name with tabs");
+    if (name.find_first_of("\t\r\n\"") != std::string::npos) {
+      throw data_error("the column {} has a tab, a line end or a quote in its name; expected a name without; rename it",
+                       in_quotes(name));
+    }
     return column;
   }
 

@@ -80,6 +80,7 @@ class KeyReader {
     const std::uint64_t number = number_++;
     if (is_provenance_ && std::ranges::count(seen_, 1) == 0) return;
     for (const Member* member : required_) {
+      if (keys_.is_missing()) break;
       if (seen_[member->number] == 0) miss_member(*member, place);
     }
     if (!keys_.complete_time()) add_fault(time_parts_not_whole(columns_.columns.time).at(tape_.position(place)));

@@ -31,7 +31,8 @@ namespace tcb {
 namespace {
 
 Error track_number_too_large(std::string_view number) {
-  return data_error("{} is beyond the range of doubles; expected less than 1.8e308 in size; correct the file", number);
+  return data_error("{} is beyond the range of doubles; expected less than 1.8e308 in size; correct the file",
+                    in_quotes(number));
 }
 
 Error times_of_track_repeat(std::string_view time) {
@@ -293,16 +294,9 @@ class TrackKeys {
         case Role::velocity_out: {
           const TrackKey* const key = key_at(column, first);
           if (key != nullptr && line == 0) line = key->line;
-          if (const WrittenNumber* const number = key == nullptr ? nullptr : number_of(*key, column.role)) {
-            add_number(column, *number, *key);
-          } else if (!keys_.miss(column)) {
-            throw data_error(
-                "channel {} has no key at this time, where other channels have one; expected a key in every channel; "
-                "give {} skip-cell",
-                in_quotes(columns_.channels[column.channel]), option::missing)
-                .about(path_of(track_))
-                .at({"", line, 0});
-          }
+          const WrittenNumber* const number = key == nullptr ? nullptr : number_of(*key, column.role);
+          if (number != nullptr) add_number(column, *number, *key);
+          if (number == nullptr) keys_.miss(column);  // is allowed, as options_of_frames() skips cells at least
           break;
         }
         default: break;
