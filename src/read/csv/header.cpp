@@ -33,6 +33,7 @@ Error row_unlike_header(std::size_t cells, std::size_t names) {
 }
 
 using HeadCells = std::vector<std::string_view>;
+using HeadRows = std::vector<HeadCells>;
 
 std::vector<std::string> texts(const HeadCells& cells) {
   std::vector<std::string> result;
@@ -319,9 +320,9 @@ std::string first_time(const std::vector<std::string>& cells, const Columns& col
 }
 
 /// The cells of the first records, without reading further. Requires: `data` outlives them.
-std::vector<HeadCells> cells_of(const Chunk& data, const Dialect& dialect) {
+HeadRows cells_of(const Chunk& data, const Dialect& dialect) {
   constexpr std::size_t most = 50;
-  std::vector<HeadCells> rows;
+  HeadRows rows;
   Tokenizer tokenizer(data, dialect);
   try {
     for (HeadCells cells; rows.size() < most && tokenizer.next(cells); rows.push_back(cells)) {
@@ -333,10 +334,8 @@ std::vector<HeadCells> cells_of(const Chunk& data, const Dialect& dialect) {
   return rows;
 }
 
-using Rows = std::vector<HeadCells>;
-
 /// The mean gap between the times of the first records; nothing unless they are whole numbers that increase.
-std::optional<double> time_gap_of(const Rows& rows, const Columns& columns, const NumberMarks& marks) {
+std::optional<double> time_gap_of(const HeadRows& rows, const Columns& columns, const NumberMarks& marks) {
   const auto time = std::ranges::find(columns.cells, Role::time, &Columns::Column::role);
   const auto cell = static_cast<std::size_t>(time - columns.cells.begin());
   std::vector<double> times;
@@ -352,7 +351,7 @@ std::optional<double> time_gap_of(const Rows& rows, const Columns& columns, cons
 /// What columns mean by rules that look at their cells, as requests, with notes.
 class RolesByCells {
  public:
-  RolesByCells(std::vector<std::string>& names, const std::vector<bool>& numeric, const Rows& rows,
+  RolesByCells(std::vector<std::string>& names, const std::vector<bool>& numeric, const HeadRows& rows,
                const ColumnOptions& requested)
       : names_(names), numeric_(numeric), rows_(rows), requested_(requested) {}
 
@@ -470,14 +469,14 @@ class RolesByCells {
 
   std::vector<std::string>& names_;
   const std::vector<bool>& numeric_;
-  const Rows& rows_;
+  const HeadRows& rows_;
   ColumnOptions requested_;
   std::vector<std::string> notes_;
 };
 
 /// Sets the columns of keys, with the doubts about them. `unread`: those that are not read unless they are requested.
 void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, const std::vector<bool>& numeric,
-                      const Rows& rows, const InputOptions& options, const std::vector<std::size_t>& unread) {
+                      const HeadRows& rows, const InputOptions& options, const std::vector<std::size_t>& unread) {
   ColumnOptions requested = options.columns;
   for (const std::size_t cell : unread) {
     const std::string column = fmt::format("{}", cell + 1);
