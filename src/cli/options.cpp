@@ -217,7 +217,8 @@ constexpr OptionRow option_rows[] = {
      "", columns, recorded, [](Typed& to, Text text) { to.keys.input.units.scales = channel_scales(text); }},
     {option::rotation, "", "FORM=COLUMN:...", input_group,
      "The columns, by name or number, that together are a rotation: quaternion=X:Y:Z:W, "
-     "axis-angle=X:Y:Z:ANGLE[,relative], euler=A:B:C,order=XYZ or matrix=M11:M12:M13:M21:M22:M23:M31:M32:M33. "
+     "axis-angle=X:Y:Z:ANGLE[,relative], axis-angle=X:Y:Z whose length is the angle, euler=A:B:C,order=XYZ or "
+     "matrix=M11:M12:M13:M21:M22:M23:M31:M32:M33. "
      "Repeat the option for each rotation; none takes all columns as plain channels. By default columns with names "
      "such as qx, qy, qz and qw are a rotation",
      "", other, recorded,
@@ -231,7 +232,8 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.keys.input.rotation.degrees = named_row(angle_units, text).degrees; },
      names_in<angle_units>},
     {option::rotation_output, "", "FORM", input_group,
-     "The form of rotations in rows: quaternion, axis-angle, matrix, or euler=XYZ; by default the form in the input",
+     "The form of rotations in rows: quaternion, axis-angle, rotation-vector, matrix, or euler=XYZ; by default the "
+     "form in the input",
      "", other, recorded, [](Typed& to, Text text) { to.keys.input.rotation.shown = rotation_form(text); }},
     {option::angle, "", "CHANNEL=UNIT,...", input_group,
      "Channels that are angles, in degrees or radians, and turn the shorter way from key to key",

@@ -121,6 +121,7 @@ std::string option_with_value(std::string_view name) {
 std::string meant_option(const std::string& unknown) {
   const std::string wanted = compared(unknown);
   if (unknown.starts_with("--")) {
+    if (wanted == "tension" || wanted == "continuity" || wanted == "bias") return std::string(option::tcb);
     if (std::string option = option_with_value(wanted); !option.empty()) return option;
   }
   std::vector<std::string_view> names;

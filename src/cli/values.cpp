@@ -111,7 +111,8 @@ std::vector<std::pair<std::string, std::string>> named_values(const std::string&
 Error not_a_rotation(std::string_view text) {
   return usage_error(
       "{} is not a rotation; expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, "
-      "axis-angle=X:Y:Z:ANGLE,relative, euler=A:B:C,order=XYZ, or matrix= with nine columns row by row, "
+      "axis-angle=X:Y:Z:ANGLE,relative, axis-angle=X:Y:Z whose length is the angle, euler=A:B:C,order=XYZ, or matrix= "
+      "with nine columns row by row, "
       "where columns are names or numbers; or none",
       in_quotes(text));
 }
@@ -142,6 +143,8 @@ GivenRotation rotation_request(std::string_view part, const std::string& text) {
   }
   GivenRotation request{{form->form}};
   for (const std::string_view column : split(part.substr(equals + 1), ':')) request.columns.emplace_back(column);
+  const bool lacks_angle = form->form == spline::RotationForm::axis_angle && request.columns.size() == 3;
+  if (lacks_angle) request.notation.form = spline::RotationForm::rotation_vector;
   if (request.columns.size() != request.notation.numbers() || std::ranges::count(request.columns, "") > 0) {
     throw not_a_rotation(text);
   }
@@ -506,7 +509,8 @@ spline::RotationNotation rotation_form(const std::string& text) {
   const auto found = std::ranges::find(rotation_forms, text, &RotationFormName::name);
   if (found == rotation_forms.end() || found->form == spline::RotationForm::euler) {
     throw usage_error(
-        "{} is not a form of rotations; expected quaternion, axis-angle, matrix, or euler= and an order of "
+        "{} is not a form of rotations; expected quaternion, axis-angle, rotation-vector, matrix, or euler= and an "
+        "order of "
         "axes, as in euler=ZYX",
         in_quotes(text));
   }

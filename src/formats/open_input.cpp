@@ -14,7 +14,7 @@
 #include "read/input.hpp"
 #include "read/input_format.hpp"
 #include "read/input_options.hpp"
-#include "schema/rotation_columns.hpp"
+#include "schema/schema.hpp"
 #include "text/file_ending.hpp"
 #include "text/utf8.hpp"
 

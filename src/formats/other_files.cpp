@@ -37,6 +37,8 @@ constexpr std::string_view
     by_max = "export the scene from 3ds Max as ASE, 3DS or ASCII FBX",
     by_gpsbabel = "convert it, as in gpsbabel -t -i garmin_fit -f FILE -o unicsv -F - | tcbsample",
     by_gpx = "convert it, as in gpsbabel -t -i gpx -f FILE -o unicsv -F - | tcbsample",
+    by_igc = "convert it, as in gpsbabel -t -i igc -f FILE -o unicsv -F - | tcbsample",
+    by_nmea = "convert it, as in gpsbabel -t -i nmea -f FILE -o unicsv -F - | tcbsample",
     by_maya = "export the scene from Maya as ASCII FBX",
     by_mcap = "convert it, as in mcap cat FILE --topics TOPIC --json | tcbsample -i jsonl",
     by_rosbag = "convert it, as in rostopic echo -b FILE -p TOPIC | tcbsample",
@@ -148,6 +150,13 @@ constexpr OtherFile other_files[] = {
      "convert it, as in python3 -c 'import nptdms, sys; "
      "nptdms.TdmsFile.read(sys.argv[1]).as_dataframe().to_csv(sys.stdout)' FILE | tcbsample"},
     {{}, {"header:", 0, {"stamp:"}}, "a text of ROS messages", by_echo},
+    {{}, {"A", 0, {"\nHFDTE"}}, "a flight record (.igc)", by_igc},
+    {{}, {"$G", 0, {"GGA,"}}, "a text of NMEA 0183", by_nmea},
+    {{}, {"$G", 0, {"RMC,"}}, "a text of NMEA 0183", by_nmea},
+    {{},
+     {"# Image list with two lines of data per image"},
+     "a list of images of COLMAP",
+     "take the lines of the poses, as in grep -v '^#' FILE | sed -n 'p;n' | tcbsample"},
     {{}, {"MThd"}, "a MIDI file", "convert it with midicsv FILE, and keep the lines of one kind of event"},
     // Others.
     {{".pdf"}, {"%PDF"}, "a PDF document", export_keys},

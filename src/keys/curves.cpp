@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -33,9 +34,13 @@ void gather(std::vector<Error>& faults, KeyBlock& block) {
   std::ranges::move(block.faults.errors, std::back_inserter(faults));
 }
 
-/// What faults of one kind have in common: the message without the texts and numbers of each.
+/// What faults of one kind have in common: the message without the texts and numbers of each, and without the
+/// column where an option is the remedy for all.
 std::string kind_of(std::string_view message) {
   std::string kind;
+  const std::size_t column = message.find(": ");
+  const bool has_option = message.find(" give --") != std::string_view::npos;
+  if (has_option && column < message.find_first_of("\";")) message.remove_prefix(column + 2);
   bool in_quotes = false, in_word = false;
   for (const char c : message) {
     const bool is_digit = c >= '0' && c <= '9';
@@ -197,8 +202,11 @@ Source<KeyBlock> LikelyAngles::observe(Source<KeyBlock> blocks) {
 std::vector<NamedAngle> LikelyAngles::found() const {
   constexpr double half_turn = 3.15, whole_turn = 6.3;  // rounded up
   std::vector<NamedAngle> angles;
+  // All are in one unit: 5 beside 350 is in degrees, too.
+  const bool any_degrees =
+      std::ranges::any_of(channels_, [](const Channel& channel) { return channel.largest > whole_turn; });
   for (const Channel& channel : channels_) {
-    const bool degrees = channel.largest > whole_turn;
+    const bool degrees = channel.largest > whole_turn || (has_names_ && any_degrees);
     // Within one turn, from 0 or around 0, where the name tells little.
     const double most = channel.is_positive ? (degrees ? 360.5 : 6.29) : (degrees ? 180.5 : half_turn);
     if (!channel.is_named && (channel.largest > most || (!has_names_ && !degrees))) continue;
@@ -207,9 +215,43 @@ std::vector<NamedAngle> LikelyAngles::found() const {
   return angles;
 }
 
+LikelySigns::LikelySigns(const Schema& schema) : channels_(schema.channels.size()) {
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    channels_[i].channel = schema.sources.empty() ? i : schema.sources[i];
+    channels_[i].name = schema.channels[i];
+  }
+}
+
+Source<KeyBlock> LikelySigns::observe(Source<KeyBlock> blocks) {
+  constexpr std::array signs{-999., -9999., -99999., -999999., -32768.};
+  return mapped(std::move(blocks), [this, signs](KeyBlock block) {
+    const Keys& keys = block.keys;
+    for (Channel& channel : channels_) {
+      for (std::size_t i = channel.channel; i < keys.positions.size(); i += keys.channels) {
+        const double value = keys.positions[i];
+        if (value <= -999 && std::ranges::count(signs, value) > 0) {
+          channel.sign = value;
+        } else if (value < channel.least) {
+          channel.least = value;
+        }
+      }
+    }
+    return block;
+  });
+}
+
+std::vector<LikelySign> LikelySigns::found() const {
+  std::vector<LikelySign> signs;
+  for (const Channel& channel : channels_) {
+    if (channel.sign != 0 && channel.sign < channel.least / 2 - 500) signs.push_back({channel.name, channel.sign});
+  }
+  return signs;
+}
+
 Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
     : angles_(schema),
-      blocks_(angles_.observe(arranged(schema, keys, options, live, midnights_))),
+      signs_(schema),
+      blocks_(signs_.observe(angles_.observe(arranged(schema, keys, options, live, midnights_)))),
       may_break_(keys.traits.may_break || !schema.groups.empty() || options.duplicates == Duplicates::break_curve ||
                  options.max_gap),
       max_gap_(largest_allowed_gap(schema.time, options)),

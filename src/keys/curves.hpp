@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +47,32 @@ class LikelyAngles {
   std::vector<Channel> channels_;
 };
 
+/// A channel with a number that may be the sign of a missing one.
+struct LikelySign {
+  std::string channel;
+  double number;
+};
+
+/// Channels with a number such as -9999 far below all others, which may be the sign of a missing one.
+class LikelySigns {
+ public:
+  explicit LikelySigns(const Schema& schema);
+
+  /// Passes keys on. Requires: this outlives the source.
+  Source<KeyBlock> observe(Source<KeyBlock> blocks);
+
+  std::vector<LikelySign> found() const;
+
+ private:
+  struct Channel {
+    std::size_t channel = 0;  ///< of keys as they are read
+    std::string name;
+    double least = std::numeric_limits<double>::infinity();  ///< of the numbers that are no sign
+    double sign = 0;                                         ///< the last one that is; 0: there is none
+  };
+  std::vector<Channel> channels_;
+};
+
 /// A part of a curve that gaps divide, which has a curve of its own.
 struct CurvePart {
   std::size_t number = 0;  ///< of the part, from 0
@@ -78,6 +105,7 @@ class Curves {
   std::uint64_t skipped() const { return skipped_; }
   /// Plain channels that seem to be angles.
   std::vector<NamedAngle> likely_angles() const { return angles_.found(); }
+  std::vector<LikelySign> likely_signs() const { return signs_.found(); }
   /// How often times of day passed midnight so far.
   std::uint64_t midnights() const { return midnights_; }
   /// How many gaps divided curves so far, and the largest one.
@@ -93,6 +121,7 @@ class Curves {
 
   std::uint64_t midnights_ = 0;
   LikelyAngles angles_;
+  LikelySigns signs_;
   Source<KeyBlock> blocks_;
   bool may_break_;
   std::optional<Rational> max_gap_;  ///< in the unit of the times

@@ -190,6 +190,15 @@ class Order : public HoldingStage {
     const std::string or_none = labels_.channels.empty()
                                     ? fmt::format(", or give {} uniform if the keys have no times", option::parameter)
                                     : "";
+    const bool begins_again = key >= 5 && here.time.hi >= 0 && here.time.hi < before_->time.hi / 20;
+    if (begins_again) {
+      return data_error(
+                 "{}time {} is less than the time {}, as where a counter or a recording begins again; expected "
+                 "increasing times; count on, or give {} with a column that tells recordings apart, or {} if the keys "
+                 "are of one recording in any order{}",
+                 beginning, time, before, option::group, option::sort, or_none)
+          .at(text_position);
+    }
     return data_error(
                "{}time {} is less than the time {}; expected increasing times; sort the keys by time, or give {}{}",
                beginning, time, before, option::sort, or_none)

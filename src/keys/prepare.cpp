@@ -248,9 +248,9 @@ class Steps {
 
 /// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases
 /// from key to key, up to the thousandth: then it may be the time.
-Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) {
-  return [blocks = std::move(blocks), channel = std::move(channel), held = std::deque<KeyBlock>(),
-          is_clear = false]() mutable -> std::optional<KeyBlock> {
+Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel, std::string request) {
+  return [blocks = std::move(blocks), channel = std::move(channel), request = std::move(request),
+          held = std::deque<KeyBlock>(), is_clear = false]() mutable -> std::optional<KeyBlock> {
     constexpr std::size_t most = 1000;
     std::size_t keys = 0;
     for (double before = 0; !is_clear;) {
@@ -264,7 +264,7 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel) 
         throw data_error(
             "there is no time column, but column {} may be one; expected a column called time; give "
             "{} {}, or {} uniform if the keys have no times",
-            in_quotes(channel), option::columns, in_shell("time=" + channel), option::parameter);
+            in_quotes(channel), option::columns, in_shell("time=" + request), option::parameter);
       }
       is_clear = is_clear || !block;
       if (block) held.push_back(std::move(*block));
@@ -316,7 +316,9 @@ SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles) 
 Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs) {
   blocks = with_quaternions(std::move(blocks), needs.rotations);
   blocks = with_clear_angles(std::move(blocks), needs.angles, needs.channels, needs.closed);
-  if (needs.may_be_timed) blocks = with_clear_times(std::move(blocks), needs.channels[0]);
+  if (!needs.likely_time.empty()) {
+    blocks = with_clear_times(std::move(blocks), needs.channels[0], needs.likely_time);
+  }
   return [blocks = std::move(blocks), steps = Steps(needs)]() mutable -> std::optional<KeyBlock> {
     std::optional<KeyBlock> block = blocks();
     if (block) return steps(std::move(*block));

@@ -27,12 +27,12 @@ struct KeyPreparation {
   std::vector<std::string> channels;  ///< names
   RotationsOfKeys rotations;
   std::vector<AngleColumn> angles;
-  bool closed = false;                               ///< the first key follows the last one
-  bool may_be_timed = false;                         ///< keys have no times, but the first channel may be one
-  std::optional<double> exponent = {};               ///< of the distances that make the times; nothing: keys have times
-  std::vector<std::size_t> metric = {};              ///< the channels of these distances; empty: all
-  std::optional<Retiming> retiming = {};             ///< their times change
-  std::optional<FrameTimes> frames = {};             ///< where the times before that are frames in seconds
+  bool closed = false;                    ///< the first key follows the last one
+  std::string likely_time = {};           ///< the first channel as it can be requested, if it may be the time
+  std::optional<double> exponent = {};    ///< of the distances that make the times; nothing: keys have times
+  std::vector<std::size_t> metric = {};   ///< the channels of these distances; empty: all
+  std::optional<Retiming> retiming = {};  ///< their times change
+  std::optional<FrameTimes> frames = {};  ///< where the times before that are frames in seconds
   std::optional<ShownTcbScale> unlikely_scale = {};  ///< on which tension, continuity and bias must not seem to be
   bool ease = true;                                  ///< that of keys is used
   bool monotone = false;                             ///< the timing, which has no ease, velocities or missing positions

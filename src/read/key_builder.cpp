@@ -132,13 +132,14 @@ void KeyBuilder::keep_decimal(const Columns::Column& column, std::string decimal
 
 bool KeyBuilder::take_decimal(const Columns::Column& column, std::string_view decimal) {
   if (keeps_decimals()) keep_decimal(column, std::string(decimal));
-  const bool is_from_0_to_50 = is_tcb(column.role) && rules_.tcb_scale == TcbScale::max3ds;
+  const bool is_ease = column.role == Role::ease_in || column.role == Role::ease_out;
+  const bool is_from_0_to_50 = (is_tcb(column.role) || is_ease) && rules_.tcb_scale == TcbScale::max3ds;
   const std::size_t index = number_of_key(column, block_.keys.channels);
   const Rational factor = index < units_.factors.size() ? units_.factors[index] : Rational(1);
   if (!is_from_0_to_50 && factor == 1) return true;
   const bool is_time = column.role == Role::time;
   const Rational given = parse_rational(decimal).value_or(is_time ? exact_time(time_) : Rational(number(column)));
-  const Rational scaled = is_from_0_to_50 ? from_0_to_50(given) : given * factor;
+  const Rational scaled = !is_from_0_to_50 ? given * factor : is_ease ? given / 50 : from_0_to_50(given);
   if (!within_doubles(scaled)) return false;
   if (is_time) {
     time_ = nearest_time(scaled);

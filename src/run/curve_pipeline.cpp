@@ -16,7 +16,7 @@
 #include "sample/rows.hpp"
 #include "sample/sampler.hpp"
 #include "sample/table.hpp"
-#include "schema/doubts.hpp"
+#include "schema/usual_names.hpp"
 #include "tcb/spline/curve.hpp"
 #include "text/utf8.hpp"
 
@@ -145,7 +145,7 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     : request_(request.samples),
       spec_(spec_of(request.rules, curve_info.settings, schema, request.samples)),
       golden_(request.golden),
-      may_be_timed_(schema.time.may_be_first_channel),
+      likely_time_(schema.time.likely),
       has_tcb_scale_(traits.has_tcb_scale),
       needs_(curve_needs(request_, request.fields, spec_, traits.may_miss, golden_.has_value())),
       threads_(request.threads),
@@ -205,7 +205,7 @@ Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t le
                         .rotations = rotations_,
                         .angles = spec_.angles,
                         .closed = spec_.closed,
-                        .may_be_timed = may_be_timed_,
+                        .likely_time = likely_time_,
                         .exponent = spec_.timed ? std::nullopt : std::optional(spec_.parameter.value_or(0)),
                         .metric = spec_.rules.metric,
                         .retiming = spec_.retiming,

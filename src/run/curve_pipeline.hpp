@@ -133,7 +133,8 @@ class CurvePipeline {
   SamplingRequest request_;
   CurveSpec spec_;
   std::optional<GoldenOptions> golden_;
-  bool may_be_timed_, has_tcb_scale_;
+  std::string likely_time_;  ///< as it can be requested; empty: there is none
+  bool has_tcb_scale_;
   CurveNeeds needs_;
   std::optional<FrameTimes> frames_of_keys_ = {};  ///< where they get other times
   unsigned threads_;

@@ -22,9 +22,9 @@
 #include "sample/kept_curve.hpp"
 #include "sample/rows.hpp"
 #include "sample/table.hpp"
-#include "schema/doubts.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
+#include "schema/usual_names.hpp"
 #include "tcb/spline/curve.hpp"
 #include "text/utf8.hpp"
 #include "write/layout.hpp"
@@ -47,7 +47,7 @@ std::string in_words(const spline::RotationNotation& notation) {
     for (const std::size_t axis : notation.axes) words += (notation.intrinsic ? "XYZ" : "xyz")[axis];
   }
   using enum spline::RotationForm;
-  const bool has_angles = notation.form == axis_angle || notation.form == euler;
+  const bool has_angles = notation.form == axis_angle || notation.form == euler || notation.form == rotation_vector;
   return has_angles ? words + (notation.degrees ? " in degrees" : " in radians") : words;
 }
 

@@ -138,8 +138,8 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
                   time.name, option::time_unit));
   }
   if (request.is_rate && input.schema.time.unit == TimeUnit::frames) {
-    add(important("the times in column \"{}\" count frames, so {} is per frame; {} HZ converts them to seconds",
-                  time.name, option::rate, option::input_fps));
+    add(important("the times in column \"{}\" count frames, so the rate is per frame; {} HZ converts them to seconds",
+                  time.name, option::input_fps));
   }
   const bool chosen = std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
   if (!chosen && options.input.renamings.empty()) {
@@ -206,6 +206,12 @@ void FileNotes::end(const Curves& curves) {
     add(important("the times in column \"{}\" pass midnight, and count on from 24:00:00", time_name_));
   }
   if (const auto angles = curves.likely_angles(); !angles.empty()) add(angles_note(angles));
+  if (const auto signs = curves.likely_signs(); !signs.empty()) {
+    std::vector<std::string> names;
+    for (const LikelySign& sign : signs) names.push_back(sign.channel);
+    add(important("{} in {} may stand for a missing number; {}={} {} skip-cell leaves it out", signs[0].number,
+                  listed(names), option::na, signs[0].number, option::missing));
+  }
 }
 
 void warn_of_other_program(Report& report, const std::optional<ProvenanceRequest>& request) {

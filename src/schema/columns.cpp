@@ -6,18 +6,24 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
+#include <numeric>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "option_names.hpp"
-#include "schema/channel_columns.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
+
+/// A request such as time=NAME, or several of these.
+std::string request_of(std::string_view role, std::span<const std::string> header, std::size_t cell) {
+  return fmt::format("{}={}", role, requested_as(header[cell], cell));
+}
 
 Error two_times(std::string_view column, std::string_view other_column, std::string_view request,
                 std::string_view other_request) {
@@ -26,31 +32,33 @@ Error two_times(std::string_view column, std::string_view other_column, std::str
                     in_shell(other_request));
 }
 
-/// For each name of a header its first cell, and whether another cell has the name.
-struct NamedCell {
-  std::size_t cell;
-  bool repeats = false;
-};
-using NamedCells = std::unordered_map<std::string_view, NamedCell>;
-
-NamedCells named_cells(std::span<const std::string> header) {
-  NamedCells named;
-  for (std::size_t cell = 0; cell < header.size(); ++cell) {
-    const auto [found, is_new] = named.try_emplace(header[cell], NamedCell{cell});
-    found->second.repeats = !is_new;
+/// Finds names: exactly, or else in another case.
+class NameIndex {
+ public:
+  explicit NameIndex(std::span<const std::string> names) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (!exact_.emplace(names[i], i).second) repeated_.insert(names[i]);
+      other_.emplace(in_lower_case(names[i]), i);
+    }
   }
-  return named;
-}
+
+  std::optional<std::size_t> find(const std::string& name) const {
+    if (const auto found = exact_.find(name); found != exact_.end()) return found->second;
+    const auto found = other_.find(in_lower_case(name));
+    return found == other_.end() ? std::nullopt : std::optional(found->second);
+  }
+  bool repeats(const std::string& name) const { return repeated_.contains(name); }
+
+ private:
+  std::unordered_map<std::string, std::size_t> exact_, other_;
+  std::unordered_set<std::string> repeated_;
+};
 
 /// The cell of a requested column, by name or number.
 std::size_t find_cell(const std::string& wanted, std::string_view option, std::span<const std::string> header,
-                      const NamedCells& named, std::size_t cells) {
-  if (const auto exact = named.find(wanted); exact != named.end()) {
-    if (exact->second.repeats) throw same_column_names(wanted);
-    return exact->second.cell;
-  }
-  const auto close = std::ranges::find_if(header, [&](const auto& name) { return same_in_any_case(name, wanted); });
-  if (close != header.end()) return static_cast<std::size_t>(close - header.begin());
+                      const NameIndex& named, std::size_t cells) {
+  if (named.repeats(wanted)) throw same_column_names(wanted);
+  if (const auto cell = named.find(wanted)) return *cell;
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
   const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
@@ -82,23 +90,209 @@ void number_texts(Columns& columns) {
   }
 }
 
-/// The roles that columns have by their names. T, C and B by themselves are parameters only beside the two others.
-class RolesByName {
- public:
-  explicit RolesByName(std::span<const std::string> header)
-      : has_all_letters_(std::ranges::all_of(std::array{"T", "C", "B"}, [&](std::string_view letter) {
-          return std::ranges::count(header, letter) > 0;
-        })) {}
+// Columns with the tension or a velocity of one channel, and those of segments.
 
-  Role operator()(std::string_view name) const {
-    const Role role = role_of_name(name);
-    const bool is_letter = name == "T" || name == "C" || name == "B";
-    return is_letter && !has_all_letters_ ? Role::position : role;
+Error segment_column_missing(std::string_view column, std::string_view missing_column) {
+  return data_error(
+      "the rows are segments and have a column {}, but no {}; expected both; add the missing "
+      "column, or give {} {}",
+      in_quotes(column), in_quotes(missing_column), option::columns, in_shell(fmt::format("ignore={}", column)));
+}
+
+Error velocity_column_missing(std::string_view column, std::string_view missing_column) {
+  return data_error(
+      "column {} gives the velocity on one side of a key, but there is no {} for the other "
+      "side; expected both, or one column for both sides; add it, or give {} {}",
+      in_quotes(column), in_quotes(missing_column), option::columns, in_shell(fmt::format("ignore={}", column)));
+}
+
+/// The columns with roles in one channel.
+class RolesOfChannel {
+ public:
+  explicit RolesOfChannel(std::string_view channel) : channel_(channel) {}
+  void add(Role role) { roles_.push_back(role); }
+
+  /// Throws: Error (data) for a velocity of one side alone, or two of one side, or with tension, continuity or bias.
+  void require_whole_velocities() const {
+    const auto both = name(Role::velocity), in = name(Role::velocity_in), out = name(Role::velocity_out);
+    if (both && (in || out))
+      throw data_error(
+          "columns {} and {} both give the velocity on the same side of a key; expected {} for "
+          "both sides, or a column for each side; remove one, or give {} ignore=NAME",
+          in_quotes(*both), in_quotes(in ? *in : *out), *both, option::columns);
+    if (in && !out) throw velocity_column_missing(*in, with_role(Role::velocity_out));
+    if (out && !in) throw velocity_column_missing(*out, with_role(Role::velocity_in));
+    for (const Role role : {Role::channel_tension, Role::channel_continuity, Role::channel_bias}) {
+      if (has_velocity() && name(role))
+        throw data_error(
+            "column {} gives velocities, so {} has no effect; expected velocities, or tension, "
+            "continuity and bias; remove one of the columns, or give {} ignore=NAME",
+            in_quotes(both ? *both : *in), in_quotes(*name(role)), option::columns);
+    }
   }
+  bool has_velocity() const { return name(Role::velocity) || name(Role::velocity_in); }
 
  private:
-  bool has_all_letters_;
+  std::string with_role(Role role) const { return role_name(ChannelRole{role, std::string(channel_)}); }
+  std::optional<std::string> name(Role role) const {
+    return std::ranges::count(roles_, role) > 0 ? std::optional(with_role(role)) : std::nullopt;
+  }
+
+  std::string_view channel_;
+  std::vector<Role> roles_;
 };
+
+/// Throws: Error (data) for velocities that are not whole, and for tension, continuity or bias with the velocities of
+/// all channels.
+void require_whole_velocities(const Columns& columns) {
+  const bool has_any = std::ranges::any_of(columns.cells, [](const auto& column) { return is_velocity(column.role); });
+  if (!has_any) return;
+  std::vector<RolesOfChannel> channels(columns.channels.begin(), columns.channels.end());
+  for (const Columns::Column& column : columns.cells) {
+    if (is_of_channel(column.role)) channels[column.channel].add(column.role);
+  }
+  bool has_all = true;
+  for (const RolesOfChannel& channel : channels) {
+    channel.require_whole_velocities();
+    has_all = has_all && channel.has_velocity();
+  }
+  for (const Role role : {Role::tension, Role::continuity, Role::bias}) {
+    if (has_all && columns.has(role))
+      throw data_error(
+          "all channels have velocities, so the column of {} has no effect; expected velocities, "
+          "or tension, continuity and bias; remove the column, or give {} ignore=NAME",
+          role_name(role), option::columns);
+  }
+}
+
+/// For each column, its role in one channel, if its name has one: that of a column that may be a channel. `chosen`: the
+/// channels were requested. Throws: Error (data) for a name such as "tension_q" where there is no q, unless `chosen`;
+/// but "q_v" is then any other name.
+std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::string> header,
+                                                      const std::vector<bool>& may_be_channel, bool chosen) {
+  std::vector<std::optional<ChannelRole>> named, roles(header.size());
+  std::ranges::transform(header, std::back_inserter(named), channel_role_of);
+  if (std::ranges::none_of(named, [](const auto& role) { return role.has_value(); })) return roles;
+  const NameIndex names(header);
+  std::vector<std::size_t> cells(header.size());
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  // The column of a channel has a shorter name than those with a role in it.
+  std::ranges::stable_sort(cells, {}, [&](std::size_t cell) { return header[cell].size(); });
+  for (const std::size_t cell : cells) {
+    if (!named[cell]) continue;
+    if (named[cell]->role == Role::velocity && !may_be_channel[cell]) continue;
+    const auto channel = names.find(named[cell]->channel);
+    if (channel && may_be_channel[*channel] && !roles[*channel]) {
+      roles[cell] = {named[cell]->role, header[*channel]};
+    }
+  }
+  for (std::size_t cell = 0; cell < header.size() && !chosen; ++cell) {
+    if (!named[cell] || roles[cell] || named[cell]->role == Role::velocity) continue;
+    std::vector<std::string> channels;
+    for (std::size_t i = 0; i < header.size(); ++i) {
+      if (may_be_channel[i] && !named[i]) channels.push_back(header[i]);
+    }
+    throw data_error(
+        "column {} names a channel {}, which does not exist; expected one of "
+        "{}; correct the name, or name the channels with {} position=NAME:NAME",
+        in_quotes(header[cell]), in_quotes(named[cell]->channel), listed(channels), option::columns);
+  }
+  return roles;
+}
+
+/// A column with a role in one channel, which is known once all channels are.
+struct ColumnOfChannel {
+  std::size_t cell;
+  ChannelRole role;
+  std::string name;
+  bool requested;
+};
+
+/// The columns that have such a role by their names. `times`: for each column, whether it is the time by its name.
+std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::span<const std::string> header,
+                                                 const std::vector<bool>& numeric, const std::vector<bool>& times) {
+  const bool chosen = columns.has(Role::position);
+  std::vector<bool> may_be_channel(header.size());
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    const Role role = columns.cells[cell].role;
+    const bool by_name = !chosen && role == Role::ignored && !times[cell] && numeric[cell];
+    may_be_channel[cell] = role == Role::position || (by_name && role_of_name(header[cell]) == Role::position);
+  }
+  const auto roles = channel_roles(header, may_be_channel, chosen);
+  std::vector<ColumnOfChannel> found;
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    if (!roles[cell] || columns.cells[cell].role != Role::ignored) continue;
+    found.push_back({cell, *roles[cell], header[cell], false});
+  }
+  return found;
+}
+
+/// Sets the channels of columns with a role in one. A requested column has priority over others. Throws: Error (data)
+/// for two columns with one role, for an unknown channel, and for velocities of one side alone or with tension.
+void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found) {
+  const NameIndex channels(columns.channels);
+  std::unordered_map<std::string, bool> taken;  // whether it was requested
+  for (const auto& [cell, role, name, requested] : found) {
+    const auto channel = channels.find(role.channel);
+    if (!channel) {
+      throw data_error(
+          "the role {} names a channel {}, which does not exist; expected one of the "
+          "channels {}; correct the role",
+          role_name(role), in_quotes(role.channel), listed(columns.channels))
+          .about(option::columns);
+    }
+    const std::string known = role_name(ChannelRole{role.role, columns.channels[*channel]});
+    const auto [other, is_first] = taken.emplace(known, requested);
+    if (!is_first && (requested || !other->second)) throw two_columns_for_role(known, name);
+    columns.cells[cell] = {is_first ? role.role : Role::ignored, *channel};
+  }
+  if (!found.empty()) require_whole_velocities(columns);
+}
+
+/// Sets the columns of a header with "start", "duration", and "x_p0", "x_v0", "x_p1" and "x_v1" for each channel, as
+/// exact segments are written; false for any other.
+bool assign_segments(Columns& columns, std::span<const std::string> header) {
+  constexpr std::array endings{std::pair{"_p0", Role::position}, std::pair{"_v0", Role::velocity_out},
+                               std::pair{"_p1", Role::end_position}, std::pair{"_v1", Role::end_velocity}};
+  const auto start = std::ranges::find(header, "start"), duration = std::ranges::find(header, "duration");
+  const bool are_named = start != header.end() && duration != header.end();
+  if (!are_named || columns.has(Role::time) || columns.has(Role::position)) return false;
+  const NameIndex names(header);
+  std::vector<std::string> channels, incomplete;
+  std::unordered_set<std::string> seen;
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    if (!header[cell].ends_with(endings[0].first) || columns.cells[cell].role == Role::unused) continue;
+    const std::string channel = header[cell].substr(0, header[cell].size() - 3);
+    const auto lacks = std::ranges::find_if(endings, [&](const auto& one) { return !names.find(channel + one.first); });
+    if (!seen.insert(channel).second) throw same_column_names(header[cell]);
+    (lacks == endings.end() ? channels : incomplete).push_back(channel);
+    if (lacks != endings.end()) incomplete.push_back(channel + lacks->first);
+  }
+  if (channels.empty()) return false;
+  if (!incomplete.empty()) throw segment_column_missing(incomplete[0] + endings[0].first, incomplete[1]);
+  for (const std::string& channel : channels) {
+    for (const auto& ending : endings) {
+      columns.cells[*names.find(channel + ending.first)] = {ending.second, columns.channels.size()};
+    }
+    columns.channels.push_back(channel);
+  }
+  columns.cells[static_cast<std::size_t>(start - header.begin())].role = Role::time;
+  columns.cells[static_cast<std::size_t>(duration - header.begin())].role = Role::duration;
+  columns.time = "time";
+  return columns.are_segments = true;
+}
+
+/// The roles that columns have by their names. T, C and B by themselves are parameters only beside the two others.
+std::vector<Role> roles_by_name(std::span<const std::string> header) {
+  constexpr std::array<std::string_view, 3> letters{"T", "C", "B"};
+  const auto is_letter = [&](std::string_view name) { return std::ranges::count(letters, name) > 0; };
+  const bool has_all = std::ranges::all_of(letters, [&](auto name) { return std::ranges::count(header, name) > 0; });
+  std::vector<Role> roles;
+  for (const std::string& name : header) {
+    roles.push_back(is_letter(name) && !has_all ? Role::position : role_of_name(name));
+  }
+  return roles;
+}
 
 /// The cells of a time in two columns.
 struct SplitTime {
@@ -140,11 +334,11 @@ void assign_split_time(Columns& columns, std::span<const std::string> header, co
     }
     return;
   }
-  const auto request_of = [&](const SplitTime& time) {
-    return fmt::format("time={},nanoseconds={}", header[time.seconds], header[time.nanoseconds]);
+  const auto both_of = [&](const SplitTime& time) {
+    return request_of("time", header, time.seconds) + "," + request_of("nanoseconds", header, time.nanoseconds);
   };
   if (times.size() > 1) {
-    throw two_times(header[times[0].seconds], header[times[1].seconds], request_of(times[0]), request_of(times[1]));
+    throw two_times(header[times[0].seconds], header[times[1].seconds], both_of(times[0]), both_of(times[1]));
   }
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
     const std::string& name = header[cell];
@@ -152,7 +346,7 @@ void assign_split_time(Columns& columns, std::span<const std::string> header, co
     const bool may_be_time =
         columns.cells[cell].role == Role::ignored && (is_usual || role_of_name(name) == Role::time);
     if (!may_be_time || is_part(cell)) continue;
-    throw two_times(name, header[times[0].seconds], "time=" + name, request_of(times[0]));
+    throw two_times(name, header[times[0].seconds], request_of("time", header, cell), both_of(times[0]));
   }
   assign(columns, times[0].seconds, Role::time, times[0].stem.empty() ? "time" : times[0].stem);
   assign(columns, times[0].nanoseconds, Role::nanoseconds, header[times[0].nanoseconds]);
@@ -175,13 +369,14 @@ std::vector<bool> usual_times(const Columns& columns, std::span<const std::strin
   return any_numbers ? numbers : texts;
 }
 
-/// Whether the first channel comes first among the columns of numbers, and might be the time.
-bool may_be_timed(const Columns& columns, std::span<const std::string> header) {
-  if (header.empty() || columns.has(Role::time) || columns.channels.size() < 2) return false;
+/// The first channel, as it can be requested, if it comes first among the columns of numbers and might be the time.
+std::string likely_time(const Columns& columns, std::span<const std::string> header) {
+  if (header.empty() || columns.has(Role::time) || columns.channels.size() < 2) return "";
   const auto first = std::ranges::find_if(columns.cells, [](const auto& column) {
     return column.role != Role::ignored && column.role != Role::group && column.role != Role::carry;
   });
-  return first->role == Role::position && !is_coordinate(columns.channels[0]);
+  const bool is_likely = first->role == Role::position && !is_coordinate(columns.channels[0]);
+  return is_likely ? requested_as(columns.channels[0], static_cast<std::size_t>(first - columns.cells.begin())) : "";
 }
 
 /// Roles by name, or without a header time first; positions only where none were requested.
@@ -189,7 +384,7 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
                      const std::vector<bool>& usual, bool timeless) {
   const bool positions_given = columns.has(Role::position);
   const auto requested = columns.cells;
-  const RolesByName named_role(header);
+  const std::vector<Role> named = roles_by_name(header);
   std::array<bool, role_count> is_requested{};
   for (const Columns::Column& column : requested) is_requested[static_cast<std::size_t>(column.role)] = true;
   const auto is_text = [](const auto& column) {
@@ -201,7 +396,7 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     if (requested[cell].role != Role::ignored) continue;
     const bool first = cell == front && !timeless && !columns.has(Role::time);
     const bool is_time = header.empty() ? first : usual[cell];
-    const Role role = is_time ? Role::time : header.empty() ? Role::position : named_role(header[cell]);
+    const Role role = is_time ? Role::time : header.empty() ? Role::position : named[cell];
     const bool has_request = is_requested[static_cast<std::size_t>(role)];
     columns.cells[cell].is_text = role == Role::position && !positions_given && !numeric[cell];
     if (role == Role::position ? positions_given || !numeric[cell] : has_request) continue;
@@ -210,12 +405,14 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
       throw data_error(
           "column {} looks like a label, not a position; expected its role; give {} {} for "
           "one curve per value, {} {} to keep it in the rows, or {} {} to leave it out",
-          in_quotes(header[cell]), option::group, in_shell(header[cell]), option::columns,
-          in_shell(fmt::format("carry={}", header[cell])), option::columns,
-          in_shell(fmt::format("ignore={}", header[cell])));
+          in_quotes(header[cell]), option::group, in_shell(requested_as(header[cell], cell)), option::columns,
+          in_shell(request_of("carry", header, cell)), option::columns, in_shell(request_of("ignore", header, cell)));
     }
     if (role == Role::time && columns.has(Role::time)) {
-      throw two_times(columns.time, header[cell], "time=" + columns.time, "time=" + header[cell]);
+      const auto other = std::ranges::find(columns.cells, Role::time, &Columns::Column::role);
+      throw two_times(columns.time, header[cell],
+                      request_of("time", header, static_cast<std::size_t>(other - columns.cells.begin())),
+                      request_of("time", header, cell));
     }
     if (role == Role::position && !header.empty() && !names.insert(header[cell]).second) {
       throw same_column_names(header[cell]);
@@ -264,7 +461,7 @@ Columns requested_columns(std::span<const std::string> header, const std::vector
   Columns columns;
   columns.cells.resize(numeric.size());
   columns.named = !header.empty();
-  const NamedCells named = requests.empty() ? NamedCells{} : named_cells(header);
+  const NameIndex named(requests.empty() ? std::span<const std::string>{} : header);
   for (const RoleRequest& request : requests) {
     for (const std::string& name : request.columns) {
       const std::size_t cell = find_cell(name, request.option, header, named, numeric.size());
@@ -300,7 +497,7 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
     if (column.role == Role::unused) column.role = Role::ignored;
   }
   const bool positions_given = std::ranges::count(requests, Role::position, &RoleRequest::role) > 0;
-  columns.may_be_timed = !timeless && !positions_given && may_be_timed(columns, header);
+  if (!timeless && !positions_given) columns.likely_time = likely_time(columns, header);
   if (header.empty() && !columns.channels.empty()) {
     columns.time = "t";
     columns.channels = default_channel_names(columns.channels.size());
@@ -312,19 +509,22 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
     if (is_unused[cell]) continue;
     columns.ignored.push_back(header.empty() ? fmt::format("column {}", cell + 1) : header[cell]);
     if (columns.marks.size() == most_marks) continue;
-    columns.marks.push_back({header.empty() ? fmt::format("{}", cell + 1) : header[cell], !numeric[cell]});
+    columns.marks.push_back({requested_as(header.empty() ? "" : header[cell], cell), !numeric[cell]});
   }
   if (columns.channels.empty()) {
+    std::vector<std::string> texts;
     bool has_other_numbers = false;
     for (std::size_t cell = 0; cell < numeric.size(); ++cell) {
       has_other_numbers = has_other_numbers || (numeric[cell] && columns.cells[cell].role != Role::time);
+      if (columns.cells[cell].is_text && !header.empty()) texts.push_back(header[cell]);
     }
     const bool has_numbers = std::ranges::count(numeric, true) > 0;
-    throw data_error("there is no position column; expected at least one column of numbers besides the time; {}",
-                     has_other_numbers ? fmt::format("name it with {} position=NAME", option::columns)
-                     : has_numbers
-                         ? fmt::format("give {} uniform if the only column is a position", option::parameter)
-                         : fmt::format("give a table with numbers, or its delimiter with {}", option::delimiter));
+    throw data_error(
+        "there is no position column; expected at least one column of numbers besides the time; {}",
+        has_other_numbers               ? fmt::format("name it with {} position=NAME", option::columns)
+        : has_numbers && !texts.empty() ? fmt::format("there are none in {}; correct the first cells", listed(texts))
+        : has_numbers ? fmt::format("give {} uniform if the only column is a position", option::parameter)
+                      : fmt::format("give a table with numbers, or its delimiter with {}", option::delimiter));
   }
   return columns;
 }
@@ -333,6 +533,13 @@ Columns requested_columns(std::span<const std::string> header, const std::vector
                           std::span<const RoleRequest> requests) {
   std::vector<ColumnOfChannel> none;
   return requested_columns(header, numeric, requests, none);
+}
+
+std::string requested_as(std::string_view name, std::size_t cell) {
+  std::string number = fmt::format("{}", cell + 1);
+  const bool is_clear =
+      !name.empty() && name.find_first_of(":,") == std::string_view::npos && name != "column " + number;
+  return is_clear ? std::string(name) : number;
 }
 
 std::vector<std::string> default_channel_names(std::size_t channels) {

@@ -35,6 +35,9 @@ struct ColumnOptions {
   std::optional<SampleNames> samples = {};  ///< the records are samples of a curve, not keys
 };
 
+/// A column as options request it: by its name, or by its number from 1 if it has none or one that a list would divide.
+std::string requested_as(std::string_view name, std::size_t cell);
+
 /// A column without a role, whose cells may distinguish curves.
 struct Mark {
   std::string column;    ///< as it can be requested
@@ -60,7 +63,7 @@ struct Columns {
   std::vector<std::string> labels;       ///< names of the columns of labels
   std::vector<std::string> ignored;      ///< names of the columns without a role
   std::vector<Mark> marks;               ///< the first ignored columns
-  bool may_be_timed = false;             ///< the first channel may be the time, by its place and its name
+  std::string likely_time = {};          ///< the first channel as it can be requested, if it may be the time
   std::vector<std::string> doubts = {};  ///< notes: what the columns may mean besides
   bool are_segments = false;  ///< each record is a segment: start, duration, positions and velocities of its ends
 

@@ -12,7 +12,6 @@
 
 #include "numbers/time_notation.hpp"
 #include "option_names.hpp"
-#include "schema/near_misses.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -32,7 +31,7 @@ bool is_requested(const FoundColumns& found, Role role) {
 std::string request_of(const FoundColumns& found, std::size_t cell) {
   const bool is_named = cell < found.names.size() && !found.names[cell].empty() &&
                         std::ranges::count(found.names, found.names[cell]) == 1;
-  return is_named ? found.names[cell] : fmt::format("{}", cell + 1);
+  return requested_as(is_named ? found.names[cell] : "", cell);
 }
 
 /// A column as messages show it.
@@ -95,6 +94,83 @@ Doubt note(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
 template <class... Arguments>
 Doubt error(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
   return {true, fmt::format(text, std::forward<Arguments>(arguments)...)};
+}
+
+// Names that are nearly those of roles.
+
+bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
+
+/// Whether `longer` is `shorter` with one additional letter.
+bool is_with_a_letter(std::string_view longer, std::string_view shorter) {
+  if (longer.size() != shorter.size() + 1) return false;
+  std::size_t at = 0;
+  while (at < shorter.size() && lower(longer[at]) == lower(shorter[at])) ++at;
+  return is_letter(longer[at]) && same_in_any_case(longer.substr(at + 1), shorter.substr(at));
+}
+
+/// Whether `name` is a near miss of `known`.
+bool is_near(std::string_view name, std::string_view known) {
+  if (is_with_a_letter(name, known) || is_with_a_letter(known, name)) return true;
+  if (name.size() != known.size()) return false;
+  std::size_t at = 0;
+  while (at < name.size() && lower(name[at]) == lower(known[at])) ++at;
+  if (at + 1 >= name.size()) return at < name.size() && known.size() > 4;
+  const bool changed = same_in_any_case(name.substr(at + 1), known.substr(at + 1));
+  const bool swapped = lower(name[at]) == lower(known[at + 1]) && lower(name[at + 1]) == lower(known[at]) &&
+                       same_in_any_case(name.substr(at + 2), known.substr(at + 2));
+  return swapped || (changed && known.size() > 4);
+}
+
+/// The role of which this name is a near miss: with a letter dropped, added or changed, or two letters swapped. In
+/// names of four letters a changed letter is no near miss, as it often makes another word, such as tide. Nothing for
+/// others.
+std::optional<Role> near_role(std::string_view name) {
+  if (role_of_name(name) != Role::position) return std::nullopt;
+  const auto meant = std::ranges::find_if(role_names, [&](const RoleName& known) {
+    const bool counts = known.any_case && known.in_header && known.role != Role::position;
+    return counts && is_near(without_unit(name), known.name);
+  });
+  return meant == role_names.end() ? std::nullopt : std::optional(meant->role);
+}
+
+/// Tension, continuity or bias, if a text is the name of one or a near miss; not as in x_T, which may be anything.
+std::optional<Role> tcb_role(std::string_view text) {
+  const Role role = near_role(text).value_or(role_of_name(text));
+  const bool is_tcb = role == Role::tension || role == Role::continuity || role == Role::bias;
+  return is_tcb && text.size() > 1 ? std::optional(role) : std::nullopt;
+}
+
+/// The role in one of the channels of which a name such as "tensoin_x" or "x_tension" is a near miss.
+std::optional<ChannelRole> near_channel_role(std::string_view name, const std::vector<std::string>& channels) {
+  for (std::size_t at = name.find('_'); at != std::string_view::npos; at = name.find('_', at + 1)) {
+    const std::string_view first = name.substr(0, at), second = name.substr(at + 1);
+    for (const auto& [role, channel] : {std::pair{first, second}, std::pair{second, first}}) {
+      const std::optional<Role> meant = tcb_role(role);
+      if (!meant) continue;
+      const auto found = std::ranges::find_if(
+          channels, [&, &text = channel](const std::string& known) { return same_in_any_case(known, text); });
+      if (found != channels.end()) return channel_role_of(std::string(role_name(*meant)) + "_" + *found);
+    }
+  }
+  return std::nullopt;
+}
+
+/// The name of the role of which a channel's name is a near miss, unless a column has that role or channels were
+/// requested.
+std::optional<std::string> near_miss(const std::string& name, const Columns& columns,
+                                     std::span<const RoleRequest> requests, bool timeless) {
+  if (std::ranges::count(requests, Role::position, &RoleRequest::role) > 0) return std::nullopt;
+  if (const auto near = near_channel_role(name, columns.channels)) {
+    const auto channel = std::ranges::find(columns.channels, near->channel);
+    const auto index = static_cast<std::size_t>(channel - columns.channels.begin());
+    const bool is_taken = std::ranges::any_of(columns.cells, [&](const Columns::Column& column) {
+      return column.role == near->role && column.channel == index;
+    });
+    if (!is_taken) return role_name(*near);
+  }
+  const std::optional<Role> near = near_role(name);
+  if (!near || columns.has(*near) || (timeless && *near == Role::time)) return std::nullopt;
+  return std::string(role_name(*near));
 }
 
 // The rows about columns.
@@ -251,6 +327,62 @@ Found time_in_two_numbers(const FoundColumns& found) {
       option::columns, option::columns);
 }
 
+/// The columns of a year, a month and a day: by their names, or the first three without names.
+std::optional<std::array<std::size_t, 3>> date_in_three(const FoundColumns& found) {
+  using Names = std::array<std::string_view, 4>;
+  constexpr std::array<Names, 3> parts{Names{"year", "yyyy", "yy", "yr"}, Names{"month", "mo", "mm", "mon"},
+                                       Names{"day", "dd", "dy", "da"}};
+  std::array<std::size_t, 3> cells{0, 1, 2};
+  for (std::size_t part = 0; part < parts.size() && !found.names.empty(); ++part) {
+    const auto at = std::ranges::find_if(found.names, [&](std::string_view name) {
+      if (name.starts_with('#')) name.remove_prefix(1);
+      return std::ranges::any_of(parts[part], [&](auto known) { return same_in_any_case(name, known); });
+    });
+    if (at == found.names.end()) return std::nullopt;
+    cells[part] = static_cast<std::size_t>(at - found.names.begin());
+  }
+  const bool are_dates = std::ranges::all_of(found.rows, [&](const auto& row) {
+    const auto is_whole_within = [&](std::size_t part, double least, double most) {
+      const double number = number_in(found, row, cells[part]);
+      return number >= least && number <= most && number == std::floor(number);
+    };
+    return is_whole_within(0, found.names.empty() ? 1900 : 0, 2100) && is_whole_within(1, 1, 12) &&
+           is_whole_within(2, 1, 31);
+  });
+  return are_dates && found.rows.size() > 1 ? std::optional(cells) : std::nullopt;
+}
+
+Found date_in_three_numbers(const FoundColumns& found) {
+  if (found.requested.timeless || !found.requested.roles.empty()) return std::nullopt;
+  const auto cells = date_in_three(found);
+  if (!cells) return std::nullopt;
+  return error(
+      "the year, the month and the day seem to be in {}, {} and {}; expected one column of times, such as "
+      "2024-03-01T13:00; join them, or give {} time=NAME if one of them is the time",
+      shown(found, (*cells)[0]), shown(found, (*cells)[1]), shown(found, (*cells)[2]), option::columns);
+}
+
+Found dates_as_numbers(const FoundColumns& found) {
+  if (found.requested.timeless || !found.requested.roles.empty() || found.rows.empty()) return std::nullopt;
+  for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
+    if (!found.numeric[cell] || !names_dates(found.names[cell])) continue;
+    const bool are_dates = std::ranges::all_of(found.rows, [&](const auto& row) {
+      double number = number_in(found, row, cell);
+      // As 20240301, or with hours, minutes and seconds.
+      for (int part = 0; part < 3 && number > 21001231; ++part) number = std::floor(number / 100);
+      const double day = std::fmod(number, 100), month = std::fmod(std::floor(number / 100), 100);
+      const bool has_date = day >= 1 && day <= 31 && month >= 1 && month <= 12;
+      return number == std::floor(number) && number >= 19000101 && number <= 21001231 && has_date;
+    });
+    if (!are_dates) continue;
+    return error(
+        "the dates in column {} are written as whole numbers, such as {}; expected marks between year, month and day, "
+        "as in 2024-03-01; add them, or give {} {} to take them as numbers",
+        shown(found, cell), found.rows[0][cell], option::columns, roles_of(found, "time", {cell}));
+  }
+  return std::nullopt;
+}
+
 /// Whether four columns have the norm 1 in all of the first records.
 bool are_units(const FoundColumns& found, const std::array<std::size_t, 4>& cells) {
   if (found.rows.empty()) return false;
@@ -302,6 +434,20 @@ bool is_pose_matrix(const FoundColumns& found) {
   });
 }
 
+Found rotation_vector_by_name(const FoundColumns& found) {
+  if (found.has_rotations || is_requested(found, Role::position)) return std::nullopt;
+  std::vector<std::size_t> cells;
+  for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
+    if (found.columns.cells[cell].role == Role::position && is_of_rotation_vector(found.names[cell])) {
+      cells.push_back(cell);
+    }
+  }
+  if (cells.size() != 3) return std::nullopt;
+  return note("columns {} may be a rotation vector; {} {} resamples them as a rotation, {} none leaves out this note",
+              listed(std::vector{shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2])}),
+              option::rotation, roles_of(found, "axis-angle", cells), option::rotation);
+}
+
 Found rotation_without_names(const FoundColumns& found) {
   if (!found.names.empty() || found.has_rotations || !found.requested.roles.empty() || found.rows.size() < 2) {
     return std::nullopt;
@@ -334,22 +480,11 @@ Found minutes_and_seconds(const FoundColumns& found) {
 }
 
 /// The list. The first error is the one that is shown.
-struct DoubtAboutColumns {
-  std::string_view name;
-  Found (*find)(const FoundColumns& found);
-};
-constexpr std::array about_columns{
-    DoubtAboutColumns{"coefficients of pieces", coefficients_of_pieces},
-    DoubtAboutColumns{"near miss of a role", near_miss_of_role},
-    DoubtAboutColumns{"letters that are data", letters_that_are_data},
-    DoubtAboutColumns{"parameters that are data", parameters_that_are_data},
-    DoubtAboutColumns{"column numbers above rows", column_numbers_above_rows},
-    DoubtAboutColumns{"times without a role", times_without_role},
-    DoubtAboutColumns{"time in two numbers", time_in_two_numbers},
-    DoubtAboutColumns{"quaternion called w, x, y, z", quaternion_called_wxyz},
-    DoubtAboutColumns{"rotation without names", rotation_without_names},
-    DoubtAboutColumns{"minutes and seconds", minutes_and_seconds},
-};
+constexpr std::array about_columns{coefficients_of_pieces,   near_miss_of_role,         letters_that_are_data,
+                                   parameters_that_are_data, column_numbers_above_rows, times_without_role,
+                                   time_in_two_numbers,      date_in_three_numbers,     dates_as_numbers,
+                                   quaternion_called_wxyz,   rotation_vector_by_name,   rotation_without_names,
+                                   minutes_and_seconds};
 
 // The rows about a request.
 
@@ -420,29 +555,25 @@ Found time_by_its_place(const Schema& schema, const RequestNeeds& needs) {
 
 /// Times without a unit are taken as seconds.
 Found seconds_of_unknown_times(const Schema& schema, const RequestNeeds& needs) {
-  constexpr double most = 1000;
+  constexpr double most = 1000, many = 100;
   if (!needs.step || !needs.time_gap || schema.time.unit || schema.time.epoch_unit) return std::nullopt;
   const double rows = *needs.time_gap / *needs.step;
-  if (!(rows > most)) return std::nullopt;
-  const std::string_view unit = rows <= most * 1e3 ? "ms" : rows <= most * 1e6 ? "us" : "ns";
+  const std::string column = schema.named ? in_quotes(schema.time.name) : "1";
+  if (!(rows > many)) return std::nullopt;
+  if (!(rows > most)) {
+    return note(
+        "the unit of the times in column {} is unknown; as seconds they give {:.0f} rows for each key; {} ms or {} 24 "
+        "gives another one",
+        column, rows, option::time_unit, option::input_fps);
+  }
   return error(
       "the unit of the times in column {} is unknown, and as seconds they give {:.0f} rows for each key; expected "
-      "their "
-      "unit; give {} {} if they are in {}, or {} s if they are seconds",
-      in_quotes(schema.time.name), rows, option::time_unit, unit, unit, option::time_unit);
+      "their unit; give {} ms, us or ns if it is one of these, {} HZ if they count frames, or {} s if they are seconds",
+      column, rows, option::time_unit, option::input_fps, option::time_unit);
 }
 
-struct DoubtAboutRequest {
-  std::string_view name;
-  Found (*find)(const Schema& schema, const RequestNeeds& needs);
-};
-constexpr std::array about_requests{
-    DoubtAboutRequest{"lengths of degrees", lengths_of_degrees},
-    DoubtAboutRequest{"lengths of space", lengths_of_space},
-    DoubtAboutRequest{"lengths of unlike things", lengths_of_unlike_things},
-    DoubtAboutRequest{"time by its place", time_by_its_place},
-    DoubtAboutRequest{"seconds of unknown times", seconds_of_unknown_times},
-};
+constexpr std::array about_requests{lengths_of_degrees, lengths_of_space, lengths_of_unlike_things, time_by_its_place,
+                                    seconds_of_unknown_times};
 
 /// Appends a note, or throws the error of a doubt.
 void take(std::vector<std::string>& notes, Found found) {
@@ -455,37 +586,14 @@ void take(std::vector<std::string>& notes, Found found) {
 
 std::vector<std::string> doubts_of_columns(const FoundColumns& found) {
   std::vector<std::string> notes;
-  for (const DoubtAboutColumns& row : about_columns) take(notes, row.find(found));
+  for (const auto doubt : about_columns) take(notes, doubt(found));
   return notes;
 }
 
 std::vector<std::string> doubts_of_request(const Schema& schema, const RequestNeeds& needs) {
   std::vector<std::string> notes;
-  for (const DoubtAboutRequest& row : about_requests) take(notes, row.find(schema, needs));
+  for (const auto doubt : about_requests) take(notes, doubt(schema, needs));
   return notes;
-}
-
-std::vector<std::size_t> spatial_channels(const std::vector<std::string>& channels) {
-  const auto find = [&](std::string_view before, char letter) -> std::optional<std::size_t> {
-    const auto at = std::ranges::find_if(channels, [&](const std::string& channel) {
-      const std::string_view name = without_unit(channel);
-      return name.size() == before.size() + 1 && same_in_any_case(name.substr(0, before.size()), before) &&
-             lower(name.back()) == letter;
-    });
-    return at == channels.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - channels.begin()));
-  };
-  // As written before the letter of an axis, in the order in which one is chosen.
-  constexpr std::array<std::string_view, 14> stems{"",          "p",         "pos_",         "pos.",        "pos",
-                                                   "position_", "position.", "position ",    "loc_",        "location_",
-                                                   "location.", "t",         "translation_", "translation."};
-  for (const std::string_view stem : stems) {
-    const auto x = find(stem, 'x'), y = find(stem, 'y'), z = find(stem, 'z');
-    if (!x || !y) continue;
-    std::vector<std::size_t> space{*x, *y};
-    if (z) space.push_back(*z);
-    return space.size() < channels.size() ? space : std::vector<std::size_t>{};
-  }
-  return {};
 }
 
 }  // namespace tcb

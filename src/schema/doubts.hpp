@@ -49,8 +49,4 @@ struct RequestNeeds {
 /// The notes of the doubts about a request. Throws: Error (data) for a doubt that the request has to decide.
 std::vector<std::string> doubts_of_request(const Schema& schema, const RequestNeeds& needs);
 
-/// The channels called x, y and z, or px, pos_y, position.z and so on, where these are coordinates of one space, so
-/// that lengths measure them; empty where there are no such or no others.
-std::vector<std::size_t> spatial_channels(const std::vector<std::string>& channels);
-
 }  // namespace tcb

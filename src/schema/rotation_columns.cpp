@@ -1,5 +1,5 @@
 // Rotation columns: which columns make rotations and angles, their channels, and the cells that show them.
-#include "schema/rotation_columns.hpp"
+#include "schema/schema.hpp"
 
 #include <algorithm>
 #include <array>
@@ -131,6 +131,7 @@ std::vector<std::string> names_in(const spline::RotationNotation& notation, cons
   std::vector<std::string> names;
   switch (notation.form) {
     case spline::RotationForm::quaternion: names = {"qx", "qy", "qz", "qw"}; break;
+    case spline::RotationForm::rotation_vector: names = {"rx", "ry", "rz"}; break;
     case spline::RotationForm::axis_angle: names = {"ax", "ay", "az", "angle"}; break;
     case spline::RotationForm::matrix: names = {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"}; break;
     case spline::RotationForm::euler:
@@ -195,7 +196,7 @@ void set_channels(Schema& schema, const Columns& columns) {
       add_quaternion(schema, schema.rotations[index]);
     }
   }
-  if (rotation_with(schema.rotations, 0) < schema.rotations.size()) schema.time.may_be_first_channel = false;
+  if (rotation_with(schema.rotations, 0) < schema.rotations.size()) schema.time.likely.clear();
   for (AngleColumn& angle : schema.angles) angle.channel = now[angle.channel];
   for (RotationSchema& rotation : schema.rotations) {
     if (!rotation.given.notation.is_quaternion()) continue;

@@ -20,7 +20,8 @@ struct RotationFormName {
 inline constexpr std::array rotation_forms{RotationFormName{"quaternion", spline::RotationForm::quaternion},
                                            RotationFormName{"axis-angle", spline::RotationForm::axis_angle},
                                            RotationFormName{"euler", spline::RotationForm::euler},
-                                           RotationFormName{"matrix", spline::RotationForm::matrix}};
+                                           RotationFormName{"matrix", spline::RotationForm::matrix},
+                                           RotationFormName{"rotation-vector", spline::RotationForm::rotation_vector}};
 
 /// The units of angles.
 struct AngleUnit {

@@ -47,7 +47,7 @@ Schema schema_of(const Columns& columns, TimeNotation notation, const DateFormat
                  .notation = notation,
                  .dates = dates,
                  .unit = columns.has(Role::nanoseconds) ? std::optional(TimeUnit::s) : std::nullopt,
-                 .may_be_first_channel = columns.may_be_timed};
+                 .likely = columns.likely_time};
   schema.channels = columns.channels;
   schema.groups = columns.groups;
   schema.labels = columns.labels;

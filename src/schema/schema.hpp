@@ -32,7 +32,7 @@ struct TimeSchema {
   std::optional<TimeUnit> unit = {};              ///< nothing: unknown
   std::optional<TimeUnit> epoch_unit = {};        ///< in which they seem to count from 1970, if the unit is unknown
   std::optional<Rational> frame_rate = {};        ///< the times were frames, and are seconds
-  bool may_be_first_channel = false;              ///< by its place and its name
+  std::string likely = {};                        ///< the first channel as it can be requested, if it may be the time
 };
 
 /// A rotation of records.
@@ -62,6 +62,13 @@ std::vector<RotationColumns> rotation_columns(const Schema& schema);
 /// The meaning of records with these columns, whose times have this notation and, if they are dates, this format; all
 /// channels are plain.
 Schema schema_of(const Columns& columns, TimeNotation notation, const DateFormat& dates = {});
+
+/// The meaning of records with rotations and angles among the channels of their columns: as requested, or else by their
+/// names: "q" and x, y, z and w, or w, x, y and z between the same texts of which the first has a "q". Columns are
+/// requested by name, or by number from 1. In place of the first column of a rotation in another form than a quaternion
+/// there are four channels. Requires: schema_of() made the schema from these columns.
+/// Throws: Error (data) for a column that is missing, or that is in two rotations, and for names that are taken.
+Schema with_rotations(Schema schema, const Columns& columns, const RotationOptions& options);
 
 /// A schema with the times and groups of another one, and with these names of plain channels; it has no labels.
 Schema with_channels(const Schema& schema, std::vector<std::string> channels);

@@ -10,183 +10,56 @@
 namespace tcb {
 namespace {
 
-/// Other usual names of times, in lower case without blanks, "_", "-" and ".".
-/// A unit may follow.
-constexpr std::array time_names{
-    "t",
-    "time",
-    "times",
-    "timestamp",
-    "timestamps",
-    "stamp",
-    "stamps",
-    "ts",
-    "tstamp",
-    "timecode",
-    "timeofday",
-    "clock",
-    "clocktime",
-    "date",
-    "datetime",
-    "datestamp",
-    "elapsed",
-    "elapsedtime",
-    "timeelapsed",
-    "frame",
-    "frames",
-    "frameno",
-    "framenr",
-    "framenum",
-    "framenumber",
-    "frameid",
-    "frameidx",
-    "frameindex",
-    "framecount",
-    "keyframe",
-    "keyframes",
-    "keytime",
-    "keytimes",
-    "keyframetime",
-    "tick",
-    "ticks",
-    "tickcount",
-    "unix",
-    "unixtime",
-    "unixtimestamp",
-    "posixtime",
-    "epoch",
-    "epochtime",
-    "utc",
-    "utctime",
-    "gpstime",
-    "gmt",
-    "localtime",
-    "systime",
-    "systemtime",
-    "rostime",
-    "simtime",
-    "simulationtime",
-    "walltime",
-    "walltimes",
-    "sampletime",
-    "eventtime",
-    "capturetime",
-    "recordtime",
-    "relativetime",
-    "reltime",
-    "absolutetime",
-    "abstime",
-    "tc",
-    "smpte",
-    "smptetimecode",
-    "timevalue",
-    "timepoint",
-    "timesec",
-    "timeindex",
-    "framestamp",
-    "frametime",
-    "frametimestamp",
-    "jdtdb",
-    "jdutc",
-    "juliandate",
-    "mjd",
-    // German, French, Spanish, Italian and Portuguese:
-    "zeit",
-    "uhrzeit",
-    "datum",
-    "zeitstempel",
-    "zeitpunkt",
-    "bild",
-    "bildnummer",
-    "temps",
-    "heure",
-    "horodatage",
-    "tiempo",
-    "hora",
-    "fecha",
-    "fotograma",
-    "tempo",
-    "ora",
-    "fotogramma",
-    "datahora",
-    "dataora",
-    "fechahora",
-    "dateheure",
-};
+// Names in lower case without blanks, "_", "-" and ".", as compact() makes them.
 
-/// Names of units of time, which may be a name by themselves if they are two letters or more.
-struct UnitName {
-  const char* name;
+/// Usual names of times, also in German, French, Spanish, Italian and Portuguese. A unit may follow.
+constexpr std::string_view time_names =
+    "t time times timestamp timestamps stamp stamps ts tstamp timecode timeofday clock clocktime date datetime "
+    "datestamp elapsed elapsedtime timeelapsed keytime keytimes keyframetime tick ticks tickcount unix unixtime "
+    "unixtimestamp posixtime epoch epochtime utc utctime gpstime gmt localtime systime systemtime rostime simtime "
+    "simulationtime walltime walltimes sampletime eventtime capturetime recordtime relativetime reltime absolutetime "
+    "abstime tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp frametime frametimestamp jdtdb "
+    "jdutc juliandate mjd zeit uhrzeit datum zeitstempel zeitpunkt temps heure horodatage tiempo hora fecha tempo ora "
+    "datahora dataora fechahora dateheure";
+
+/// The names of a unit of time; nothing: an unknown one.
+struct UnitNames {
   std::optional<TimeUnit> unit;
+  std::string_view names;       ///< which may be names of times by themselves if they are two letters or more
+  std::string_view short_ones;  ///< which are also words of other meanings
 };
 using enum TimeUnit;
 constexpr std::array unit_names{
-    UnitName{"s", s},
-    UnitName{"sec", s},
-    UnitName{"secs", s},
-    UnitName{"second", s},
-    UnitName{"seconds", s},
-    UnitName{"ms", ms},
-    UnitName{"msec", ms},
-    UnitName{"msecs", ms},
-    UnitName{"millis", ms},
-    UnitName{"millisec", ms},
-    UnitName{"millisecond", ms},
-    UnitName{"milliseconds", ms},
-    UnitName{"us", us},
-    UnitName{"usec", us},
-    UnitName{"usecs", us},
-    UnitName{"micros", us},
-    UnitName{"microsec", us},
-    UnitName{"microsecond", us},
-    UnitName{"microseconds", us},
-    UnitName{"\u00B5s", us},
-    UnitName{"\u03BCs", us},
-    UnitName{"ns", ns},
-    UnitName{"nsec", ns},
-    UnitName{"nsecs", ns},
-    UnitName{"nanos", ns},
-    UnitName{"nanosec", ns},
-    UnitName{"nanosecond", ns},
-    UnitName{"nanoseconds", ns},
-    UnitName{"minutes", minutes},
-    UnitName{"hours", hours},
-    UnitName{"hrs", hours},
-    UnitName{"days", days},
-    UnitName{"frames", frames},
-    UnitName{"ticks", {}},
-};
+    UnitNames{s, "s sec secs second seconds", ""},
+    UnitNames{ms, "ms msec msecs millis millisec millisecond milliseconds", ""},
+    UnitNames{us, "us usec usecs micros microsec microsecond microseconds \u00B5s \u03BCs", ""},
+    UnitNames{ns, "ns nsec nsecs nanos nanosec nanosecond nanoseconds", ""},
+    UnitNames{minutes, "minutes", "min mins"},
+    UnitNames{hours, "hours hrs", "h hr"},
+    UnitNames{days, "days", "d"},
+    UnitNames{frames, "frames", ""},
+    UnitNames{{}, "ticks", "m"}};
 
-/// Units that are also words of other meanings.
-constexpr std::array short_unit_names{UnitName{"m", {}},    UnitName{"min", minutes}, UnitName{"mins", minutes},
-                                      UnitName{"h", hours}, UnitName{"hr", hours},    UnitName{"d", days}};
+/// Names of times that count frames.
+constexpr std::string_view frame_names =
+    "frame frames frameno framenr framenum framenumber frameid frameidx frameindex framecount keyframe keyframes bild "
+    "bildnummer fotograma fotogramma";
 
-/// Names of times that count frames, in the same form as the names of times.
-constexpr std::array frame_names{"frame",   "frames",     "frameno",    "framenr",    "framenum", "framenumber",
-                                 "frameid", "frameidx",   "frameindex", "framecount", "keyframe", "keyframes",
-                                 "bild",    "bildnummer", "fotograma",  "fotogramma"};
+/// Names of arrays and objects that hold positions.
+constexpr std::string_view names_of_positions =
+    "position positions pos translation translate location loc point coords coord coordinate coordinates xyz xy p vec "
+    "vector value values transform pose";
 
-/// Names of arrays and objects that hold names_of_positions, in the same form.
-constexpr std::array names_of_positions{"position", "positions", "pos",    "translation", "translate",  "location",
-                                        "loc",      "point",     "coords", "coord",       "coordinate", "coordinates",
-                                        "xyz",      "xy",        "p",      "vec",         "vector",     "value",
-                                        "values",   "transform", "pose"};
+/// Names of columns that distinguish curves.
+constexpr std::string_view label_names =
+    "id name group curve track object series trajectory traj node bone joint agent marker channel target particle "
+    "vehicle actor label class key no nr index number sensor";
 
-/// Names of columns that distinguish curves, in the same form.
-constexpr std::array label_names{"id",         "name",   "group",    "curve",   "track",  "object", "series",
-                                 "trajectory", "traj",   "node",     "bone",    "joint",  "agent",  "marker",
-                                 "channel",    "target", "particle", "vehicle", "actor",  "label",  "class",
-                                 "key",        "no",     "nr",       "index",   "number", "sensor"};
-
-/// Names of coordinate_names, in the same form. A column with one of them is never taken for a time.
-constexpr std::array coordinate_names{
-    "x",   "y",     "z",         "w",        "px",      "py",       "pz",     "tx",        "ty",   "tz",
-    "rx",  "ry",    "rz",        "sx",       "sy",      "sz",       "qx",     "qy",        "qz",   "qw",
-    "vx",  "vy",    "vz",        "dx",       "dy",      "dz",       "cx",     "cy",        "cz",   "ex",
-    "ey",  "ez",    "r",         "g",        "b",       "a",        "lat",    "lon",       "lng",  "latitude",
-    "alt", "long",  "longitude", "altitude", "easting", "northing", "height", "elevation", "roll", "pitch",
-    "yaw", "value", "position",  "left",     "right",   "top",      "bottom", "width",
-};
+/// Names of coordinates. A column with one of them is never taken for a time.
+constexpr std::string_view coordinate_names =
+    "x y z w px py pz tx ty tz rx ry rz sx sy sz qx qy qz qw vx vy vz dx dy dz cx cy cz ex ey ez r g b a lat lon lng "
+    "latitude alt long longitude altitude easting northing height elevation roll pitch yaw value position left right "
+    "top bottom width";
 
 /// A name in lower case without blanks, "_", "-", ".", and a mark of comments.
 std::string compact(std::string_view name) {
@@ -197,38 +70,43 @@ std::string compact(std::string_view name) {
   return text;
 }
 
-template <std::size_t size>
-bool has(const std::array<const char*, size>& names, std::string_view name) {
-  return std::ranges::any_of(names, [&](std::string_view known) { return known == name; });
+/// Whether a list of words between blanks has a word.
+bool has(std::string_view words, std::string_view word) {
+  for (std::size_t at = words.find(word); at < words.size(); at = words.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;
+  }
+  return false;
 }
 
-template <std::size_t size>
-const UnitName* find_unit(const std::array<UnitName, size>& names, std::string_view name) {
-  const auto found = std::ranges::find_if(names, [&](const UnitName& known) { return known.name == name; });
-  return found == names.end() ? nullptr : &*found;
+const UnitNames* find_unit(std::string_view name, bool also_short = false) {
+  const auto found = std::ranges::find_if(unit_names, [&](const UnitNames& row) {
+    return has(row.names, name) || (also_short && has(row.short_ones, name));
+  });
+  return name.empty() || found == unit_names.end() ? nullptr : &*found;
 }
 
 /// The unit at the end of a name such as "timems"; null where that is no name of a time with a unit.
-const UnitName* unit_at_end(std::string_view name) {
-  for (const std::string_view known : time_names) {
-    if (!name.starts_with(known)) continue;
-    const std::string_view text = name.substr(known.size());
-    if (const UnitName* const unit = find_unit(unit_names, text)) return unit;
-    const UnitName* const short_unit = known.size() > 1 ? find_unit(short_unit_names, text) : nullptr;
-    if (short_unit != nullptr) return short_unit;
+const UnitNames* unit_at_end(std::string_view name) {
+  for (std::size_t size = 1; size < name.size(); ++size) {
+    const UnitNames* const unit = find_unit(name.substr(size), size > 1);
+    const std::string_view time = name.substr(0, size);
+    if (unit != nullptr && (has(time_names, time) || has(frame_names, time))) return unit;
   }
   return nullptr;
 }
 
 /// Whether a name is that of a time, or of a time and its unit, such as "timems".
 bool is_time(std::string_view name) {
-  const bool is_unit = name.size() > 2 && name != "second" && find_unit(unit_names, name) != nullptr;
-  return has(time_names, name) || is_unit || name == "ms" || name == "ns" || unit_at_end(name) != nullptr;
+  const bool is_unit = name.size() > 2 && name != "second" && find_unit(name) != nullptr;
+  return has(time_names, name) || has(frame_names, name) || is_unit || name == "ms" || name == "ns" ||
+         unit_at_end(name) != nullptr;
 }
 
 }  // namespace
 
 std::string_view without_unit(std::string_view name) {
+  if (const std::size_t comma = name.find(", "); comma != std::string_view::npos) return name.substr(0, comma);
   const std::size_t begin = name.ends_with(']') ? name.rfind('[') : name.ends_with(')') ? name.rfind('(') : 0;
   if (begin == 0 || begin == std::string_view::npos) return name;
   return name.substr(0, name.find_last_not_of(' ', begin - 1) + 1);
@@ -237,7 +115,7 @@ std::string_view without_unit(std::string_view name) {
 bool is_usual_time(std::string_view name) {
   const std::string_view alone = without_unit(name);
   // T by itself is tension.
-  if (alone == "T") return find_unit(unit_names, compact(name.substr(alone.size()))) != nullptr;
+  if (alone == "T") return find_unit(compact(name.substr(alone.size()))) != nullptr;
   const std::size_t path = alone.find_last_of("./");  // as in header.stamp
   const std::string last = compact(path == std::string_view::npos ? alone : alone.substr(path + 1));
   return is_time(compact(alone)) || is_time(last);
@@ -247,25 +125,24 @@ std::optional<TimeUnit> unit_of_time(std::string_view name) {
   const std::string_view alone = without_unit(name);
   const std::string whole = compact(name);
   const std::size_t separator = name.find_last_of("_-. ");
-  const UnitName* found = nullptr;
+  const UnitNames* found = nullptr;
   if (alone.size() < name.size()) {  // in brackets
-    const std::string unit = compact(name.substr(alone.size()));
-    found = find_unit(unit_names, unit);
-    if (found == nullptr) found = find_unit(short_unit_names, unit);
+    const std::size_t mark = name[alone.size()] == ',' ? 1 : 0;
+    found = find_unit(compact(name.substr(alone.size() + mark)), true);
   } else if (has(frame_names, whole)) {
     return TimeUnit::frames;
   } else if (separator != std::string_view::npos && is_time(compact(name.substr(0, separator)))) {  // as in t_s
-    found = find_unit(unit_names, compact(name.substr(separator)));
+    found = find_unit(compact(name.substr(separator)));
   } else if (whole.size() > 1) {
-    found = find_unit(unit_names, whole);
+    found = find_unit(whole);
   }
   if (found == nullptr && !has(time_names, whole)) found = unit_at_end(whole);
   return found == nullptr ? std::nullopt : found->unit;
 }
 
 std::optional<TimePartName> time_part_of(std::string_view name) {
-  constexpr std::array seconds{"sec", "secs", "seconds"};
-  constexpr std::array nanoseconds{"nanosec", "nanosecs", "nsec", "nsecs", "nanos", "nanoseconds"};
+  constexpr std::string_view seconds = "sec secs seconds";
+  constexpr std::string_view nanoseconds = "nanosec nanosecs nsec nsecs nanos nanoseconds";
   const std::size_t separator = name.find_last_of("./_ ");
   const std::string last = compact(separator == std::string_view::npos ? name : name.substr(separator + 1));
   const std::string_view stem = separator == std::string_view::npos ? "" : name.substr(0, separator);
@@ -286,7 +163,8 @@ std::optional<std::string> rotation_stem_of(std::string_view name, char& last) {
   stem.pop_back();
   const std::size_t end = stem.find_last_not_of("._- /");
   stem.resize(end == std::string::npos ? 0 : end + 1);
-  constexpr std::array words{"q", "quat", "quaternion", "rot", "rotation", "orient", "orientation", "attitude"};
+  constexpr std::array<std::string_view, 8> words{"q",        "quat",   "quaternion",  "rot",
+                                                  "rotation", "orient", "orientation", "attitude"};
   const bool is_rotation = std::ranges::any_of(words, [&](std::string_view word) {
     if (!stem.ends_with(word)) return false;
     if (stem.size() == word.size() || word.size() > 4) return true;  // a long word may be the end of another
@@ -305,17 +183,20 @@ bool is_usual_label(std::string_view name) {
 }
 
 bool tells_curves_apart(std::string_view name) {
-  constexpr std::array names{"id",   "track",  "trackid",  "object",    "objectid", "name",    "curve", "curveid",
-                             "uuid", "series", "deviceid", "vehicleid", "playerid", "robotid", "mmsi",  "icao24"};
+  constexpr std::string_view names =
+      "id track trackid object objectid name curve curveid uuid series deviceid vehicleid playerid robotid mmsi "
+      "icao24";
   return has(names, compact(name));
 }
 
 namespace {
 
-/// Whether a name, or its last word, is one of these.
-template <std::size_t size>
-bool ends_with_one(const std::array<const char*, size>& names, std::string_view name) {
-  const std::string_view alone = without_unit(name);
+/// Whether a name, or its last word, is one of these; a unit of angles may follow.
+bool ends_with_one(std::string_view names, std::string_view name) {
+  std::string_view alone = without_unit(name);
+  for (const std::string_view unit : {"_deg", "_degrees", "_rad", "_radians"}) {
+    if (alone.ends_with(unit)) alone.remove_suffix(unit.size());
+  }
   const std::size_t separator = alone.find_last_of("_-./ ");
   return has(names, compact(alone)) ||
          (separator != std::string_view::npos && has(names, compact(alone.substr(separator + 1))));
@@ -323,9 +204,20 @@ bool ends_with_one(const std::array<const char*, size>& names, std::string_view 
 
 }  // namespace
 
-bool is_usual_angle(std::string_view name) {
-  constexpr std::array names{"yaw", "heading", "bearing", "azimuth", "roll", "pitch"};
+bool names_dates(std::string_view name) {
+  constexpr std::string_view names = "date datum fecha data yyyymmdd dateutc";
   return ends_with_one(names, name);
+}
+
+bool is_usual_angle(std::string_view name) {
+  constexpr std::string_view names = "yaw heading bearing azimuth roll pitch";
+  return ends_with_one(names, name);
+}
+
+bool is_of_rotation_vector(std::string_view name) {
+  constexpr std::string_view stems = "rvec rotvec rodrigues rotationvector";
+  const std::string text = compact(without_unit(name.substr(name.find_last_of("/") + 1)));
+  return !text.empty() && has(stems, std::string_view(text).substr(0, text.size() - 1));
 }
 
 std::string_view without_brackets(std::string_view text) {
@@ -335,25 +227,30 @@ std::string_view without_brackets(std::string_view text) {
 }
 
 bool is_unit(std::string_view text) {
-  constexpr std::array units{
-      "s",       "sec",       "seconds",  "ms",     "us",     "\u00B5s", "\u03BCs", "ns",     "min",     "h",
-      "hr",      "d",         "m",        "meter",  "meters", "mm",      "cm",      "km",     "um",      "\u00B5m",
-      "\u03BCm", "in",        "ft",       "mi",     "deg",    "degree",  "degrees", "\u00B0", "rad",     "%",
-      "km/h",    "kmh",       "kph",      "mph",    "kn",     "knots",   "m/s",     "mm/s",   "ft/s",    "m/s2",
-      "m/s^2",   "m/s\u00B2", "g",        "kg",     "n",      "nm",      "kn",      "v",      "mv",      "a",
-      "ma",      "w",         "kw",       "hz",     "khz",    "rpm",     "1/min",   "c",      "\u00B0c", "degc",
-      "k",       "f",         "\u00B0f",  "pa",     "kpa",    "hpa",     "bar",     "mbar",   "psi",     "j",
-      "deg/s",   "rad/s",     "\u00B0/s", "rad/s2", "px",     "pixel",   "pixels",  "ut",     "\u00B5t", "lx",
-      "lux",     "db",        "l",        "l/min",  "ml",     "frames",  "utc",     "usd"};
+  constexpr std::string_view units =
+      "s sec seconds ms us \u00B5s \u03BCs ns min h hr d m meter meters mm cm km um \u00B5m \u03BCm in ft mi deg "
+      "degree degrees \u00B0 rad % km/h kmh kph mph kn knots m/s mm/s ft/s m/s2 m/s^2 m/s\u00B2 g kg n nm v mv a ma w "
+      "kw hz khz rpm 1/min c \u00B0c degc k f \u00B0f pa kpa hpa bar mbar psi j deg/s rad/s \u00B0/s rad/s2 px pixel "
+      "pixels ut \u00B5t lx lux db l l/min ml frames utc usd";
   return has(units, in_lower_case(without_brackets(text)));
 }
 
+bool are_units(std::span<const std::string_view> cells) {
+  // The words of the lines below the names in files of Campbell Scientific: of times, of record numbers, of processing.
+  constexpr std::string_view words = "ts rn degc smp avg max min std tot med wvc w/m^2";
+  const auto is_empty = [](std::string_view cell) { return cell.empty() || cell == "-" || cell == "none"; };
+  const auto fits = [&](std::string_view cell) {
+    const std::string_view text = cell.size() > 1 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
+    return is_empty(text) || is_unit(text) || is_unit(compact(text)) || has(words, compact(text));
+  };
+  return !std::ranges::all_of(cells, is_empty) && std::ranges::all_of(cells, fits);
+}
+
 bool may_be_angle(std::string_view name) {
-  constexpr std::array names{"lon",   "lng",     "longitude", "cog",     "course",    "track",     "pan",
-                             "theta", "hue",     "rx",        "ry",      "rz",        "rotx",      "roty",
-                             "rotz",  "rotatex", "rotatey",   "rotatez", "rotationx", "rotationy", "rotationz",
-                             "angle", "phi",     "direction", "headyaw", "winddir",   "tilt",      "steering"};
-  constexpr std::array spaces{"rotation", "rotate", "rot", "euler", "angle", "orientation"};
+  constexpr std::string_view names =
+      "lon lng longitude cog course track pan theta hue rx ry rz rotx roty rotz rotatex rotatey rotatez rotationx "
+      "rotationy rotationz angle phi direction headyaw winddir tilt steering";
+  constexpr std::string_view spaces = "rotation rotate rot euler angle orientation";
   if (is_usual_angle(name) || ends_with_one(names, name)) return true;
   const std::string_view alone = without_unit(name);
   const std::string whole = compact(alone);  // as in rotation_z
@@ -362,11 +259,10 @@ bool may_be_angle(std::string_view name) {
 }
 
 bool is_usual_channel(std::string_view name) {
-  constexpr std::array names{
-      "val",   "fov",   "focal",  "focallength", "zoom",   "focus", "aperture",    "exposure", "scale",    "depth",
-      "size",  "angle", "tilt",   "pan",         "alpha",  "red",   "green",       "blue",     "opacity",  "color",
-      "gain",  "gray",  "weight", "intensity",   "volume", "level", "temperature", "pressure", "humidity", "speed",
-      "force", "price", "close",  "distance",    "radius", "power", "current",     "voltage",  "signal",   "data"};
+  constexpr std::string_view names =
+      "val fov focal focallength zoom focus aperture exposure scale depth size angle tilt pan alpha red green blue "
+      "opacity color gain gray weight intensity volume level temperature pressure humidity speed force price close "
+      "distance radius power current voltage signal data";
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   std::string text = compact(without_unit(name));
   while (!text.empty() && is_digit(text.back())) text.pop_back();
@@ -381,8 +277,8 @@ namespace {
 
 /// The name of a coordinate without what tells it from the others of its space; other names are as they are.
 std::string space_of(std::string_view name) {
-  constexpr std::array on_earth{"lat", "lon", "lng", "long", "latitude", "longitude"};
-  constexpr std::array on_maps{"easting", "northing", "east", "north"};
+  constexpr std::string_view on_earth = "lat lon lng long latitude longitude";
+  constexpr std::string_view on_maps = "easting northing east north";
   std::string text = compact(without_unit(name));
   if (has(on_earth, text)) return "earth";
   if (has(on_maps, text)) return "map";
@@ -399,6 +295,22 @@ std::string space_of(std::string_view name) {
 }  // namespace
 
 bool are_of_one_kind(std::string_view one, std::string_view other) { return space_of(one) == space_of(other); }
+
+std::vector<std::size_t> spatial_channels(const std::vector<std::string>& channels) {
+  std::vector<std::string> names;
+  for (const std::string& channel : channels) names.push_back(compact(without_unit(channel)));
+  const auto find = [&](const std::string& name) { return std::ranges::find(names, name) - names.begin(); };
+  // Before the letter of an axis, in the order in which one is chosen.
+  for (const std::string stem : {"", "p", "pos", "position", "loc", "location", "t", "translation"}) {
+    std::vector<std::size_t> space;
+    for (const auto channel : {find(stem + "x"), find(stem + "y"), find(stem + "z")}) {
+      if (channel < std::ssize(names)) space.push_back(static_cast<std::size_t>(channel));
+    }
+    if (find(stem + "x") == std::ssize(names) || find(stem + "y") == std::ssize(names)) continue;
+    return space.size() < channels.size() ? space : std::vector<std::size_t>{};
+  }
+  return {};
+}
 
 bool is_coordinate(std::string_view name) {
   const std::string whole = compact(without_unit(name));

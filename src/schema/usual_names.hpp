@@ -1,8 +1,12 @@
 // Usual names: those of times with their units, of positions, of labels of curves, and of coordinates.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "numbers/time_notation.hpp"
 
@@ -13,6 +17,9 @@ std::string_view without_unit(std::string_view name);
 
 /// Whether a name is a usual one of times, such as "Frame Number", "time_ms" or "header.stamp".
 bool is_usual_time(std::string_view name);
+
+/// Whether a name is that of dates, such as "Date" or "obs_date".
+bool names_dates(std::string_view name);
 
 /// The unit of times in a column of this name, such as "timestamp [ns]", "time_ms" or "frame"; nothing if it has none.
 std::optional<TimeUnit> unit_of_time(std::string_view name);
@@ -47,11 +54,17 @@ bool tells_curves_apart(std::string_view name);
 /// Whether a name is that of an angle of a heading or an attitude, such as "yaw" or "imu.heading".
 bool is_usual_angle(std::string_view name);
 
+/// Whether a name is that of a number of a rotation vector, such as "rvec_x" or "rotvec[0]".
+bool is_of_rotation_vector(std::string_view name);
+
 /// A text without the brackets around it.
 std::string_view without_brackets(std::string_view text);
 
 /// Whether a text is a unit of a quantity, such as "km/h" or "[deg]".
 bool is_unit(std::string_view text);
+
+/// Whether the cells below names describe columns: units, or words such as "Avg" of instruments, and nothing else.
+bool are_units(std::span<const std::string_view> cells);
 
 /// Whether a name may be that of an angle, such as "lon", "course" or "rotation_z".
 bool may_be_angle(std::string_view name);
@@ -62,6 +75,10 @@ bool is_usual_channel(std::string_view name);
 /// Whether two names may be of coordinates in the same space, such as "pos_x" and "pos_y", "lat" and "lon", or "a" and
 /// "b", but not "x" and "temperature".
 bool are_of_one_kind(std::string_view one, std::string_view other);
+
+/// The channels called x, y and z, or px, pos_y, position.z and so on, where these are coordinates of one space, so
+/// that lengths measure them; empty where there are no such or no others.
+std::vector<std::size_t> spatial_channels(const std::vector<std::string>& channels);
 
 /// Whether a name is that of a coordinate, such as "x", "pos_y" or "p3".
 bool is_coordinate(std::string_view name);

@@ -1,5 +1,5 @@
 // Channel columns: names such as "tension_x", requests of them, segments, and errors.
-#include "schema/channel_columns.hpp"
+#include "schema/columns.hpp"
 
 #include <gmock/gmock.h>
 

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "read/reading.hpp"
+#include "schema/usual_names.hpp"
 
 namespace tcb {
 namespace {
@@ -35,6 +36,9 @@ TEST(Doubts, are_notes_where_one_reading_is_plain) {
            {"0,1,2\n0,0.5,3\n1,0.7,4\n", "the first line counts the columns; --header"},
            {"t,x\ns,mm\n0,5\n1,6\n", "the line below the names is taken as units: s, mm"},
            {"0,9,1,0,0,0\n1,8,0,1,0,0\n", "columns 3 to 6 may be a quaternion; --rotation quaternion=3:4:5:6"},
+           {"t,x\nTS,V\n\"\",Avg\n0,5\n1,6\n", "the line below the names is taken as units: TS, V"},
+           {"%time,header.stamp,x\n5,5,1\n6,6,2\n", "have the same times; the first is taken"},
+           {"t,rvec_x,rvec_y,rvec_z\n0,0,0,1\n1,0,1,0\n", "--rotation axis-angle=rvec_x:rvec_y:rvec_z"},
            {"t,x\n1:30,5\n2:00,6\n", "times such as \"1:30\" are taken as minutes and seconds"},
        }) {
     EXPECT_THAT(doubts_of(row.text), HasSubstr(row.words)) << row.text;
@@ -53,10 +57,30 @@ TEST(Doubts, are_errors_where_readings_give_different_numbers) {
            {"1700000000,100000000,1\n1700000000,200000000,2\n", "--columns time=1,nanoseconds=2 if they are"},
            {"t,w,x,y,z\n0,1,0,0,0\n1,0,1,0,0\n", "--rotation quaternion=x:y:z:w for a rotation"},
            {"t,q[0],q[1],q[2],q[3]\n0,1,0,0,0\n1,0,1,0,0\n", "'quaternion=q[1]:q[2]:q[3]:q[0]'"},
+           {"a:b,id,x\n1,1,2\n2,1,3\n", "give --group id"},
+           {"# YY MM DD hh\n# yr mo dy hr\n2024 05 01 00 3\n2024 05 01 01 4\n", "seem to be in column 1, column 2"},
+           {"year,month,day,x\n2024,5,1,3\n2024,5,2,4\n", "seem to be in \"year\", \"month\" and \"day\""},
+           {"DATE,x\n20240301,5\n20240302,6\n", "such as 20240301; expected marks between year, month and day"},
+           {"\"#\",\"Date Time, GMT\",x\n1,05/01/24 10:00,5\n2,05/01/24 11:00,6\n", "a year of two digits"},
+           {"Machine\t\nOrder\t7\nX\tV\n0.0\t1.5\n0.1\t1.7\n", "give --skip-lines 2"},
+           {"title alone\n0.0\t1.5\n0.1\t1.7\n0.2\t1.8\n", "give --skip-lines 1"},
+           {"\"A\",\"1\"\n\"TS\",\"x\"\n\"TS\",\"V\"\n\"\",\"Avg\"\n0,5\n1,6\n", "give --skip-lines 1"},
+           {"t,lon\n0,26.9W\n1,27.1W\n", "write south and west as negative numbers"},
            {"Title\nof two words\nt,x\n0,1\n1,2\n", "give --skip-lines 2"},
        }) {
     EXPECT_THAT(doubts_of(row.text), HasSubstr(row.words)) << row.text;
     EXPECT_NE(doubts_of(row.text).find("error:"), std::string::npos) << row.text;
+  }
+}
+
+TEST(Doubts, of_names_of_one_other_letter_than_a_role) {
+  for (const char* name : {"tme", "ime", "tmie", "xtime", "frmae", "Tensoin", "tenison", "rension", "tenssion",
+                           "ension", "biass", "ease_im", "x_tension", "Bais_X"}) {
+    EXPECT_THAT(doubts_of(std::string(name) + ",x\n0,0.5\n1,0.7\n"), HasSubstr("is close to the role")) << name;
+  }
+  for (const char* name : {"torsion", "extension", "tensor", "version", "bits", "bins", "tide", "dime", "bias1",
+                           "time2", "game", "period", "temp", "timer2", "carry", "tensor_x", "x_T", "x_y", "time_x"}) {
+    EXPECT_EQ(doubts_of("t,x," + std::string(name) + "\n0,0.5,0\n1,0.7,0\n"), "") << name;
   }
 }
 

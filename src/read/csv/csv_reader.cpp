@@ -184,6 +184,11 @@ class RecordReader {
               ? data_error("{}: found {}; expected a number, as each row is a whole segment; fill it in, or remove "
                            "the row",
                            name, missing_cell(text))
+          : column.role == Role::position && head_.columns.named && head_.begin_empty[index_of(cell)]
+              ? data_error("{}: found {}, as at the beginning; expected a number; fill it in, or give {} {} to leave "
+                           "the column out, or {} skip-row, skip-cell or break",
+                           name, missing_cell(text), option::columns,
+                           in_shell("ignore=" + requested_as(name, index_of(cell))), option::missing)
           : is_of_time ? data_error("{}: found {}; expected a time; fill it in, or give {} skip-row or break", name,
                                     missing_cell(text), option::missing)
                        : data_error("{}: found {}; expected a number; fill it in, or give {} skip-row, skip-cell or "
@@ -192,13 +197,14 @@ class RecordReader {
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
       add_fault(cell, no_time(name, text));
     } else if (is_word(text, column)) {
+      const std::string request = requested_as(column.role == Role::position ? name : "", index_of(cell));
       add_fault(
           cell,
           data_error(
               "{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or give {} {} to "
               "leave the column out, {} {} to keep it in the rows, or {} {} if it tells curves apart",
-              name, in_quotes(text), option::columns, in_shell(fmt::format("ignore={}", name)), option::columns,
-              in_shell(fmt::format("carry={}", name)), option::group, in_shell(name)));
+              name, in_quotes(text), option::columns, in_shell("ignore=" + request), option::columns,
+              in_shell("carry=" + request), option::group, in_shell(request)));
     } else {
       add_fault(cell, why_not_number(name, text, head_.marks));
     }
@@ -206,8 +212,8 @@ class RecordReader {
 
   /// Whether a cell without digits is in a column that may hold words by its name.
   bool is_word(std::string_view text, const Columns::Column& column) const {
-    const bool may_hold_words = column.role == Role::position && head_.columns.named;
-    return may_hold_words && !is_coordinate(head_.columns.name_of(column)) && !looks_numeric(text) &&
+    if (!head_.columns.named || column.role == Role::time || column.role == Role::nanoseconds) return false;
+    return !is_coordinate(head_.columns.name_of(column)) && !looks_numeric(text) &&
            text.find_first_of("0123456789") == std::string_view::npos;
   }
 
@@ -263,12 +269,20 @@ Source<std::string> without_lines(Source<std::string> bytes, std::uint64_t lines
   };
 }
 
-/// The line at which a table seems to begin below other lines, and its delimiter: two lines at least of the same number
-/// of cells that are mostly numbers, and the line of names directly above them. Nothing where that is the first line.
+/// Whether a line has this number of words with some delimiter, so that it may be the names of as many columns.
+bool has_words(std::string_view line, std::size_t count) {
+  return std::ranges::any_of(std::string_view("\t;, "), [&](char delimiter) {
+    const auto words = split(line, delimiter);
+    return words.size() - static_cast<std::size_t>(std::ranges::count(words, "")) == count;
+  });
+}
+
+/// Where a table seems to begin below other lines: two lines at least of the same number of cells that are mostly
+/// numbers, and the line of names directly above them. Nothing where that is the first line.
 struct LaterTable {
   std::uint64_t line;  ///< from 1
   std::size_t cells;   ///< in each of its lines
-  char delimiter;
+  bool follows_text;   ///< a line above it, below the first one, has no number
 };
 std::optional<LaterTable> find_later_table(std::string_view text, const Dialect& dialect) {
   const std::vector<std::string_view> lines = split(text, '\n');
@@ -293,22 +307,38 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
       std::size_t head = i;  // the last line above that is not blank, if it names the columns
       while (head > 0 && cells_in(lines[head - 1]).size() <= 1) --head;
       auto names = head > 0 ? cells_in(lines[head - 1]) : std::vector<std::string_view>{};
-      if (head > 1 && names.size() == one.size() && std::ranges::all_of(names, is_unit)) {
-        names = cells_in(lines[--head - 1]);
-      }
+      while (head > 1 && names.size() == one.size() && are_units(names)) names = cells_in(lines[--head - 1]);
       const bool are_names = names.size() == one.size() && !is_of_numbers(names);
       const std::size_t line = are_names ? head : i + 1;
-      const bool may_be_names = line == 2 && (cells_in(lines[0]).size() > 1 || one.size() < 3);
+      const bool may_be_names = line == 2 && (cells_in(lines[0]).size() > 1 || has_words(lines[0], one.size()));
       if (!are_names && may_be_names) return std::nullopt;  // the first line may be a header with a fault
       const auto is_text = [&](std::string_view above) {
         return above.find_first_not_of(" \t\r") != std::string_view::npos && !dialect.is_comment(above);
       };
+      const auto begins_like_number = [](std::string_view cell) {
+        const std::size_t digit = bare(cell).find_first_of("0123456789");
+        return digit == 0 || (digit == 1 && std::string_view("+-.").find(bare(cell)[0]) != std::string_view::npos);
+      };
+      const bool follows_text =
+          std::any_of(lines.begin() + 1, lines.begin() + static_cast<std::ptrdiff_t>(i), [&](std::string_view above) {
+            return is_text(above) && std::ranges::none_of(cells_in(above), begins_like_number);
+          });
       const bool has_preamble =
           std::any_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(line - 1), is_text);
-      return has_preamble ? std::optional(LaterTable{line, one.size(), delimiter}) : std::nullopt;
+      return has_preamble ? std::optional(LaterTable{line, one.size(), follows_text}) : std::nullopt;
     }
   }
   return std::nullopt;
+}
+
+/// Throws: Error (data) for the first fault of the records above a line.
+void require_keys(const Chunk& data, std::uint64_t end, const DelimitedHead& head) {
+  std::size_t size = 0;
+  for (std::uint64_t line = data.line; line < end && size < data.text.size(); ++line) {
+    size = std::min(data.text.find('\n', size), data.text.size() - 1) + 1;
+  }
+  const KeyBlock keys = parse_delimited(Chunk{data.text.substr(0, size), data.line, 0}, head);
+  if (!keys.faults.errors.empty()) throw Error(keys.faults.errors.front());
 }
 
 /// Whether the first line ends with CR and LF.
@@ -380,10 +410,8 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
       constexpr std::size_t most = 1UL << 12;
       const std::string_view text = std::string_view(first).substr(0, most);
       const auto table = text.find('"') == std::string_view::npos ? find_table_below(text) : std::nullopt;
-      const std::size_t cells = found.columns.cells.size();
-      if (table && table->cells != cells && table->delimiter == dialect.delimiter) {
-        throw data_error("its lines have {} cells, but those above {}", table->cells, cells);
-      }
+      const bool is_unlike = table && (table->follows_text || table->cells != found.columns.cells.size());
+      if (is_unlike) require_keys(rest.front(), first_line + table->line, found);
       return found;
     } catch (const Error& error) {
       const auto table = find_table_below(first);

@@ -51,7 +51,13 @@ std::vector<std::string> comment_names(std::string_view comment, const Dialect& 
   return texts(cells);
 }
 
-/// The first three records of an input, or as many as there are: enough to find header and columns.
+/// Whether a record describes the columns whose names are above it.
+bool describes_columns(const std::vector<std::string>& cells) {
+  return are_units(HeadCells(cells.begin(), cells.end()));
+}
+
+/// The first three records of an input without up to two of units, or as many as there are: enough to find header and
+/// columns.
 class HeadRecords {
  public:
   struct Record {
@@ -63,7 +69,7 @@ class HeadRecords {
   };
 
   HeadRecords(const Source<Chunk>& source, const Dialect& dialect) {
-    while (records.size() < 3) {
+    while (records.size() < wanted_) {
       std::optional<Chunk> chunk = source();
       if (!chunk) break;
       add(std::move(*chunk), dialect);
@@ -78,11 +84,13 @@ class HeadRecords {
     Tokenizer tokenizer(chunk, dialect);
     const std::size_t before = records.size();
     bool more = true;
-    for (HeadCells cells; records.size() < 3 && (more = tokenizer.next(cells));) {
+    for (HeadCells cells; records.size() < wanted_ && (more = tokenizer.next(cells));) {
       if (!tokenizer.comment().empty() || tokenizer.follows_blank()) comment_.clear();
       if (!tokenizer.comment().empty()) comment_ = tokenizer.comment();
       records.push_back(
           {texts(cells), std::exchange(comment_, {}), chunks.size(), tokenizer.offset(), tokenizer.line()});
+      constexpr std::size_t most = 5;
+      if (records.size() + 1 == wanted_ && wanted_ < most && describes_columns(records.back().cells)) ++wanted_;
     }
     if (!more && tokenizer.follows_blank()) comment_.clear();
     if (!more && !tokenizer.comment().empty()) comment_ = tokenizer.comment();
@@ -91,6 +99,7 @@ class HeadRecords {
     if (!records.empty()) chunks.push_back(std::move(chunk));
   }
 
+  std::size_t wanted_ = 3;
   std::string comment_;  ///< the last line, if it is a comment
 };
 
@@ -136,14 +145,15 @@ std::vector<std::size_t> repeated_words(const HeadRecords& first, const Delimite
 /// A column holds numbers unless both of the first two data records have text in it, or it has neither cells nor a
 /// name.
 std::vector<bool> numeric_columns(const HeadRecords& first, std::size_t data, const std::vector<std::string>& names,
-                                  const DelimitedHead& head) {
+                                  DelimitedHead& head) {
   const auto& one = first.records[data].cells;
   const auto& two = data + 1 < first.records.size() ? first.records[data + 1].cells : one;
   std::vector<bool> numeric(one.size());
+  head.begin_empty.resize(one.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     const std::string_view below = i < two.size() ? std::string_view(two[i]) : "";
-    const bool nameless = i < names.size() && names[i].empty();
-    const bool nothing = nameless && one[i].empty() && below.empty();
+    head.begin_empty[i] = one[i].empty() && below.empty();
+    const bool nothing = head.begin_empty[i] && i < names.size() && names[i].empty();
     numeric[i] = !nothing && (may_be_number(one[i], head) || (i < two.size() && may_be_number(below, head)));
   }
   return numeric;
@@ -243,13 +253,6 @@ void require_numbers(const HeadRecords::Record& record, const std::vector<std::s
   }
 }
 
-/// Whether a record below the names has their units: some, and nothing else.
-bool are_units(const std::vector<std::string>& cells) {
-  const auto is_empty = [](const std::string& cell) { return cell.empty() || cell == "-" || cell == "none"; };
-  return !std::ranges::all_of(cells, is_empty) &&
-         std::ranges::all_of(cells, [&](const std::string& cell) { return is_empty(cell) || is_unit(cell); });
-}
-
 /// Notes that there is a row of units, and takes that of the times.
 void take_units(DelimitedHead& head, const std::vector<std::string>& units, const UnitOptions& options) {
   head.columns.doubts.push_back(fmt::format("the line below the names is taken as units: {}", listed(units)));
@@ -266,7 +269,9 @@ void require_clear_header(const HeadRecords::Record& record, const DelimitedHead
   const auto is_number = [&](const std::string& cell) {
     return !is_missing_sign(cell, head.rules.signs) && may_be_number(cell, head);
   };
-  const auto is_name = [&](const std::string& cell) { return !is_number(cell) && has_meaning(cell, options); };
+  const auto is_name = [&](const std::string& cell) {
+    return !is_number(cell) && (has_meaning(cell, options) || is_usual_time(cell));
+  };
   const auto number = std::ranges::find_if(record.cells, is_number);
   if (number == record.cells.end() || std::ranges::any_of(record.cells, is_name)) return;
   const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return may_be_value(cell, head); });
@@ -359,6 +364,7 @@ class RolesByCells {
   ColumnOptions complete() {
     const bool is_given = has(Role::time) || requested_.timeless;
     if (!is_given) take_date_and_clock();
+    if (!has(Role::time) && !requested_.timeless) take_equal_times();
     if (!names_.empty()) take_index();
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (names_[i].empty()) names_[i] = fmt::format("column {}", i + 1);
@@ -413,6 +419,30 @@ class RolesByCells {
                                  shown(*day), shown(*clock)));
   }
 
+  /// Two columns of times with the same cells are one time, as in tables of ROS.
+  void take_equal_times() {
+    std::vector<std::size_t> times;
+    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
+      if (is_time(cell) && !is_requested(cell)) times.push_back(cell);
+    }
+    const auto are_equal = [&](const HeadCells& row) {
+      return times[1] < row.size() && row[times[0]] == row[times[1]];
+    };
+    if (times.size() != 2 || rows_.size() < 2 || !std::ranges::all_of(rows_, are_equal)) return;
+    request(Role::time, times[0]);
+    request(Role::unused, times[1]);
+    notes_.push_back(
+        fmt::format("columns {} and {} have the same times; the first is taken", shown(times[0]), shown(times[1])));
+  }
+
+  /// Whether a column of times in words is among those that are not the index.
+  bool has_times_in_words() const {
+    for (std::size_t cell = 1; cell < numeric_.size(); ++cell) {
+      if (notation(cell)) return true;
+    }
+    return false;
+  }
+
   /// Whether another column than the index is the time by its name or a request.
   bool is_time(std::size_t cell) const {
     const bool is_of_role = role_of_name(names_[cell]) == Role::time;
@@ -427,7 +457,7 @@ class RolesByCells {
     bool has_time = has(Role::time);
     for (std::size_t cell = 1; cell < names_.size(); ++cell) has_time = has_time || is_time(cell);
     const bool is_nameless = names_[0].empty();
-    if (!has_time && !requested_.timeless) {
+    if (!has_time && !requested_.timeless && (has_dates || !has_times_in_words())) {
       if (!has_dates) {
         throw data_error(
             "{} counts the rows, and no other column is the time; expected a column of times; give {} time=1 if it is "
@@ -531,10 +561,11 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
   TextPosition position{"", first.records[0].line, 0};  // of the names
   if (header && !options.delimited.header) require_clear_header(first.records[0], head, columns);
-  std::vector<std::string> units;
-  if (header && !columns.samples && data < first.records.size() && are_units(first.records[data].cells)) {
-    units = first.records[data++].cells;
+  const std::size_t below = data;
+  while (header && !columns.samples && data < first.records.size() && describes_columns(first.records[data].cells)) {
+    ++data;
   }
+  const std::vector<std::string> units = below < data ? first.records[below].cells : std::vector<std::string>{};
   if (data == first.records.size()) refuse_header_alone(first.records[0]);
   if (!header && !options.delimited.header && !first.records[0].comment.empty()) {
     auto above = comment_names(first.records[0].comment, dialect);

@@ -26,6 +26,7 @@ struct DelimitedHead {
   std::optional<double> time_gap = {};     ///< as in InputFacts
   bool strips_units = false;               ///< units after numbers are removed
   std::optional<TimeUnit> time_unit = {};  ///< from a row of units
+  std::vector<bool> begin_empty = {};      ///< for each column, whether its first two cells are empty
   bool is_of_format = false;               ///< the format has the columns, not the text
 };
 

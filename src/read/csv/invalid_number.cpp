@@ -64,6 +64,13 @@ bool has_short_year(std::string_view text) {
   return part == 2 && sizes[0] > 0 && sizes[0] <= 2 && sizes[1] > 0 && sizes[1] <= 2 && sizes[2] == 2;
 }
 
+/// Whether a number is followed by the letter of a hemisphere, which is no unit: 26.9W is -26.9.
+bool has_hemisphere(std::string_view cell) {
+  const std::size_t end = cell.find_first_not_of("0123456789.,+- ");
+  return end > 0 && end != std::string_view::npos && end + 1 == cell.size() &&
+         std::string_view("NSEW").find(cell[end]) != std::string_view::npos;
+}
+
 }  // namespace
 
 bool has_thousands_separators(std::string_view text) {
@@ -73,6 +80,7 @@ bool has_thousands_separators(std::string_view text) {
 }
 
 std::string_view without_unit_of_number(std::string_view cell) {
+  if (has_hemisphere(cell)) return cell;
   const std::size_t last = cell.find_last_of("0123456789.");
   // The digit of a unit such as m/s2 is no part of the number.
   const std::size_t end = cell.find_first_not_of("0123456789.,+-eE'_ ");
@@ -115,6 +123,12 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
     return data_error(
         "{}: {} is a date with a year of two digits, whose century is unknown; expected a year of four digits; write "
         "the years in full",
+        column, in_quotes(cell));
+  }
+  if (has_hemisphere(cell)) {
+    return data_error(
+        "{}: {} is a number with the letter of a hemisphere or of a unit; expected a number alone; remove the letter, "
+        "and write south and west as negative numbers",
         column, in_quotes(cell));
   }
   const std::string_view number = without_unit_of_number(cell);

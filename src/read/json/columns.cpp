@@ -398,7 +398,7 @@ class FirstKey {
       std::ranges::for_each(members_, [&](const Found& member) { require_shape(member); });
     }
     const bool has_array = has_any(&Found::is_of_positions);
-    result.columns.may_be_timed = result.columns.may_be_timed && !has_array;
+    if (has_array) result.columns.likely_time.clear();
     const bool lacks_time = !result.columns.has(Role::time) && !requested_.timeless && !requested_.samples;
     if (has_array && lacks_time) require_no_lost_time(result.columns);
     result.columns.ignored.insert(result.columns.ignored.end(), unused.begin(), unused.end());

@@ -362,6 +362,8 @@ Records open_whole(JsonPart part, const InputOptions& options) {
       return open_tables(text, {*table}, options, has_times ? JsonShape::table_by_index : JsonShape::table);
     }
     key = open_one_key(text->part.chunk, options, reason);
+    const bool has_deep_time = key && key->columns.time.find('.') != std::string::npos;
+    if (has_deep_time && !options.columns.timeless) refuse_other_json(tape);
     if (key && (key->columns.has(Role::time) || options.columns.timeless)) return *std::move(key);
   }
   std::vector<JsonTable> tables = find_tables(tape, options);

@@ -7,9 +7,9 @@
 
 namespace tcb::spline {
 
-/// The numbers that give a rotation: x, y, z, w; an axis and the angle around it; angles around three axes in turn; or
-/// the nine of a matrix, row after row.
-enum class RotationForm : std::uint8_t { quaternion, axis_angle, euler, matrix };
+/// The numbers that give a rotation: x, y, z, w; an axis and the angle around it; angles around three axes in turn; the
+/// nine of a matrix, row after row; or an axis whose length is the angle.
+enum class RotationForm : std::uint8_t { quaternion, axis_angle, euler, matrix, rotation_vector };
 
 /// How a rotation is written.
 struct RotationNotation {
@@ -19,7 +19,7 @@ struct RotationNotation {
   bool degrees = false;                ///< angles are in degrees, else in radians
 
   constexpr std::size_t numbers() const {
-    constexpr std::array<std::size_t, 4> counts{4, 4, 3, 9};
+    constexpr std::array<std::size_t, 5> counts{4, 4, 3, 9, 3};
     return counts[static_cast<std::size_t>(form)];
   }
   constexpr bool is_quaternion() const { return form == RotationForm::quaternion; }

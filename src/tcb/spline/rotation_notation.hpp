@@ -123,6 +123,13 @@ Quaternion<S> nearest_rotation(RotationNumbers<S> m) {
   return q.w < S(0) ? -q : q;
 }
 
+/// The length of the vector that the first three numbers are.
+template <class Numbers, class S = std::ranges::range_value_t<Numbers>>
+S length_of_vector(const Numbers& numbers) {
+  using std::sqrt;
+  return sqrt(S(numbers[0] * numbers[0] + (numbers[1] * numbers[1] + numbers[2] * numbers[2])));
+}
+
 /// The rotation that numbers give. Requires: the form is not that of quaternions; an axis is not zero unless its angle
 /// is; the determinant of a matrix is positive. Promises: |q| = 1 within 2^-52.
 template <class Numbers, class S = std::ranges::range_value_t<Numbers>>
@@ -132,9 +139,10 @@ Quaternion<S> quaternion_from(const Numbers& numbers, const RotationNotation& no
     std::ranges::copy(numbers, matrix.begin());
     return nearest_rotation(matrix);
   }
-  if (notation.form == RotationForm::axis_angle) {
+  if (notation.form == RotationForm::axis_angle || notation.form == RotationForm::rotation_vector) {
     if (numbers[0] == S(0) && numbers[1] == S(0) && numbers[2] == S(0)) return {S(0), S(0), S(0), S(1)};
-    const auto [sine, cosine] = sine_cosine_of_half(numbers[3], notation.degrees);
+    const S angle = notation.form == RotationForm::axis_angle ? S(numbers[3]) : length_of_vector(numbers);
+    const auto [sine, cosine] = sine_cosine_of_half(angle, notation.degrees);
     const Quaternion<S> axis = unit_axis(numbers[0], numbers[1], numbers[2]);
     return normalized(Quaternion<S>{S(axis.x * sine), S(axis.y * sine), S(axis.z * sine), cosine});
   }
@@ -248,9 +256,11 @@ RotationNumbers<S> signed_numbers_of(Quaternion<S> q, const RotationNotation& no
   }
   if (q.w < S(0)) q = -q;
   const S sine = sqrt(q.x * q.x + (q.y * q.y + q.z * q.z));
-  if (sine == S(0)) return {S(1)};
-  const S angle = S(2) * angle_of(sine, q.w);
-  return {S(q.x / sine), S(q.y / sine), S(q.z / sine), in_unit(angle, notation.degrees)};
+  const bool is_vector = notation.form == RotationForm::rotation_vector;
+  if (sine == S(0)) return {S(is_vector ? 0 : 1)};
+  const S angle = in_unit(S(S(2) * angle_of(sine, q.w)), notation.degrees);
+  const S size = is_vector ? angle : S(1);
+  return {S(q.x / sine * size), S(q.y / sine * size), S(q.z / sine * size), is_vector ? S(0) : angle};
 }
 
 /// The numbers of a rotation in a notation. The angle around an axis is in [0, pi]; where it is 0, the axis is x. No
