@@ -11,7 +11,6 @@
 #include "option_names.hpp"
 #include "sample/build.hpp"
 #include "sample/grid.hpp"
-#include "sample/kept_curve.hpp"
 #include "sample/places.hpp"
 #include "sample/rows.hpp"
 #include "sample/sampler.hpp"

@@ -19,7 +19,7 @@
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
 #include "run/in_words.hpp"
-#include "sample/kept_curve.hpp"
+#include "sample/build.hpp"
 #include "sample/rows.hpp"
 #include "sample/table.hpp"
 #include "schema/key_block.hpp"

@@ -1,26 +1,31 @@
-// From keys to segments with their lengths: open, closed and sparse curves.
+// From keys to segments with their lengths: open, closed and sparse curves, streamed and kept.
 #pragma once
 
+#include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "error.hpp"
 #include "keys/key_store.hpp"
+#include "sample/curve_segment.hpp"
 #include "sample/curve_spec.hpp"
+#include "sample/extrapolation.hpp"
 #include "sample/request.hpp"
+#include "schema/curve_channels.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/segments.hpp"
 
 namespace tcb::spline {
 struct BuildError;
-}
+template <class S>
+class Curve;
+}  // namespace tcb::spline
 
 namespace tcb {
-
-class KeptCurve;
 
 using Rules = spline::CurveRules<double>;
 
@@ -56,6 +61,33 @@ Source<SegmentBlock> segment_blocks(Source<Keys> keys, const Rules& rules, const
 /// channel.
 Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Time>& last, const Rules& rules,
                                     const SegmentOptions& options);
+
+/// A curve with random access to its segments, and how rows show its channels.
+class KeptCurve {
+ public:
+  /// Requires: at least one segment. `extent`: of its keys, whose times may have more digits than those of segments.
+  KeptCurve(spline::Curve<double> curve, CurveChannels channels, const Extent& extent,
+            const Extrapolations& extrapolations = {});
+
+  const spline::Curve<double>& curve() const { return *curve_; }
+  const std::optional<FrameTimes>& frames() const { return channels_.frames; }
+  const Extent& extent() const { return extent_; }
+  const Extrapolations& extrapolations() const { return extrapolations_; }
+  double length() const;
+  /// The number of segments.
+  std::uint64_t size() const;
+
+  CurveSegment segment(std::uint64_t number) const;
+
+ private:
+  std::shared_ptr<const spline::Curve<double>> curve_;
+  CurveChannels channels_;
+  Extent extent_;
+  Extrapolations extrapolations_;
+  std::vector<double> cycle_;                      ///< last key - first key
+  std::vector<spline::Quaternion<double>> turns_;  ///< last key times the inverse of the first, of each rotation
+  int decimals_ = 0;                               ///< of the times
+};
 
 /// A curve whose segments are made from its keys, as often as they are needed.
 struct StreamedCurve {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "numbers/rational.hpp"
-#include "sample/kept_curve.hpp"
+#include "sample/build.hpp"
 #include "sample/rows.hpp"
 #include "stream/source.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sample/kept_curve.hpp"
+#include "sample/build.hpp"
 #include "sample/request.hpp"
 
 namespace tcb {

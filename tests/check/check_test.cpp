@@ -9,7 +9,7 @@
 #include "comparing.hpp"
 #include "option_names.hpp"
 #include "run/curve_pipeline.hpp"
-#include "sample/kept_curve.hpp"
+#include "sample/build.hpp"
 
 namespace tcb {
 

@@ -1,4 +1,4 @@
-// Building curves: segments with lengths, open, closed and sparse; what closes a curve.
+// Building curves: segments with lengths, open, closed and sparse; what closes a curve; kept curves.
 #include "sample/build.hpp"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "keys/key_store.hpp"
+#include "sample/kept_curve_of.hpp"
 
 namespace tcb {
 namespace {
@@ -102,6 +103,28 @@ TEST(SegmentBlocks, of_sparse_keys_are_measured_on_request) {
   ASSERT_EQ(block->lengths.size(), 2U);
   EXPECT_EQ(block->lengths[0].value, 1.5);
   EXPECT_TRUE(block->last);
+}
+
+TEST(KeptCurve, segments_have_their_place_on_the_curve) {
+  const spline::Keys<double> keys{1, {0, 1, 2, 4}, {0, 3, 3, 7}, {}, {.tension = 1}, {}};
+  const KeptCurve curve = kept_curve_of(*spline::Curve<double>::build(keys));
+  EXPECT_EQ(curve.size(), 3U);
+  const CurveSegment segment = curve.segment(2);
+  EXPECT_EQ(segment.start.hi, 2);
+  EXPECT_EQ(segment.s_start.hi, 3);
+  EXPECT_EQ(segment.s_end.hi, 7);
+  EXPECT_TRUE(segment.last);
+  EXPECT_EQ(segment.end_key, 3U);
+  EXPECT_EQ(segment.cycle[0], 7);
+}
+
+TEST(KeptCurve, a_closed_curve_ends_at_its_first_key) {
+  const spline::Keys<double> keys{1, {0, 1, 2}, {0, 3, 5}, {}, {}, {}};
+  const KeptCurve curve = kept_curve_of(*spline::Curve<double>::build_closed(keys, {}, spline::DoubleDouble(4.0)));
+  EXPECT_EQ(curve.size(), 3U);
+  EXPECT_EQ(curve.segment(1).end_key, 2U);
+  EXPECT_EQ(curve.segment(2).end_key, 0U);
+  EXPECT_EQ(curve.segment(2).cycle[0], 0);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Kept curves through given keys, for tests of rows on them.
 #pragma once
 
-#include "sample/kept_curve.hpp"
+#include "sample/build.hpp"
 #include "tcb/spline/curve.hpp"
 
 namespace tcb {
