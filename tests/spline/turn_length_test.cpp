@@ -45,6 +45,53 @@ TEST(TurnLength, of_a_curve_is_the_sum_of_fine_steps) {
   }
 }
 
+/// Half the angle around z of squad from 0 to `turn`, whose other two points are at `first` and `last`. Where these two
+/// are half a turn apart from the points between the keys, it goes on around the other side.
+double half_angle(double turn, double first, double last, double u, bool is_behind) {
+  const double apart = first + (last - first) * u - turn * u;
+  return turn * u + 2 * u * (1 - u) * (apart + (is_behind ? 2 * std::acos(-1.0) : 0));
+}
+
+TEST(TurnLength, ends_at_places_where_squad_goes_around_the_other_side) {
+  const double pi = std::acos(-1.0);
+  for (const double place : {0.5 + 3.8e-4, 0.25 - 1e-5, 0.75, 0.31}) {
+    // The points are opposite at `place`, and turn by `rate` against each other.
+    const double turn = 0.2, rate = -1.5, first = -pi - rate * place, last = first + rate + turn;
+    const RotationSegment<double> curve(RotationCurve::squad,
+                                        {around_z(0), around_z(2 * first), around_z(2 * last), around_z(2 * turn)});
+    ASSERT_EQ(curve.breaks().size(), 1U);
+    EXPECT_NEAR(curve.breaks()[0], place, 1e-14);
+    TurnLength<double> length;
+    length.assign({&curve, 1});
+    double expected = 0;
+    constexpr int steps = 200'000;  // the half angle is a polynomial on both sides, so the differences have no error
+    for (const bool is_behind : {false, true}) {
+      const double from = is_behind ? place : 0, to = is_behind ? 1 : place;
+      for (int i = 0; i < steps; ++i) {
+        const double u = from + (to - from) * i / steps, v = from + (to - from) * (i + 1) / steps;
+        expected +=
+            2 * std::abs(half_angle(turn, first, last, v, is_behind) - half_angle(turn, first, last, u, is_behind));
+      }
+    }
+    EXPECT_NEAR(length.total().value, expected, 1e-10) << place;
+    EXPECT_LT(length.total().error, 1e-11);
+  }
+}
+
+/// A turn around z that is at rest at `place`, where it turns back: half the angle is (u - place)^2.
+TEST(TurnLength, has_no_error_where_a_turn_back_is_next_to_the_end_of_a_panel) {
+  for (const double place : {1e-4, 0.5 - 1e-4, 0.5, 0.25 + 1e-5, 1 - 3e-4}) {
+    const double start = place * place, end = (1 - place) * (1 - place);
+    // With 2u (1 - u) = 2u - 2u^2, squad is a parabola where both points are -1/2 apart: u^2 - u + turn u.
+    const RotationSegment<double> curve(
+        RotationCurve::squad,
+        {around_z(0), around_z(-1), around_z(2 * (end - start) - 1), around_z(2 * (end - start))});
+    TurnLength<double> length;
+    length.assign({&curve, 1});
+    EXPECT_NEAR(length.total().value, 2 * (start + end), 1e-14) << place;
+  }
+}
+
 TEST(TurnLength, of_rest_is_zero) {
   const RotationSegment<double> rest(RotationCurve::slerp, {around_z(1), around_z(1), around_z(1), around_z(1)});
   TurnLength<double> length;

@@ -22,6 +22,7 @@
 #include <limits>
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "tcb/spline/angle.hpp"
 #include "tcb/spline/dual.hpp"
@@ -235,6 +236,24 @@ class RotationSegment {
     return whole.part(number(from_), number(size_), number(left_));
   }
 
+  /// The places in (0, 1) at which the rate is not smooth: where a constant rate begins or ends, and where two points
+  /// between which the curve interpolates are opposite, so that from there on it takes the way around the other side.
+  std::vector<S> breaks() const {
+    std::vector<S> places;
+    const auto add = [&](const S& place) {
+      if (place > S(0) && place < S(1)) places.push_back(place);
+    };
+    if (has_whole_turns()) {
+      for (const S& place : constant_part()) add(place);
+      return places;
+    }
+    const std::size_t pairs = curve_ == RotationCurve::squad ? 1 : curve_ == RotationCurve::casteljau ? 3 : 0;
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+      for (const S& u : opposite_places(pair)) add(S(u - from_) / size_);
+    }
+    return places;
+  }
+
   /// The places between which it turns at a constant rate, beyond its ends or not; the first one is not before the last
   /// one where it does so nowhere.
   std::array<S, 2> constant_part() const {
@@ -307,6 +326,38 @@ class RotationSegment {
       sum = sum + Quaternion<T>{T(x), T(y), T(z), T(w)} * weights[i];
     }
     return sum;
+  }
+  /// The dot product of two points between which the curve interpolates.
+  template <class T>
+  T dot_of_pair(std::size_t pair, const T& u, const T& left) const {
+    const Quaternion<T> first = arcs_[0].at(u, left), second = arcs_[1].at(u, left);
+    if (pair == 0) return dot(first, second);
+    const Quaternion<T> third = arcs_[2].at(u, left);
+    if (pair == 1) return dot(second, third);
+    return dot(Arc<T>(first, second).at(u, left), Arc<T>(second, third).at(u, left));
+  }
+  /// The places on the whole curve at which two such points are opposite but for rounding.
+  std::vector<S> opposite_places(std::size_t pair) const {
+    const auto at = [&](const S& u) { return dot_of_pair<Dual<S>>(pair, {u, S(1)}, {S(S(1) - u), S(-1)}); };
+    constexpr int parts = 16;  // two points turn by less than two whole turns together
+    const S size = S(1) / S(parts), rounding = S(4096) * std::numeric_limits<S>::epsilon();
+    std::vector<S> places;
+    Dual<S> before = at(S(0));
+    for (int part = 1; part <= parts; ++part) {
+      const S end = size * S(part);
+      const Dual<S> after = at(end);
+      const bool has_minimum =
+          before.slope < S(0) && after.slope > S(0) && std::min(before.value, after.value) < S(-0.5);
+      before = after;
+      if (!has_minimum) continue;
+      S low = end - size, high = end;
+      for (int halving = 0; halving < std::numeric_limits<S>::digits; ++halving) {
+        const S middle = (low + high) / S(2);
+        (at(middle).slope < S(0) ? low : high) = middle;
+      }
+      if (at(low).value < rounding - S(1)) places.push_back(low);
+    }
+    return places;
   }
 
   RotationCurve curve_ = RotationCurve::slerp;

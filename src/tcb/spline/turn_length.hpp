@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -27,6 +28,10 @@ class TurnLength {
 
   void assign(std::span<const RotationSegment<S>> rotations) {
     rotations_.assign(rotations.begin(), rotations.end());
+    breaks_.clear();
+    for (const RotationSegment<S>& rotation : rotations) {
+      for (const S& place : rotation.breaks()) breaks_.push_back(place);
+    }
     panels_.clear();
     sum_ = disagreements_ = S(0);
     const S whole = integral(S(0), S(1));
@@ -54,6 +59,7 @@ class TurnLength {
  private:
   static constexpr int most_halvings = std::max(24, std::numeric_limits<S>::digits / 2);
   static constexpr std::size_t most_panels = 1 << 14;  ///< more do not make a sum of more digits
+  static constexpr S same_place = S(4096) * std::numeric_limits<S>::epsilon();
 
   struct Part {
     S begin, width, length;
@@ -70,23 +76,46 @@ class TurnLength {
     return sqrt(square);
   }
 
-  S integral(const S& begin, const S& end) const {
-    const auto& rule = gauss_rule<S, most_points<S>>();
-    const S width = end - begin;
-    std::array<S, most_points<S>> terms;
-    for (std::size_t i = 0; i < terms.size(); ++i) terms[i] = rule.weight[i] * speed(begin + width * rule.node[i]);
-    return sum_in_pairs(terms) * width;
-  }
+  using Speeds = std::array<S, most_points<S>>;
 
+  /// At the nodes of the rule.
+  Speeds speeds(const S& begin, const S& end) const {
+    const S width = end - begin;
+    Speeds speeds;
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      speeds[i] = speed(begin + width * gauss_rule<S, most_points<S>>().node[i]);
+    }
+    return speeds;
+  }
+  static S integral(const Speeds& speeds, const S& begin, const S& end) {
+    Speeds terms;
+    for (std::size_t i = 0; i < terms.size(); ++i) terms[i] = gauss_rule<S, most_points<S>>().weight[i] * speeds[i];
+    return sum_in_pairs(terms) * (end - begin);
+  }
+  S integral(const S& begin, const S& end) const { return integral(speeds(begin, end), begin, end); }
+
+  /// Accepts the halves of a part on which the rule agrees with the rule on its halves, and the speed at their ends
+  /// with that at the nodes; else refines them. A part with a break is divided there.
   void refine(const Part& part, int halvings) {
-    using std::abs;
+    using std::abs, std::sqrt;
+    const S end = part.begin + part.width;
+    for (const S& place : breaks_) {
+      if (!(place - part.begin > same_place && end - place > same_place)) continue;
+      refine({part.begin, place - part.begin, integral(part.begin, place), S(0)}, halvings);
+      return refine({place, end - place, integral(place, end), S(0)}, halvings);
+    }
     const S half = part.width / S(2), middle = part.begin + half;
-    const Part left{part.begin, half, integral(part.begin, middle), S(0)};
-    const Part right{middle, half, integral(middle, part.begin + part.width), S(0)};
-    const S disagreement = abs(left.length + right.length - part.length);
+    const Speeds before = speeds(part.begin, middle), after = speeds(middle, end);
+    const Part left{part.begin, half, integral(before, part.begin, middle), S(0)};
+    const Part right{middle, half, integral(after, middle, end), S(0)};
+    const S disagreement = abs(left.length + right.length - part.length), noise = rounding_errors(part);
     const bool is_full = panels_.size() >= most_panels;
-    if (halvings == 0 || is_full || !(disagreement > tolerance_)) {
-      if (is_full) disagreements_ += disagreement;
+    const auto ends_agree = [&] {  // what the rule misses is about the square of this
+      const S gap = std::max(gap_at_ends(before, part.begin, middle), gap_at_ends(after, middle, end));
+      return gap * half <= tolerance_ / sqrt(std::numeric_limits<S>::epsilon());
+    };
+    if (halvings == 0 || is_full || (!(disagreement > tolerance_ + noise) && ends_agree())) {
+      if (is_full || noise > S(0)) disagreements_ += disagreement;
       for (Part accepted : {left, right}) {
         accepted.before = sum_;
         sum_ = sum_ + accepted.length;
@@ -96,6 +125,45 @@ class TurnLength {
     }
     refine(left, halvings - 1);
     refine(right, halvings - 1);
+  }
+
+  /// How far the speed at the ends of a part is from the polynomial through those at the nodes: between an end and the
+  /// node next to it the rule sees neither a jump nor a rest. Breaks are ends at which the speed has no value.
+  S gap_at_ends(const Speeds& speeds, const S& begin, const S& end) const {
+    using std::abs;
+    static const Speeds weights = [] {
+      const auto& node = gauss_rule<S, most_points<S>>().node;
+      Speeds result;
+      for (std::size_t i = 0; i < result.size(); ++i) {
+        result[i] = S(1);
+        for (std::size_t k = 0; k < node.size(); ++k) {
+          if (k != i) result[i] = result[i] * (node[k] / (node[k] - node[i]));
+        }
+      }
+      return result;
+    }();
+    S at_begin(0), at_end(0);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      at_begin += weights[i] * speeds[i];
+      at_end += weights[i] * speeds[speeds.size() - 1 - i];
+    }
+    const auto gap = [&](const S& place, const S& expected) {
+      const auto is_here = [&](const S& other) { return abs(other - place) <= same_place; };
+      return std::ranges::any_of(breaks_, is_here) ? S(0) : S(abs(speed(place) - expected));
+    };
+    return std::max(gap(begin, at_begin), gap(end, at_end));
+  }
+
+  /// Those of the integral over a panel: at a distance from a place where points of the curve are opposite, the speed
+  /// has them divided by the square of the distance.
+  S rounding_errors(const Part& part) const {
+    S sum(0);
+    for (const S& place : breaks_) {
+      const S away = std::max(S(part.begin - place), S(place - (part.begin + part.width)));
+      const S distance = std::max(away, S(0)) + part.width / S(16);  // of the nodes, too
+      sum += S(4) * std::numeric_limits<S>::epsilon() * part.width / (distance * distance);
+    }
+    return sum;
   }
 
   LocalParameter<S> place_of(const S& length) const {
@@ -120,6 +188,7 @@ class TurnLength {
   }
 
   std::vector<RotationSegment<S>> rotations_;
+  std::vector<S> breaks_;  ///< where the speed is not smooth
   std::vector<Part> panels_;
   S sum_{}, tolerance_{};
   S disagreements_{};  ///< of rules with their halves, where there are too many panels
