@@ -24,7 +24,7 @@ def remedies(message, valued):
     """The lists of words that a message offers to add."""
     found = []
     for clause in message.split("; ")[1:]:
-        if not re.search(r"\bgive\b|\bor\b --", clause) or "remove it, and" in clause:
+        if not re.search(r"\bgive\b|\bor\b --", clause) or re.search(r"remove it, and|remove \S+ or --", clause):
             continue
         end = None
         for match in OPTION.finditer(clause):
