@@ -59,7 +59,7 @@ class TurnLength {
  private:
   static constexpr int most_halvings = std::max(24, std::numeric_limits<S>::digits / 2);
   static constexpr std::size_t most_panels = 1 << 14;  ///< more do not make a sum of more digits
-  static constexpr S same_place = S(4096) * std::numeric_limits<S>::epsilon();
+  static S same_place() { return S(4096) * std::numeric_limits<S>::epsilon(); }
 
   struct Part {
     S begin, width, length;
@@ -100,7 +100,7 @@ class TurnLength {
     using std::abs, std::sqrt;
     const S end = part.begin + part.width;
     for (const S& place : breaks_) {
-      if (!(place - part.begin > same_place && end - place > same_place)) continue;
+      if (!(place - part.begin > same_place() && end - place > same_place())) continue;
       refine({part.begin, place - part.begin, integral(part.begin, place), S(0)}, halvings);
       return refine({place, end - place, integral(place, end), S(0)}, halvings);
     }
@@ -148,7 +148,7 @@ class TurnLength {
       at_end += weights[i] * speeds[speeds.size() - 1 - i];
     }
     const auto gap = [&](const S& place, const S& expected) {
-      const auto is_here = [&](const S& other) { return abs(other - place) <= same_place; };
+      const auto is_here = [&](const S& other) { return abs(other - place) <= same_place(); };
       return std::ranges::any_of(breaks_, is_here) ? S(0) : S(abs(speed(place) - expected));
     };
     return std::max(gap(begin, at_begin), gap(end, at_end));
