@@ -39,6 +39,8 @@ TEST(Doubts, are_notes_where_one_reading_is_plain) {
            {"t,x\nTS,V\n\"\",Avg\n0,5\n1,6\n", "the line below the names is taken as units: TS, V"},
            {"%time,header.stamp,x\n5,5,1\n6,6,2\n", "have the same times; the first is taken"},
            {"t,rvec_x,rvec_y,rvec_z\n0,0,0,1\n1,0,1,0\n", "--rotation axis-angle=rvec_x:rvec_y:rvec_z"},
+           {"\"#\",\"Date Time, GMT\",x\n1,05/01/24 10:00,5\n2,05/01/24 11:00,6\n",
+            "column \"#\" is taken as the index"},
            {"t,x\n1:30,5\n2:00,6\n", "times such as \"1:30\" are taken as minutes and seconds"},
        }) {
     EXPECT_THAT(doubts_of(row.text), HasSubstr(row.words)) << row.text;
@@ -61,9 +63,8 @@ TEST(Doubts, are_errors_where_readings_give_different_numbers) {
            {"# YY MM DD hh\n# yr mo dy hr\n2024 05 01 00 3\n2024 05 01 01 4\n", "seem to be in column 1, column 2"},
            {"year,month,day,x\n2024,5,1,3\n2024,5,2,4\n", "seem to be in \"year\", \"month\" and \"day\""},
            {"DATE,x\n20240301,5\n20240302,6\n", "such as 20240301; expected marks between year, month and day"},
-           {"\"#\",\"Date Time, GMT\",x\n1,05/01/24 10:00,5\n2,05/01/24 11:00,6\n", "a year of two digits"},
            {"Machine\t\nOrder\t7\nX\tV\n0.0\t1.5\n0.1\t1.7\n", "give --skip-lines 2"},
-           {"title alone\n0.0\t1.5\n0.1\t1.7\n0.2\t1.8\n", "give --skip-lines 1"},
+           {"title of all\n0.0\t1.5\n0.1\t1.7\n0.2\t1.8\n", "give --skip-lines 1"},
            {"\"A\",\"1\"\n\"TS\",\"x\"\n\"TS\",\"V\"\n\"\",\"Avg\"\n0,5\n1,6\n", "give --skip-lines 1"},
            {"t,lon\n0,26.9W\n1,27.1W\n", "write south and west as negative numbers"},
            {"Title\nof two words\nt,x\n0,1\n1,2\n", "give --skip-lines 2"},

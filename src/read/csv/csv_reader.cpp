@@ -184,11 +184,12 @@ class RecordReader {
               ? data_error("{}: found {}; expected a number, as each row is a whole segment; fill it in, or remove "
                            "the row",
                            name, missing_cell(text))
-          : column.role == Role::position && head_.columns.named && head_.begin_empty[index_of(cell)]
+          : column.role == Role::position && head_.begin_empty[index_of(cell)]
               ? data_error("{}: found {}, as at the beginning; expected a number; fill it in, or give {} {} to leave "
                            "the column out, or {} skip-row, skip-cell or break",
                            name, missing_cell(text), option::columns,
-                           in_shell("ignore=" + requested_as(name, index_of(cell))), option::missing)
+                           in_shell("ignore=" + requested_as(head_.columns.named ? name : "", index_of(cell))),
+                           option::missing)
           : is_of_time ? data_error("{}: found {}; expected a time; fill it in, or give {} skip-row or break", name,
                                     missing_cell(text), option::missing)
                        : data_error("{}: found {}; expected a number; fill it in, or give {} skip-row, skip-cell or "
