@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,16 +18,6 @@
 #include "numbers/print_number.hpp"
 
 namespace tcb {
-
-/// The cells of a field in a row, and what decides them.
-struct BallCells {
-  std::span<std::optional<Printed>> cells;  ///< from the next one that its writer adds
-  std::size_t index;                        ///< of that one in the row
-  const Notation& notation;
-  const RowsOfCurve& curve;
-  const FastRow& row;
-  const BallRows::IsZero& is_zero;
-};
 
 namespace {
 
@@ -93,8 +83,7 @@ bool has_text(const Notation& notation) {
   return notation.kind == Notation::Kind::digits || notation.kind == Notation::Kind::fixed;
 }
 
-Printed time_cell(const BallCells& of) {
-  const auto& [cells, index, notation, curve, row, is_zero] = of;
+Printed time_cell(const FastRow& row, const RowsOfCurve& curve, const Notation& notation) {
   const Time& shown = row.sample.t;
   const bool is_decimal = curve.exact.decimal || curve.exact.channels.frames;
   const bool is_shown = !row.time && shown.lo == 0 && row.segment.decimals == 0 && !is_decimal;
@@ -119,10 +108,16 @@ std::optional<Printed> number_cell(const Ball& number, const Notation& notation,
   const Rational middle = Rational(number.middle().hi) + Rational(number.middle().lo), radius(number.radius());
   return Rounding(notation, kind, decimals).within(middle, radius);
 }
+/// Whether a number is 0 as no precision distinguishes it from that. Next to a cusp a place has half the digits: a
+/// number that is not known to a third of them is not 0.
+bool is_zero_at_last(const Ball& number) { return number.is_zero(); }
+bool is_zero_at_last(const RealBall& number) {
+  return number.is_zero() ||
+         (Real::is_last() && number.may_be_zero() && number.radius() < ErrorBound::power_of_two(-Real::bits() / 3));
+}
+
 std::optional<Printed> number_cell(const RealBall& number, const Notation& notation, CellKind kind, int decimals) {
-  // Next to a cusp a place has half the digits: a number that is not known to a third of them is not 0.
-  const bool is_near_zero = number.may_be_zero() && !number.is_zero();
-  if (is_near_zero && !(Real::is_last() && number.radius() < ErrorBound::power_of_two(-Real::bits() / 3))) return {};
+  if (number.may_be_zero() && !is_zero_at_last(number)) return {};
   const Rational middle = number.middle().rational(), radius = Middle<Real>::number(number.radius()).rational();
   const Rounding rounding(notation, kind, decimals);
   return Real::is_last() ? rounding.at_last(middle, radius) : rounding.within(middle, radius);
@@ -145,41 +140,24 @@ double printed_length<RealBall>(const RealBall& length) {
   return low == high ? low : nearest_double(middle);
 }
 
-/// Sets those cells of a point in balls that are not set yet, and that their balls decide.
+/// Passes on the numbers of a point in balls.
 template <class M>
 class CellWriter<BallOf<M>> {
  public:
-  CellWriter(BallCells& row, CellKind kind) : row_(row), kind_(kind) {}
+  using Next = std::function<void(const Quantity<BallOf<M>>&)>;
 
-  void add(const BallOf<M>& value) {
-    const std::size_t index = row_.index;
-    auto& cell = next();
-    if (cell) return;
-    cell = number_cell(value, row_.notation, kind_, row_.row.segment.decimals);
-    if (!cell && value.may_be_zero() && row_.is_zero(index)) {
-      cell = Rounding(row_.notation, kind_, row_.row.segment.decimals).exactly({0});
-    }
-  }
-  void add(const Quantity<BallOf<M>>& value) {
-    if (value.defined) return add(value.value);
-    if (auto& cell = next(); !cell) cell = Printed{empty_cell};
-  }
+  CellWriter(const Next& next, const ChannelFacts& facts) : next_(next), facts_(facts) {}
+
+  void add(const BallOf<M>& value) { next_({value}); }
+  void add(const Quantity<BallOf<M>>& value) { next_(value); }
   void add_of_channel(const BallOf<M>& value, std::size_t channel, bool moves) {
-    const ChannelFacts& facts = row_.curve.facts;
-    const bool is_constant = moves ? facts.constant[channel] : facts.zero[channel];
+    const bool is_constant = moves ? facts_.constant[channel] : facts_.zero[channel];
     add(is_constant && value.may_be_zero() ? BallOf<M>() : value);
   }
 
  private:
-  std::optional<Printed>& next() {
-    std::optional<Printed>& cell = row_.cells.front();
-    row_.cells = row_.cells.subspan(1);
-    ++row_.index;
-    return cell;
-  }
-
-  BallCells& row_;
-  const CellKind kind_;
+  const Next& next_;
+  const ChannelFacts& facts_;
 };
 
 namespace {
@@ -200,15 +178,16 @@ class Rows final : public BallRows {
     }
   }
 
-  bool set(const FastRow& row, const Notation& notation, const IsZero& is_zero,
-           std::vector<std::optional<Printed>>& cells) override {
+  bool set(const FastRow& row, const Notation& notation, std::vector<RowCell>& cells) override {
     try {
       Point<B>& point = point_.place(row, measured_);
       at_end_ = point_.key_at_end();
       std::size_t first = 0;
       for (const auto& field : fields_) {
-        BallCells of{std::span(cells).subspan(first, field.size), first, notation, rows_, row, is_zero};
-        if (std::ranges::any_of(of.cells, [](const auto& cell) { return !cell; })) set(of, field, point);
+        const auto of_field = std::span(cells).subspan(first, field.size);
+        if (std::ranges::any_of(of_field, [](const RowCell& cell) { return !cell.printed; })) {
+          set(of_field, row, notation, field, point);
+        }
         first += field.size;
       }
       return true;
@@ -217,28 +196,19 @@ class Rows final : public BallRows {
     }
   }
 
-  std::vector<std::optional<Cell>> zeros(const FastRow& row) override {
-    const IsZero is_zero = [](std::size_t) { return false; };
-    const auto kept = [](const std::optional<Printed>& cell) {
-      const bool is_kept = cell && (is_empty(cell->cell) || cell->cell == Cell(0));
-      return is_kept ? std::optional(cell->cell) : std::nullopt;
-    };
-    std::vector<std::optional<Cell>> zeros;
+  void look_along(const FastRow& row, std::vector<AlongSegment>& cells) override {
+    const auto is_decided = [](AlongSegment cell) { return cell == AlongSegment::other; };
     for (const double u : inner_places) {
       Point<B>* const point = point_.place_inside(row, u);
-      std::vector<std::optional<Cell>> here;
+      std::size_t first = 0;
       for (const auto& field : fields_) {
-        std::vector<std::optional<Printed>> cells(field.size);
-        BallCells of{cells, 0, {}, rows_, row, is_zero};
-        if (point != nullptr && field.write != nullptr && !field.is_of_more_than_place) set(of, field, *point);
-        std::ranges::transform(cells, std::back_inserter(here), kept);
-      }
-      if (zeros.empty()) zeros = here;
-      for (std::size_t i = 0; i < here.size(); ++i) {
-        if (!here[i] || !zeros[i] || is_empty(*here[i]) != is_empty(*zeros[i])) zeros[i].reset();
+        const auto of_field = std::span(cells).subspan(first, field.size);
+        first += field.size;
+        if (std::ranges::all_of(of_field, is_decided)) continue;
+        const bool has_numbers = point != nullptr && field.write != nullptr && !field.is_of_more_than_place;
+        look_at(of_field, field, has_numbers ? point : nullptr, u == inner_places.front());
       }
     }
-    return zeros;
   }
 
   bool is_symmetric() override { return point_.is_symmetric(); }
@@ -253,14 +223,54 @@ class Rows final : public BallRows {
     bool is_of_more_than_place;  ///< of lengths from the start of the curve, or of a piece
   };
 
-  /// Sets the cells of a field that are not set yet.
-  void set(BallCells& of, const FieldCells& field, Point<B>& point) {
-    try {
-      if (field.write == nullptr && !rows_.arc) {
-        of.cells.front() = time_cell(of);
-      } else {
-        (field.write == nullptr ? write_sample_time<B> : field.write)(point, CellWriter<B>(of, field.kind));
+  /// Sets the cells of a field that are not decided yet.
+  void set(std::span<RowCell> cells, const FastRow& row, const Notation& notation, const FieldCells& field,
+           Point<B>& point) {
+    if (field.write == nullptr && !rows_.arc) {
+      cells.front().printed = time_cell(row, rows_, notation);
+      return;
+    }
+    std::size_t next = 0;
+    write(field, point, [&](const Quantity<B>& value) {
+      RowCell& cell = cells[next++];
+      if (cell.printed) return;
+      cell.printed = value.defined ? number_cell(value.value, notation, field.kind, row.segment.decimals)
+                                   : std::optional(Printed{empty_cell});
+      cell.may_be_zero = cell.may_be_zero || (value.defined && value.value.may_be_zero());
+    });
+  }
+
+  /// Decides cells by the numbers of a field at an inner place, or null if it has none there. Numbers that no ball
+  /// shows are `other` at the last precision alone.
+  void look_at(std::span<AlongSegment> cells, const FieldCells& field, Point<B>* point, bool is_first) {
+    using enum AlongSegment;
+    std::vector<AlongSegment> here(cells.size(), B::Ops::is_last() || point == nullptr ? other : open);
+    std::size_t next = 0;
+    if (point != nullptr) {
+      write(field, *point, [&](const Quantity<B>& value) {
+        AlongSegment& cell = here[next++];
+        if (!value.defined) {
+          cell = empty;
+        } else if (is_zero_at_last(value.value)) {
+          cell = zero;
+        } else if (!value.value.may_be_zero()) {
+          cell = other;
+        }
+      });
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (B::Ops::is_last()) {
+        cells[i] = (is_first && cells[i] == open) || cells[i] == here[i] ? here[i] : other;
+      } else if (here[i] == other) {
+        cells[i] = other;
       }
+    }
+  }
+
+  /// Passes the numbers of a field to a function, up to one that balls do not decide.
+  void write(const FieldCells& field, Point<B>& point, const CellWriter<B>::Next& next) {
+    try {
+      (field.write == nullptr ? write_sample_time<B> : field.write)(point, CellWriter<B>(next, rows_.facts));
     } catch (const Undecided&) {  // the cells from here on stay as they are
     }
   }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,11 +11,17 @@
 
 namespace tcb {
 
+/// A cell of a row that is being computed.
+struct RowCell {
+  std::optional<Printed> printed = {};  ///< nothing until it is decided
+  bool may_be_zero = false;             ///< a ball of it holds 0
+};
+
+/// What a cell is at the inner places of a segment; `open`: 0 or empty, as far as is known.
+enum class AlongSegment { open, zero, empty, other };
+
 class BallRows {
  public:
-  /// Whether a cell of the row is 0 all along its segment.
-  using IsZero = std::function<bool(std::size_t cell)>;
-
   /// In double-doubles; null for a curve that these cannot hold. `chosen`: the fields of all rows.
   static std::unique_ptr<BallRows> in_double_doubles(const RowsOfCurve& rows, std::vector<std::size_t> chosen);
   /// In floats of the digits in use (Real::bits), which are to be in use for all rows; rotations are measured in
@@ -25,14 +30,12 @@ class BallRows {
                                             bool measures_in_double_doubles);
   virtual ~BallRows() = default;
 
-  /// Sets those cells of a row that are not set yet and that their balls decide, or `is_zero` where their balls hold 0.
-  /// False if the place of the row is not decided.
-  virtual bool set(const FastRow& row, const Notation& notation, const IsZero& is_zero,
-                   std::vector<std::optional<Printed>>& cells) = 0;
+  /// Sets those cells of a row that are not decided yet and that their balls decide. False if the place of the row is
+  /// not decided.
+  virtual bool set(const FastRow& row, const Notation& notation, std::vector<RowCell>& cells) = 0;
 
-  /// The cells that are 0 all along the segment of a row, or empty, as they are at several places of it; nothing for
-  /// the others. Requires: the last precision.
-  virtual std::vector<std::optional<Cell>> zeros(const FastRow& row) = 0;
+  /// Decides cells that are open: `other` where a ball shows it at one place, and at the last precision all of them.
+  virtual void look_along(const FastRow& row, std::vector<AlongSegment>& cells) = 0;
 
   /// Whether the curve is as fast as it is reversed. Requires: the last precision.
   virtual bool is_symmetric() = 0;

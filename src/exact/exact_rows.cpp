@@ -148,14 +148,15 @@ class ExactRows::Evaluation {
     times_.set(row);
     if (!has_balls_) balls_ = BallRows::in_double_doubles(rows_, {chosen.begin(), chosen.end()});
     has_balls_ = true;
-    cells_.assign(width(chosen), std::nullopt);
-    row_ = &row;
+    cells_.assign(width(chosen), {});
     chosen_ = chosen;
-    const bool is_placed = balls_ != nullptr && balls_->set(row, notation_, is_zero_, cells_);
+    const bool is_placed = balls_ != nullptr && balls_->set(row, notation_, cells_);
     if (is_open()) complete(row, chosen, is_placed);
-    const auto overflows = [](const auto& one) { return !is_empty(one->cell) && !std::isfinite(one->cell.hi); };
+    const auto overflows = [](const RowCell& one) {
+      return !is_empty(one.printed->cell) && !std::isfinite(one.printed->cell.hi);
+    };
     if (std::ranges::any_of(cells_, overflows)) refuse_overflow(row.sample);
-    for (std::optional<Printed>& cell : cells_) append(*std::move(cell), table);
+    for (RowCell& cell : cells_) append(*std::move(cell.printed), table);
   }
 
  private:
@@ -186,7 +187,8 @@ class ExactRows::Evaluation {
   /// The last precision.
   Level& last() { return *std::ranges::max_element(levels(), {}, &Level::bits); }
 
-  bool is_open() const { return !std::ranges::all_of(cells_, &std::optional<Printed>::has_value); }
+  static bool is_set(const RowCell& cell) { return cell.printed.has_value(); }
+  bool is_open() const { return !std::ranges::all_of(cells_, is_set); }
 
   void append(Printed printed, Table& table) const {
     table.cells.push_back(printed.cell);
@@ -206,24 +208,21 @@ class ExactRows::Evaluation {
   void complete(FastRow row, std::span<const std::size_t> chosen, bool is_placed) {
     row.is_middle = is_middle(row);
     if (!rows_.arc || is_placed) set_rationals(row, chosen, rows_.arc ? balls_->key_at_end() : std::nullopt);
-    try {
-      set_empty();
-    } catch (const Undecided&) {  // the levels show it again
-    }
+    set_zeros(row);
     if (!is_open()) return;  // before levels are made
     bool is_placed_here = false;
     for (Level& level : levels()) {
       if (!is_open()) return;
-      if (!is_open()) return;
       if (rows_.arc && is_placed_here && level.measures_in_double_doubles && !row.is_middle) continue;
       const RealPrecision precision(level.bits, level.bits == last().bits);
       try {
-        const bool has_place = rows_at(level, chosen).set(row, notation_, is_zero_, cells_);
+        const bool has_place = rows_at(level, chosen).set(row, notation_, cells_);
         if (rows_.arc && has_place) set_rationals(row, chosen, level.rows->key_at_end());
         is_placed_here = is_placed_here || has_place;
       } catch (const Undecided&) {
         continue;
       }
+      set_zeros(row);
     }
     if (!is_open()) return;
     throw data_error(
@@ -238,29 +237,43 @@ class ExactRows::Evaluation {
     return *level.rows;
   }
 
-  /// What a cell is all along the segment of the current row: 0, or empty.
-  const std::optional<Cell>& zero_of(std::size_t cell) {
-    auto found = zeros_.find(row_->segment.number);
-    if (found == zeros_.end()) {
-      constexpr std::size_t most_kept = 4096;
-      if (zeros_.size() == most_kept) zeros_.clear();
-      const RealPrecision precision(last().bits, true);
-      found = zeros_.emplace(row_->segment.number, rows_at(last(), chosen_).zeros(*row_)).first;
+  /// What the cells of a row are all along its segment. Double-doubles show it of nearly all numbers that are neither
+  /// 0 nor empty.
+  const std::vector<AlongSegment>& along(const FastRow& row) {
+    const auto found = along_.find(row.segment.number);
+    if (found != along_.end()) return found->second;
+    constexpr std::size_t most_kept = 4096;
+    if (along_.size() == most_kept) along_.clear();
+    std::vector<AlongSegment> cells(cells_.size(), AlongSegment::open);
+    try {
+      if (balls_ != nullptr) balls_->look_along(row, cells);
+    } catch (const Undecided&) {  // what it found holds
     }
-    return found->second[cell];
-  }
-  bool is_zero(std::size_t cell) { return is_on_segment() && zero_of(cell) && !is_empty(*zero_of(cell)); }
-
-  /// Whether the current row is not beyond the keys.
-  bool is_on_segment() const {
-    const Time& t = row_->sample.t;
-    return rows_.arc || (t >= row_->segment.start && t <= row_->segment.end);
+    if (std::ranges::find(cells, AlongSegment::open) != cells.end()) {
+      const RealPrecision precision(last().bits, true);
+      rows_at(last(), chosen_).look_along(row, cells);
+    }
+    return along_.emplace(row.segment.number, std::move(cells)).first->second;
   }
 
-  /// Sets the open cells that are empty all along the segment of the current row.
-  void set_empty() {
-    for (std::size_t i = 0; is_on_segment() && i < cells_.size(); ++i) {
-      if (!cells_[i] && zero_of(i) && is_empty(*zero_of(i))) cells_[i] = Printed{empty_cell};
+  /// Sets the open cells that are empty all along the segment of a row, or 0 all along it and perhaps at the row.
+  void set_zeros(const FastRow& row) {
+    const Time& t = row.sample.t;
+    const bool is_on_segment = rows_.arc || (t >= row.segment.start && t <= row.segment.end);
+    if (!is_on_segment || !is_open()) return;
+    try {
+      const std::vector<AlongSegment>& along = this->along(row);
+      std::size_t i = 0;
+      for (const std::size_t field : chosen_) {
+        const Rounding rounding(notation_, fields()[field].kind, row.segment.decimals);
+        for (std::size_t left = width({&field, 1}); left > 0; --left, ++i) {
+          RowCell& cell = cells_[i];
+          if (cell.printed) continue;
+          if (along[i] == AlongSegment::empty) cell.printed = Printed{empty_cell};
+          if (along[i] == AlongSegment::zero && cell.may_be_zero) cell.printed = rounding.exactly({0});
+        }
+      }
+    } catch (const Undecided&) {  // more digits decide
     }
   }
 
@@ -289,11 +302,12 @@ class ExactRows::Evaluation {
     for (const std::size_t& index : chosen) {
       const auto cells = std::span(cells_).subspan(first, width({&index, 1}));
       first += cells.size();
-      if (!is_rational(index) || std::ranges::all_of(cells, &std::optional<Printed>::has_value)) continue;
+      if (!is_rational(index) || std::ranges::all_of(cells, is_set)) continue;
       if (rational_ == nullptr) rational_ = std::make_unique<RationalRows>(rows_);
       const std::vector<Value> values = rational_->values(row, {&index, 1});
       const Rounding rounding(notation_, fields()[index].kind, row.segment.decimals);
-      std::ranges::transform(values, cells.begin(), [&](const Value& value) { return rounding.exactly(value); });
+      std::ranges::transform(values, cells.begin(),
+                             [&](const Value& value) { return RowCell{rounding.exactly(value)}; });
     }
   }
 
@@ -305,16 +319,14 @@ class ExactRows::Evaluation {
   const RowsOfCurve& rows_;
   const ExactTimes& times_;
   const Notation& notation_;
-  std::unique_ptr<BallRows> balls_;            ///< null: the curve is not for balls
-  bool has_balls_ = false;                     ///< balls_ is set
-  std::vector<std::optional<Printed>> cells_;  ///< of the current row; nothing where they are not decided yet
-  std::unique_ptr<RationalRows> rational_;     ///< null until it is needed
-  std::vector<Level> levels_;                  ///< none until they are needed
-  std::optional<bool> is_symmetric_;           ///< nothing until it is needed
-  const FastRow* row_ = nullptr;               ///< the current one
-  std::span<const std::size_t> chosen_;        ///< its fields
-  std::map<std::uint64_t, std::vector<std::optional<Cell>>> zeros_;  ///< of segments: zero_of() each cell
-  const BallRows::IsZero is_zero_ = [this](std::size_t cell) { return is_zero(cell); };
+  std::unique_ptr<BallRows> balls_;                           ///< null: the curve is not for balls
+  bool has_balls_ = false;                                    ///< balls_ is set
+  std::vector<RowCell> cells_;                                ///< of the current row
+  std::unique_ptr<RationalRows> rational_;                    ///< null until it is needed
+  std::vector<Level> levels_;                                 ///< none until they are needed
+  std::optional<bool> is_symmetric_;                          ///< nothing until it is needed
+  std::span<const std::size_t> chosen_;                       ///< the fields of the current row
+  std::map<std::uint64_t, std::vector<AlongSegment>> along_;  ///< of segments: along()
 };
 
 ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation,
