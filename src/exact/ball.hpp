@@ -224,6 +224,7 @@ class BallOf {
   /// The same ball with a larger radius.
   BallOf widened(const Bound& error) const { return checked(middle_, Ops::up(radius_ + error)); }
 
+  friend bool is_exactly_zero(const BallOf& a) { return a.is_zero(); }
   bool may_be_zero() const { return Ops::least(middle_) <= radius_; }
 
   /// No number in the ball is larger in size.

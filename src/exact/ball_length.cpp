@@ -15,7 +15,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
+#include <iterator>
 #include <map>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 
@@ -451,14 +454,72 @@ spline::LocalParameter<BallOf<M>> BallArc<M>::place(const B& length) const {
   return local(panel.half, B(panel.middle) + B(panel.width) * B(z, distance));
 }
 
+template <class S>
+std::vector<S> rates_of(std::span<const spline::RotationSegment<S>> rotations, const S& u) {
+  std::vector<S> rates;
+  for (const auto& rotation : rotations) std::ranges::copy(rotation.rate({u, u - S(1.0)}), std::back_inserter(rates));
+  return rates;
+}
+template <class S>
+S dot(const std::vector<S>& a, const std::vector<S>& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), S(0.0));
+}
+
 template <class M>
 typename BallTurn<M>::B BallTurn<M>::speed(const B& u) const {
-  B square;
-  for (const auto& rotation : rotations_) {
-    const auto [x, y, z] = rotation.rate({u, u - B(1.0)});
-    square += x * x + (y * y + z * z);
+  const std::vector<B> rates = rates_of(rotations_, u);
+  return sqrt(dot(rates, rates));
+}
+
+/// The place at which it rests near another one, by the secant method; where it does not, some place nearby.
+template <class M>
+M BallTurn<M>::rest_near(double place) const {
+  B before(place), next = before + B(0x1p-26);
+  try {
+    std::vector<B> rates_before = rates_of(rotations_, before);
+    for (int step = 0; step < 5; ++step) {
+      const std::vector<B> rates = rates_of(rotations_, next);
+      std::vector<B> change;
+      std::ranges::transform(rates, rates_before, std::back_inserter(change), std::minus());
+      const B moved = dot(rates, change) / dot(change, change) * (next - before);
+      rates_before = rates;
+      before = std::exchange(next, B((next - moved).middle()));
+    }
+  } catch (const Undecided&) {  // nearer than the digits show
   }
-  return sqrt(square);
+  return before.middle();
+}
+
+/// The places at which the speed is 0, or nearly so: it has no derivative there, or changes fast.
+template <class M>
+std::vector<M> BallTurn<M>::rests() const {
+  std::vector<spline::RotationSegment<double>> rough;
+  for (const auto& rotation : rotations_) {
+    rough.push_back(rotation.template converted<double>([](const B& number) { return number.rough(); }));
+  }
+  const auto speed = [&](double u) {
+    const std::vector<double> rates = rates_of<double>(rough, u);
+    return std::sqrt(dot(rates, rates));
+  };
+  constexpr int steps = 32;
+  std::array<double, steps + 1> speeds{};
+  for (int i = 0; i <= steps; ++i) speeds[static_cast<std::size_t>(i)] = speed(static_cast<double>(i) / steps);
+  const double small = 0x1p-10 * *std::ranges::max_element(speeds);
+  std::vector<M> places;
+  for (int i = 0; i <= steps; ++i) {
+    const int before = std::max(i - 1, 0), after = std::min(i + 1, steps);
+    const double here = speeds[static_cast<std::size_t>(i)];
+    const bool is_least =
+        here <= speeds[static_cast<std::size_t>(before)] && here <= speeds[static_cast<std::size_t>(after)];
+    if (!is_least) continue;
+    double low = static_cast<double>(before) / steps, high = static_cast<double>(after) / steps;
+    for (int third = 0; third < 80; ++third) {  // the speed decreases and then increases
+      const double left = low + (high - low) / 3, right = high - (high - low) / 3;
+      (speed(left) < speed(right) ? high : low) = speed(left) < speed(right) ? right : left;
+    }
+    if (speed(low) < small) places.push_back(rest_near(low));
+  }
+  return places;
 }
 
 /// The angle from the start of a panel, over a width.
@@ -516,8 +577,8 @@ bool BallTurn<M>::is_constant(const M& begin, const M& end) const {
   });
 }
 
-/// The speed has no derivative where a constant rate begins or ends; these places are known but for an error, in which
-/// the speed is at most twice that next to it.
+/// The speed has no derivative where a constant rate begins or ends, and it jumps where the rotation does; these places
+/// are known but for an error, in which the speed is at most twice that next to it.
 template <class M>
 void BallTurn<M>::assign(std::span<const spline::RotationSegment<B>> rotations) {
   rotations_ = rotations;
@@ -526,11 +587,16 @@ void BallTurn<M>::assign(std::span<const spline::RotationSegment<B>> rotations) 
   std::vector<M> ends{M(0.0), M(1.0)};
   Bound doubt = 0.0;
   for (const auto& rotation : rotations) {
-    for (const B& place : rotation.constant_part()) {
+    std::vector<B> places = rotation.jumps([](const B& number) { return number.rough(); });
+    std::ranges::copy(rotation.constant_part(), std::back_inserter(places));
+    for (const B& place : places) {
       if (!(place.middle() > M(0.0) && place.middle() < M(1.0))) continue;
       ends.push_back(place.middle());
       doubt = doubt + Bound(4.0) * place.radius();
     }
+  }
+  for (const M& place : rests()) {
+    if (place > M(0.0) && place < M(1.0)) ends.push_back(place);
   }
   std::ranges::sort(ends);
   std::vector<Panel> parts;

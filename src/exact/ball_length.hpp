@@ -100,6 +100,8 @@ class BallTurn {
 
   B speed(const B& u) const;
   B sum(const Panel& panel, const B& width) const;
+  std::vector<M> rests() const;
+  M rest_near(double place) const;
   bool is_constant(const M& begin, const M& end) const;
   void accept(Panel panel);
   void add(const Panel& panel, const Bound& negligible);

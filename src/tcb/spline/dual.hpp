@@ -33,10 +33,11 @@ struct Dual {
     const S root = sqrt(a.value);
     return {root, a.slope / (S(2) * root)};
   }
-  friend Dual sine(const Dual& angle) {
+  friend SineCosine<Dual> sine_cosine(const Dual& angle) {
     const auto [sine, cosine] = sine_cosine(angle.value);
-    return {sine, cosine * angle.slope};
+    return {{sine, cosine * angle.slope}, {cosine, -(sine * angle.slope)}};
   }
+  friend Dual sine(const Dual& angle) { return sine_cosine(angle).sine; }
   friend Dual angle_of(const Dual& y, const Dual& x) {
     return {angle_of(y.value, x.value),
             (x.value * y.slope - y.value * x.slope) / (x.value * x.value + y.value * y.value)};

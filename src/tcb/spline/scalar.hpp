@@ -150,6 +150,12 @@ inline constexpr bool has_roots = !std::numeric_limits<S>::is_exact;
 template <class S>
 inline constexpr bool bounds_errors = false;
 
+/// Whether a number is 0, and known to be so.
+template <class S>
+bool is_exactly_zero(const S& number) {
+  return number == S(0);
+}
+
 /// A time. For double it holds every integer up to 2^106 exactly, so nanoseconds since 1970 do.
 template <class S>
 using Time = working_t<S>;
