@@ -7,7 +7,7 @@
 //   arithmetic", ACM Trans. Math. Softw. 44 (2017), doi:10.1145/3121432,
 // and leave room for the operations of tcb/spline/scalar.hpp, which differ from theirs. Double-doubles whose products
 // could overflow are refused, as are comparisons that a ball does not decide: then more digits are needed. At the last
-// precision (Real::is_last) numbers that a ball does not tell apart are equal.
+// precision (Real::is_last) numbers that a small ball does not tell apart are equal.
 #pragma once
 
 #include <cmath>
@@ -227,11 +227,18 @@ class BallOf {
   friend bool is_exactly_zero(const BallOf& a) { return a.is_zero(); }
   bool may_be_zero() const { return Ops::least(middle_) <= radius_; }
 
+  /// Whether it holds 0, and no precision distinguishes it from 0. Next to a cusp a place has half the digits: a number
+  /// that is not known to a third of them is not 0.
+  bool is_zero_at_last() const {
+    return may_be_zero() && (is_zero() || (Ops::is_last() && radius_ < Ops::power_of_two(-Ops::bits() / 3)));
+  }
+
   /// No number in the ball is larger in size.
   Bound most() const { return Ops::up(Ops::most(middle_) + radius_); }
   /// No number in the ball is smaller in size; 0 or less if 0 may be in it.
   Bound least() const { return Ops::difference(Ops::least(middle_), radius_); }
 
+  friend BallOf middle_of(const BallOf& a) { return BallOf(a.middle_); }
   friend BallOf abs(const BallOf& a) { return Ops::is_negative(a.middle_) ? -a : a; }
   friend BallOf halved(const BallOf& a) { return ldexp(a, -1); }
 
@@ -254,7 +261,7 @@ class BallOf {
     if (a.radius_ == 0.0 && b.radius_ == 0.0) return a.middle_ < b.middle_ ? -1 : a.middle_ == b.middle_ ? 0 : 1;
     const BallOf difference = a - b;
     if (!difference.may_be_zero()) return Ops::is_negative(difference.middle_) ? -1 : 1;
-    return Ops::is_last() ? 0 : throw Undecided();
+    return difference.is_zero_at_last() ? 0 : throw Undecided();
   }
 
   M middle_{};
@@ -331,6 +338,14 @@ spline::Dual<BallOf<M>> truncated_series(const spline::Dual<BallOf<M>>& sum, con
   const Bound change = square.slope.most() + u.value.most() * u.slope.most() * Bound(0x1p-5);
   const Bound slopes = last_term.slope.most() * square.value.most() + change * last_term.value.most();
   return {truncated_series(sum.value, last_term.value, u.value, square.value), sum.slope.widened(slopes * Bound(1.2))};
+}
+
+/// The rotations at the places of a ball, from that at its middle. `rate`: the largest angular speed.
+template <class M>
+spline::Quaternion<BallOf<M>> widened(const spline::Quaternion<BallOf<M>>& q, const BallOf<M>& rate,
+                                      const BallOf<M>& place) {
+  const auto error = rate.most() * place.radius();
+  return {q.x.widened(error), q.y.widened(error), q.z.widened(error), q.w.widened(error)};
 }
 
 /// The eigenvector of spline::eigenvector() with a bound on its error: by the residual and the distance of the others.

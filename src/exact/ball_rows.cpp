@@ -108,16 +108,8 @@ std::optional<Printed> number_cell(const Ball& number, const Notation& notation,
   const Rational middle = Rational(number.middle().hi) + Rational(number.middle().lo), radius(number.radius());
   return Rounding(notation, kind, decimals).within(middle, radius);
 }
-/// Whether a number is 0 as no precision distinguishes it from that. Next to a cusp a place has half the digits: a
-/// number that is not known to a third of them is not 0.
-bool is_zero_at_last(const Ball& number) { return number.is_zero(); }
-bool is_zero_at_last(const RealBall& number) {
-  return number.is_zero() ||
-         (Real::is_last() && number.may_be_zero() && number.radius() < ErrorBound::power_of_two(-Real::bits() / 3));
-}
-
 std::optional<Printed> number_cell(const RealBall& number, const Notation& notation, CellKind kind, int decimals) {
-  if (number.may_be_zero() && !is_zero_at_last(number)) return {};
+  if (number.may_be_zero() && !number.is_zero_at_last()) return {};
   const Rational middle = number.middle().rational(), radius = Middle<Real>::number(number.radius()).rational();
   const Rounding rounding(notation, kind, decimals);
   return Real::is_last() ? rounding.at_last(middle, radius) : rounding.within(middle, radius);
@@ -136,7 +128,7 @@ template <>
 double printed_length<RealBall>(const RealBall& length) {
   const Rational middle = length.middle().rational(), radius = Middle<Real>::number(length.radius()).rational();
   const double low = nearest_double(middle - radius), high = nearest_double(middle + radius);
-  if (low != high && !Real::is_last()) throw Undecided();
+  if (low != high && !(length - RealBall(length.middle())).is_zero_at_last()) throw Undecided();
   return low == high ? low : nearest_double(middle);
 }
 
@@ -251,7 +243,7 @@ class Rows final : public BallRows {
         AlongSegment& cell = here[next++];
         if (!value.defined) {
           cell = empty;
-        } else if (is_zero_at_last(value.value)) {
+        } else if (value.value.is_zero_at_last()) {
           cell = zero;
         } else if (!value.value.may_be_zero()) {
           cell = other;

@@ -260,7 +260,8 @@ class RowPoint {
   }
 
   /// The fast path may have a row at a key, or next to one where rounding decides: a length that is printed as that of
-  /// a key is the key's. Lengths are computed only as far as they are needed.
+  /// a key is the key's. Where fast lengths have an error, the row may be on another segment. Lengths are computed only
+  /// as far as they are needed.
   void place_by_length(const FastRow& row) {
     segment_ = segment(row.segment.number);
     segment_.s_start = length_to(segment_.number);
@@ -276,8 +277,13 @@ class RowPoint {
       return;
     }
     const double shown = printed_length(s);
+    std::size_t number = segment_.number;
+    while (number > 0 && shown < printed_length(length_to(number))) --number;
+    while (number + 1 < curve_->size() && shown > printed_length(length_to(number + 1))) ++number;
+    if (number != segment_.number) segment_ = segment(number);
+    segment_.s_start = length_to(number);
     if (shown <= printed_length(segment_.s_start)) return place_at_key(false, segment_.s_start);
-    segment_.s_end = length_to(segment_.number + 1);
+    segment_.s_end = length_to(number + 1);
     if (shown >= printed_length(segment_.s_end)) return place_at_key(true, segment_.s_end);
     spline::LocalParameter<S> at;
     arc(segment_.number).places(segment_.s_start, segment_.s_end, {&s, 1}, {&at, 1});
