@@ -260,7 +260,7 @@ class Rows final : public BallRows {
   }
 
   /// Passes the numbers of a field to a function, up to one that balls do not decide.
-  void write(const FieldCells& field, Point<B>& point, const CellWriter<B>::Next& next) {
+  void write(const FieldCells& field, Point<B>& point, const typename CellWriter<B>::Next& next) {
     try {
       (field.write == nullptr ? write_sample_time<B> : field.write)(point, CellWriter<B>(next, rows_.facts));
     } catch (const Undecided&) {  // the cells from here on stay as they are

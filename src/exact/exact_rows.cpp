@@ -156,6 +156,7 @@ class ExactRows::Evaluation {
       return !is_empty(one.printed->cell) && !std::isfinite(one.printed->cell.hi);
     };
     if (std::ranges::any_of(cells_, overflows)) refuse_overflow(row.sample);
+    set_signs_of_zeros(row);
     for (RowCell& cell : cells_) append(*std::move(cell.printed), table);
   }
 
@@ -228,6 +229,27 @@ class ExactRows::Evaluation {
     throw data_error(
         "the row at time {} has a number that cannot be computed to the requested digits; request fewer with {} or {}",
         time_text(row.sample.t), option::digits, option::fixed);
+  }
+
+  /// A position of -0 at a key is -0, as it is without exact numbers, which have no such zero.
+  void set_signs_of_zeros(const FastRow& row) {
+    const bool at_start = row.sample.t == row.segment.start, at_key = at_start || row.sample.t == row.segment.end;
+    std::size_t first = 0;
+    for (const std::size_t field : chosen_) {
+      const auto cells = std::span(cells_).subspan(first, width({&field, 1}));
+      first += cells.size();
+      if (!at_key || !fields()[field].shows_rotations) continue;
+      const auto places = position_cells(row.segment.cubics.size(), row.segment.rotation_columns);
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (places[i].rotation != PositionCell::none || cells[i].printed->cell != Cell(0.0)) continue;
+        const spline::Cubic<double>& cubic = row.segment.cubics[places[i].channel];
+        const double position = at_start ? cubic.p0 : cubic.p1;
+        if (position != 0 || !std::signbit(position)) continue;
+        std::string& text = cells[i].printed->text;
+        cells[i].printed->cell = Cell(-0.0);
+        if (!text.empty()) text.insert(0, "-");
+      }
+    }
   }
 
   BallRows& rows_at(Level& level, std::span<const std::size_t> chosen) {
