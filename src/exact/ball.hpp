@@ -238,7 +238,7 @@ class BallOf {
   /// No number in the ball is smaller in size; 0 or less if 0 may be in it.
   Bound least() const { return Ops::difference(Ops::least(middle_), radius_); }
 
-  friend BallOf middle_of(const BallOf& a) { return BallOf(a.middle_); }
+  friend BallOf without_radius(const BallOf& a) { return BallOf(a.middle_); }
   friend BallOf abs(const BallOf& a) { return Ops::is_negative(a.middle_) ? -a : a; }
   friend BallOf halved(const BallOf& a) { return ldexp(a, -1); }
 

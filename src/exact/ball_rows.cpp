@@ -166,7 +166,7 @@ class Rows final : public BallRows {
       const Field& field = fields()[index];
       const bool is_row_time = field.kind == CellKind::time && field_writers<B>[index] == write_sample_time<B>;
       fields_.push_back({is_row_time ? nullptr : field_writers<B>[index], field.kind, cells_in_row({&index, 1}, shape),
-                         field.needs_lengths || field.of_piece});
+                         field.needs_lengths || field.of_piece || field_writers<B>[index] == write_key<B>});
     }
   }
 
@@ -212,7 +212,7 @@ class Rows final : public BallRows {
     decltype(FieldOf<B>::write) write;  ///< null: the time of the row
     CellKind kind;
     std::size_t size;
-    bool is_of_more_than_place;  ///< of lengths from the start of the curve, or of a piece
+    bool is_of_more_than_place;  ///< of lengths from the start of the curve, or of a piece, or of keys alone
   };
 
   /// Sets the cells of a field that are not decided yet.

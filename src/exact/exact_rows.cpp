@@ -10,13 +10,27 @@
 
 #include "error.hpp"
 #include "exact/ball_rows.hpp"
-#include "exact/rational_rows.hpp"
 #include "exact/real.hpp"
+#include "exact/row_point.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
 #include "sample/sampler.hpp"
 
 namespace tcb {
+
+/// Collects the numbers of a point that are rational, or roots of rationals.
+template <>
+class CellWriter<Rational> {
+ public:
+  explicit CellWriter(std::vector<Value>& row) : row_(row) {}
+
+  void add(const Rational& value) { row_.push_back({value}); }
+  void add(const Quantity<Rational>& value) { row_.push_back({value.value, value.root, !value.defined}); }
+  void add_of_channel(const Rational& value, std::size_t, bool) { add(value); }
+
+ private:
+  std::vector<Value>& row_;
+};
 
 namespace {
 
@@ -325,8 +339,9 @@ class ExactRows::Evaluation {
       const auto cells = std::span(cells_).subspan(first, width({&index, 1}));
       first += cells.size();
       if (!is_rational(index) || std::ranges::all_of(cells, is_set)) continue;
-      if (rational_ == nullptr) rational_ = std::make_unique<RationalRows>(rows_);
-      const std::vector<Value> values = rational_->values(row, {&index, 1});
+      if (rational_ == nullptr) rational_ = std::make_unique<RowPoint<Rational>>(rows_);
+      std::vector<Value> values;
+      field_writers<Rational>[index](rational_->place(row, needs_lengths({&index, 1})), CellWriter<Rational>(values));
       const Rounding rounding(notation_, fields()[index].kind, row.segment.decimals);
       std::ranges::transform(values, cells.begin(),
                              [&](const Value& value) { return RowCell{rounding.exactly(value)}; });
@@ -344,7 +359,7 @@ class ExactRows::Evaluation {
   std::unique_ptr<BallRows> balls_;                           ///< null: the curve is not for balls
   bool has_balls_ = false;                                    ///< balls_ is set
   std::vector<RowCell> cells_;                                ///< of the current row
-  std::unique_ptr<RationalRows> rational_;                    ///< null until it is needed
+  std::unique_ptr<RowPoint<Rational>> rational_;              ///< null until it is needed
   std::vector<Level> levels_;                                 ///< none until they are needed
   std::optional<bool> is_symmetric_;                          ///< nothing until it is needed
   std::span<const std::size_t> chosen_;                       ///< the fields of the current row

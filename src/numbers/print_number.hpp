@@ -76,6 +76,10 @@ char* write_number(double value, const Notation& notation, char* out);
 /// decimal.
 char* write_time(const Time& time, const Notation& notation, char* out);
 
+/// A long decimal, shortest, or rounded as printf's %.*f and %.*g would. Needs longest_number_in(notation) bytes at
+/// out.
+char* write_decimal(LongDecimal decimal, const Notation& notation, char* out);
+
 /// The texts above, appended to a string.
 
 void append_number(std::string& out, double value);    ///< as write_shortest

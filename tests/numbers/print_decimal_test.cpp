@@ -1,5 +1,5 @@
 // Printing decimals of more digits than doubles have: the notation is the shorter one, as for doubles.
-#include "numbers/print_decimal.hpp"
+#include "numbers/print_number.hpp"
 
 #include <gtest/gtest.h>
 

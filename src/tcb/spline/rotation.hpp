@@ -316,9 +316,10 @@ class RotationSegment {
     if (u == S(0)) return points_[0];
     if (w == S(0)) return points_[3];
     if constexpr (bounds_errors<S>) {
-      if (!is_exactly_zero(u - middle_of(u))) {  // near opposite points, bounds on the points would be wide
+      if (!is_exactly_zero(u - without_radius(u))) {  // near opposite points, bounds on the points would be wide
         const auto [x, y, z] = rate(place);
-        return widened(normalized(point<S>(middle_of(u), S(1) - middle_of(u))), S(sqrt(x * x + (y * y + z * z))), u);
+        return widened(normalized(point<S>(without_radius(u), S(1) - without_radius(u))),
+                       S(sqrt(x * x + (y * y + z * z))), u);
       }
     }
     return normalized(point<S>(u, -w));
