@@ -166,7 +166,7 @@ class Rows final : public BallRows {
       const Field& field = fields()[index];
       const bool is_row_time = field.kind == CellKind::time && field_writers<B>[index] == write_sample_time<B>;
       fields_.push_back({is_row_time ? nullptr : field_writers<B>[index], field.kind, cells_in_row({&index, 1}, shape),
-                         field.needs_lengths || field.of_piece || field_writers<B>[index] == write_key<B>});
+                         field.needs_lengths || field.of_piece || field.name == "key"});
     }
   }
 
