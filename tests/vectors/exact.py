@@ -22,6 +22,7 @@ RULES = {  # of the presets, by the products
     "cryengine": ("interval-c", "cry"), "lib3ds1": ("interval-c", "chord"), "lib3ds2": ("interval-c", "mirror"),
     "splines": ("finite-difference", "natural"), "synfig": ("synfig", "chord"), "kb1984": ("kb1984", "half"),
     "wikipedia": ("uniform", "half"), "ogre": ("uniform", "half"),
+    "threejs": ("velocity", "chord"), "godot": ("finite-difference", "zero"),
 }
 RULES_OF_ROTATIONS = {
     "gte": ("velocity", "half", "squad"), "lib3ds1": ("interval-c", "chord", "squad"),

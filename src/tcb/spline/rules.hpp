@@ -62,7 +62,9 @@ enum class Preset : std::uint8_t {
   synfig,
   kb1984,
   wikipedia,
-  ogre
+  ogre,
+  threejs,
+  godot
 };
 
 /// The four factors that tension, continuity and bias give the chords, in the letters of the papers.
@@ -362,8 +364,8 @@ struct PresetRow {
 
 /// Every preset; the first is the default.
 /// Source: of the rules of rotations, the sources of NeL (quaternion keys), CryEngine (TCBAngAxisKey), lib3ds, the
-///   Python package splines and VTK (vtkQuaternionInterpolator, which has no T, C, B); of 3ds Max, those of NeL and
-///   CryEngine, which read its keys.
+///   Python package splines, three.js (QuaternionKeyframeTrack) and VTK (vtkQuaternionInterpolator, which has no T, C,
+///   B); of 3ds Max, those of NeL and CryEngine, which read its keys.
 inline constexpr std::array presets{
     PresetRow{Preset::gte, "gte", TangentRule::velocity, EndRule::half, "Geometric Tools (GTE) since 2022-08"},
     PresetRow{Preset::fbx, "fbx", TangentRule::velocity, EndRule::one_sided, "FBX, MotionBuilder"},
@@ -417,6 +419,14 @@ inline constexpr std::array presets{
     PresetRow{Preset::kb1984, "kb1984", TangentRule::kb1984, EndRule::half, "the paper of 1984 as printed"},
     PresetRow{Preset::wikipedia, "wikipedia", TangentRule::uniform, EndRule::half, "Wikipedia"},
     PresetRow{Preset::ogre, "ogre", TangentRule::uniform, EndRule::half, "OGRE Procedural"},
+    PresetRow{Preset::threejs,
+              "threejs",
+              TangentRule::velocity,
+              EndRule::chord,
+              "smooth tracks of three.js; its AnimationAction has the ends zero",
+              {.curve = RotationCurve::slerp}},
+    PresetRow{Preset::godot, "godot", TangentRule::finite_difference, EndRule::zero,
+              "cubic tracks of Godot 4, except those of rotations"},
 };
 
 /// The rows of rules and presets.

@@ -1,6 +1,6 @@
 """The published test vectors against the running code of products: products.py VECTORS.
 
-Compiles a small program for each product that is installed, or unpacked below the folder TCB_PRODUCTS, such as
+Runs a small program for each product that is installed, or unpacked below the folder TCB_PRODUCTS, such as
 
     apt-get download libwildmagic-dev libwildmagic5 && for p in *.deb; do dpkg -x $p "$TCB_PRODUCTS"; done
 
@@ -9,6 +9,7 @@ vectors. Exit 77: there is no product.
 """
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -29,18 +30,25 @@ PRODUCTS = [  # name, Debian packages, folders of headers, libraries, vectors, t
     ("lib3ds2", "libopenscenegraph161 libopenthreads21", [], ["dl"], ["presets/lib3ds2"], 1e-6),
     ("synfig", "libsynfig-dev libsynfig0a and what they depend on", GLIB, ["synfig", "glibmm-2.4", "sigc-2.0", "glib-2.0"],
      ["presets/synfig"], 1e-14),
+    ("threejs", "nodejs libjs-three", [], [], ["presets/threejs"], 1e-14),
+    ("godot", "", [], [], ["presets/godot"], 1e-14),
 ]
 vectors = Path(sys.argv[1])
 
 
-def compile_product(name, headers, libraries, target):
-    return subprocess.run(
-        ["c++", "-std=c++17", "-w", Path(__file__).with_name(name + ".cpp"), "-o", target, f'-DLIBRARY="{LIBRARY}"', "-I" + INCLUDE,
+def command_of(name, headers, libraries, target):
+    """The command that runs a program, or None where it cannot be run."""
+    source = Path(__file__).with_name(name + ".cpp")
+    if not source.exists():
+        return ["node", source.with_suffix(".mjs")] if shutil.which("node") else None
+    compiled = subprocess.run(
+        ["c++", "-std=c++17", "-w", source, "-o", target, f'-DLIBRARY="{LIBRARY}"', "-I" + INCLUDE,
          *("-I" + folder for folder in headers), "-L" + LIBRARY, *("-l" + library for library in libraries),
-         "-Wl,--allow-shlib-undefined", "-Wl,--disable-new-dtags,-rpath," + LIBRARY], capture_output=True).returncode == 0
+         "-Wl,--allow-shlib-undefined", "-Wl,--disable-new-dtags,-rpath," + LIBRARY], capture_output=True)
+    return [target] if compiled.returncode == 0 else None
 
 
-def differences(program, curve):
+def differences(command, curve):
     """Of one curve's positions, channel by channel; none where the product has no such curve."""
     rows = curve["position"]
     for c in range(len(curve["keys"][0]["position"])):
@@ -48,7 +56,7 @@ def differences(program, curve):
         for key in curve["keys"]:
             words += [key["time"], key["position"][c], *key["tcb"]]
         text = " ".join(map(repr, words + [row["at"] for row in rows]))
-        done = subprocess.run([program], input=text, text=True, capture_output=True)
+        done = subprocess.run(command, input=text, text=True, capture_output=True)
         if done.returncode:
             return
         for row, printed in zip(rows, done.stdout.split(), strict=True):
@@ -58,11 +66,11 @@ def differences(program, curve):
 compared = failed = 0
 with tempfile.TemporaryDirectory() as scratch:
     for name, packages, headers, libraries, files, tolerance in PRODUCTS:
-        program = Path(scratch) / name
+        command = command_of(name, headers, libraries, Path(scratch) / name)
         found = {}
-        for file in files if compile_product(name, headers, libraries, program) else ():
+        for file in files if command else ():
             for curve in json.loads((vectors / (file + ".json")).read_text())["curves"]:
-                found[curve["id"]] = list(differences(program, curve))
+                found[curve["id"]] = list(differences(command, curve))
         found = {curve: values for curve, values in found.items() if values}
         compared += sum(map(len, found.values()))
         failed += sum(max(values) > tolerance for values in found.values())

@@ -107,6 +107,36 @@ def max3ds():
     return at
 
 
+def threejs():
+    """three.js: weights of four keys, half a segment over the time to a neighbour; the inner neighbour beyond an end."""
+    def at(x, i):
+        k = max(j for j in range(last) if t[j] <= x)
+        before, behind = k - 1 if k else 1, k + 2 if k + 2 <= last else k
+        half = (t[k + 1] - t[k]) / 2
+        w0, w3 = half / (t[k] - t[before]), half / (t[behind] - t[k + 1])
+        u = (x - t[k]) / (2 * half)
+        s0 = -w0 * u**3 + 2 * w0 * u**2 - w0 * u
+        s1 = (1 + w0) * u**3 + (-1.5 - 2 * w0) * u**2 + (w0 - 0.5) * u + 1
+        s2 = (-1 - w3) * u**3 + (1.5 + w3) * u**2 + u / 2
+        s3 = w3 * u**3 - w3 * u**2
+        return s0 * P[before][i] + s1 * P[k][i] + s2 * P[k + 1][i] + s3 * P[behind][i]
+    return at
+
+
+def godot():
+    """Godot 4: the pyramid of Barry and Goldman; the end key once more beyond an end."""
+    def at(x, i):
+        k = max(j for j in range(last) if t[j] <= x)
+        ks = [max(k - 1, 0), k, k + 1, min(k + 2, last)]
+        level = [P[j][i] for j in ks]
+        for width in (1, 2, 3):
+            spans = [(ks[j], ks[j + width]) if width < 3 else (k, k + 1) for j in range(4 - width)]
+            level = [a + (b - a) * ((x - t[m]) / (t[n] - t[m]) if m != n else (m == 0 and j == 0))
+                     for j, (a, b, (m, n)) in enumerate(zip(level, level[1:], spans))]
+        return level[0]
+    return at
+
+
 def write(name, at, text):
     with open(f"{sys.argv[1]}/{name}", "w") as file:
         file.write("time,x,y\n")
@@ -119,3 +149,5 @@ write("gte.csv", gte(), repr)
 write("vtk.csv", vtk(), lambda v: f"{v:.6f}")
 write("ogre.csv", ogre(), lambda v: f"{v:.9g}")
 write("3dsmax.csv", max3ds(), lambda v: f"{v:.4g}")
+write("threejs.csv", threejs(), lambda v: f"{v:.9g}")
+write("godot.csv", godot(), repr)
