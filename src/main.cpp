@@ -43,10 +43,11 @@ struct Run {
   tcb::Exit operator()(const tcb::CompareJob& job) const { return tcb::compare(job); }
   tcb::Exit operator()(const tcb::LimitsJob& job) const { return tcb::measure_limits(job); }
   tcb::Exit operator()(const tcb::RetimeJob& job) const {
-    const tcb::Retiming retiming = tcb::retiming_within(job.limits);
+    const tcb::RetimedKeys keys = tcb::retimed_within(job.limits);
     return std::visit(
         [&](auto rows) {
-          rows.keys.rules.retiming = retiming;
+          rows.keys.rules.retiming = keys.retiming;
+          rows.keys.standard_input = keys.standard_input;
           return (*this)(rows);
         },
         job.rows);

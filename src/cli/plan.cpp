@@ -302,7 +302,7 @@ LimitsJob limits_job(const TypedOptions& typed) {
   const InputListOptions files = one_file_of(typed, option::limits);
   require_forward_range(typed);
   return {files.files[0],      keys_of(typed), typed.limits,        typed.sampling,    files.outputs.file,
-          typed.output.format, typed.threads,  verbosity_of(typed), files.other_inputs};
+          typed.output.format, typed.picture,  typed.threads, verbosity_of(typed), files.other_inputs};
 }
 
 ExplainJob explain_job(const TypedOptions& typed) {
@@ -331,7 +331,7 @@ ResampleJob resample_job(const TypedOptions& typed, std::optional<ProvenanceRequ
           typed.threads,     verbosity_of(typed)};
 }
 
-/// Throws: Error (usage) for keys that cannot be read twice, and without limits or samples.
+/// Throws: Error (usage) without limits or samples.
 RetimeJob retime_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
   const auto has_limit = [](const Limit& limit) { return limit.most.has_value(); };
   if (std::ranges::none_of(typed.limits.limits, has_limit)) {
@@ -344,10 +344,6 @@ RetimeJob retime_job(const TypedOptions& typed, std::optional<ProvenanceRequest>
   require_forward_range(typed);
   LimitsJob limits = limits_job(typed);
   limits.part = {};
-  if (limits.keys_file == "-") {
-    throw usage_error("the keys are read twice, but standard input only once; write them to a file, and give its name")
-        .about(option::retime);
-  }
   if (is_picture) return {std::move(limits), plot_job(typed)};
   return {std::move(limits), resample_job(typed, std::move(provenance))};
 }

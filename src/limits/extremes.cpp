@@ -15,12 +15,14 @@ namespace tcb::limits {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 0x1p-40;  ///< relative: of the segments, and of hundreds of operations on them
+constexpr double rounding = 0x1p-40;      ///< relative: of the segments, and of hundreds of operations on them
+constexpr std::size_t most_parts = 2000;  ///< that are bounded with rationals
 
 /// A part of a piece of a segment with a measure on it in Bernstein's form, and how far rounding may move that.
 struct Candidate {
-  std::size_t segment, piece;
+  std::size_t segment, piece;  ///< their numbers
   Polynomial<double> value;
+  bool is_certain = true;  ///< the piece is not so short that exact numbers may have none
   double slack = 0;
   double begin = 0, size = 1;  ///< of the part
   double upper = infinity;     ///< a bound
@@ -36,10 +38,11 @@ class Search {
  public:
   explicit Search(const Measure& measure) : measure_(&measure) {}
 
-  void add(const Piece<double>& piece, std::size_t segment, std::size_t number, const MeasuredCurve& curve) {
+  void add(const Piece<double>& piece, std::size_t segment, const MeasuredCurve& curve) {
     const Measured<double> x = measured(piece, *measure_, curve.unit, curve.scale);
     constexpr double least = 1e-290;  // below it, squares may be 0
-    Candidate one{segment, number, bernstein(x.value, x.value.size() - 1)};
+    constexpr double shortest = 0x1p-40;  // of pieces that are certain
+    Candidate one{segment, piece.number, bernstein(x.value, x.value.size() - 1), piece.size > shortest};
     one.slack = x.scale == 0 ? 0 : rounding * x.scale + least;
     if (!std::isfinite(x.scale)) {
       candidates_.push_back(std::move(one));  // doubles do not bound it
@@ -51,11 +54,12 @@ class Search {
     kept_ = candidates_.size();
   }
 
-  /// The parts that are left, those with the largest bounds first.
+  /// The parts that are left, those with the largest bounds first; if there are more than `most_parts`, the last one
+  /// bounds those that are not among them.
   std::vector<Candidate> rest() {
     std::vector<Candidate> final;
     std::priority_queue<Candidate> queue({}, std::exchange(candidates_, {}));
-    while (!queue.empty()) {
+    while (!queue.empty() && final.size() <= most_parts) {
       Candidate top = queue.top();
       queue.pop();
       if (!(top.upper >= attained_)) break;
@@ -82,9 +86,8 @@ class Search {
  private:
   void add(Candidate&& one) {
     one.upper = *std::ranges::max_element(one.value) + one.slack;
-    const double value = one.attained();
     if (!(one.upper > attained_)) return;
-    attained_ = std::max(attained_, value);
+    if (one.is_certain) attained_ = std::max(attained_, one.attained());
     candidates_.push_back(std::move(one));
   }
 
@@ -93,23 +96,6 @@ class Search {
   std::size_t kept_ = 0;
   double attained_ = -infinity;
 };
-
-/// A bound of r on [low, high], which contains 0, with r(0) = 0: from r = x (r1 + x (r2 + ...)).
-Rational bound_from(const Polynomial<Rational>& r, const Rational& low, const Rational& high) {
-  const Rational reach = std::max(abs(low), abs(high));
-  Rational after_first = 0, after_second = 0, power = 1;  // the most that later terms add to r1, and to r2
-  for (std::size_t i = 2; i < r.size(); ++i) {
-    if (i > 2) after_second += abs(r[i]) * power * reach;
-    if (i > 2) power *= reach;
-    after_first += abs(r[i]) * power * reach;
-  }
-  const Rational first = r.size() > 1 ? r[1] : 0, second = r.size() > 2 ? r[2] : 0;
-  if (low == 0 && first + after_first <= 0) return 0;
-  if (high == 0 && first - after_first >= 0) return 0;
-  const Rational bend = second + after_second;
-  if (bend < 0) return first * first / (bend * -4);
-  return abs(first) * reach + bend * reach * reach;
-}
 
 /// Bernstein's form on [begin, end].
 Polynomial<Rational> form_on(const Polynomial<Rational>& x, const Rational& begin, const Rational& end) {
@@ -162,15 +148,14 @@ class ExactSearch {
     best_candidate = candidate_;
   }
 
+  /// Where the derivative is nearly 0 at an end, the coefficients are nearly the value there at most.
   void bound(const Polynomial<Rational>& x, const Rational& begin, const Rational& end, int depth) {
     static const Rational close = Rational(0x1p-80);
-    const Rational at = likely_place(x, begin, end);
-    Polynomial<Rational> rest = shifted(x, at);
-    const Rational value = rest[0];
+    const Rational at = likely_place(x, begin, end), value = value_at(x, at);
     attain(value, at);
-    Rational most = value + bound_from(rest, begin - at, end - at);
-    // Near a flat maximum the coefficients are the better bound.
-    if (most > best->low) most = std::min(most, largest_coefficient(form_on(x, begin, end)));
+    const bool is_inside = begin < at && at < end;
+    Rational most = largest_coefficient(form_on(x, is_inside ? at : begin, end));
+    if (is_inside) most = std::max(most, largest_coefficient(form_on(x, begin, at)));
     constexpr int deepest = 120;
     if (most <= best->low) return;
     if (depth == deepest || most - best->low <= close * abs(most)) {
@@ -284,35 +269,39 @@ class Corners {
 std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const Measure& measure,
                                      const MeasuredCurve& curve,
                                      const std::function<const spline::Segments<Rational>&(std::size_t)>& segment) {
-  const auto piece_of = [&](const Candidate& part) {
+  const auto piece_of = [&](const Candidate& part) -> std::optional<Piece<Rational>> {
     const spline::Segments<Rational>& one = segment(part.segment);
     const Rational duration = one.times[1] - one.times[0];
     const auto range = fractions(curve, one.times[0], one.times[1]).value_or(std::pair<Rational, Rational>(0, 1));
     const auto pieces = pieces_of(one, 0, duration == 0 ? Rational(1) : duration, range.first, range.second);
-    return pieces[std::min(part.piece, pieces.size() - 1)];
+    const auto found = std::ranges::find(pieces, part.piece, &Piece<Rational>::number);
+    return found == pieces.end() ? std::nullopt : std::optional(*found);
   };
-  constexpr std::size_t most = 2000;  // parts; more are bounded with doubles alone
   ExactSearch search;
-  for (std::size_t i = 0; i < std::min(parts.size(), most); ++i) {
-    search.add(measured(piece_of(parts[i]), measure).value, parts[i], i);
+  for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i) {
+    if (const auto piece = piece_of(parts[i])) search.add(measured(*piece, measure).value, parts[i], i);
   }
   if (!search.best) return std::nullopt;
   Extreme& best = *search.best;
-  Rational factor = Rational(1) / Rational(curve.scale);
-  for (int order = 0; order < measure.derivative; ++order) factor /= Rational(curve.unit);
-  if (measure.is_size()) factor *= factor;
-  for (std::size_t i = most; i < parts.size(); ++i) {
-    if (!std::isfinite(parts[i].upper))
+  if (parts.size() > most_parts) {
+    if (!std::isfinite(parts.back().upper)) {
       throw data_error("numbers are too far apart to bound; expected fewer such keys");
-    best.high = std::max(best.high, Rational(parts[i].upper) * factor);
+    }
+    Rational factor = Rational(1) / Rational(curve.scale);
+    for (int order = 0; order < measure.derivative; ++order) factor /= Rational(curve.unit);
+    if (measure.is_size()) factor *= factor;
+    best.high = std::max(best.high, Rational(parts.back().upper) * factor);
   }
   const Candidate& part = parts[search.best_candidate];
-  const Piece<Rational> piece = piece_of(part);
-  const Rational fraction = piece.begin + search.place * (piece.end - piece.begin);
+  const Piece<Rational> piece = *piece_of(part);
+  const Rational fraction = piece.begin + search.place * piece.size;
   const spline::Segments<Rational>& one = segment(part.segment);
   best.time = one.times[0] + fraction * (one.times[1] - one.times[0]);
   best.is_at_key = fraction == 0 || fraction == 1;
   if (fraction == 1) best.side = spline::Side::left;
+  for (const Polynomial<Rational>& x : piece.cubics) {
+    best.position.push_back(nearest_double(value_at(x, search.place)));
+  }
   return search.best;
 }
 
@@ -340,9 +329,8 @@ Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measur
       const Time duration = curve.frames ? curve.frames->elapsed(end) - curve.frames->elapsed(start) : end - start;
       const std::vector<Piece<double>> pieces =
           pieces_of(segments, i, duration.hi > 0 ? duration.hi : 1.0, first, last);
-      for (std::size_t k = 0; k < measures.size(); ++k) {
-        for (std::size_t piece = 0; piece < pieces.size(); ++piece)
-          searches[k].add(pieces[piece], number, piece, curve);
+      for (Search& search : searches) {
+        for (const Piece<double>& piece : pieces) search.add(piece, number, curve);
       }
       corners.add(pieces, start);
     }

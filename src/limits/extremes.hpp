@@ -35,6 +35,7 @@ struct Extreme {
   Rational low;                             ///< a value that is attained
   Rational high;                            ///< a bound that is not exceeded
   Rational time;                            ///< where `low` is attained
+  std::vector<double> position = {};        ///< there, of all channels
   spline::Side side = spline::Side::right;  ///< of a key there, on whose segment
   bool is_at_key = false;
 };

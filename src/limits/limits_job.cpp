@@ -2,6 +2,7 @@
 #include "limits/limits_job.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@
 #include "keys/curves.hpp"
 #include "limits/report.hpp"
 #include "option_names.hpp"
+#include "picture/scene.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
 #include "run/batch.hpp"
@@ -232,13 +234,56 @@ void measure(const MeasuredCurve& curve, const std::vector<std::string>& title, 
   for (Corner& corner : found.corners) report.corners.push_back({title, std::move(corner)});
 }
 
-LimitsReport report_of(const LimitsJob& job, Report& progress) {
+/// Draws the curves of a report, and the place of its tightest limit.
+class LimitsPicture {
+ public:
+  /// The options outlive this.
+  explicit LimitsPicture(const PictureOptions& options) : options_(options) {}
+
+  void add(const StreamedCurve& streamed, const Schema& schema, const CurveSpec& spec, std::string title) {
+    if (scene_.channels.empty()) begin(schema, spec);
+    if (scene_.curves.size() == Scene::most_curves) return;
+    scene_.names.push_back(std::move(title));
+    const auto segments = [streamed] { return streamed.segments(); };
+    scene_.curves.push_back({scene_.names.size() - 1, streamed.keys, with_rotations_as_cubics(segments, spec.channels()),
+                             streamed.extent.closed});
+  }
+
+  /// The picture as SVG. Throws: Error as picture() does.
+  std::string svg(const LimitsReport& report) {
+    scene_.title = options_.title.value_or(report.keys.substr(report.keys.rfind('/') + 1));
+    scene_.subtitle = in_short(report);
+    if (const LimitResult* const tightest = report.tightest()) {
+      const auto& [low, high, time, position, side, is_at_key] = *tightest->extreme;
+      scene_.worst = SceneMark{nearest_time(time), position, tightest->measure.channels};
+      scene_.worst_in_words = tightest->measure.name;
+    }
+    return picture(std::move(scene_), options_.size);
+  }
+
+ private:
+  void begin(const Schema& schema, const CurveSpec& spec) {
+    scene_.time = schema.time.name;
+    scene_.time_scale = time_scale_of(schema);
+    scene_.channels = schema.channels;
+    scene_.require_few_strips();
+    scene_.is_path_requested = !options_.axes.empty();
+    if (spec.lacks_metric && !scene_.is_path_requested) return;
+    scene_.path = path_axes(schema.channels, options_.axes, spec.rules.metric);
+  }
+
+  const PictureOptions& options_;
+  Scene scene_;
+};
+
+/// `drawing`: what draws the curves, if anything does.
+LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* drawing = nullptr) {
   LimitsReport report{shown_name(job.keys_file), {}};
   FileNotes notes(progress, job.keys_file);
   const auto file = progress.begin_file(job.keys_file, 0);
   InputOptions options = job.keys.input;
   options.threads = job.threads.count();
-  const Input input = open_input(job.keys_file, file->observe_bytes(read_file(job.keys_file)), options);
+  const Input input = open_input(job.keys_file, file->observe_bytes(job.keys.bytes_of(job.keys_file)), options);
   notes.add_input(input, job.keys);
   report.channels = input.schema.channels;
   Curves curves(input.schema, input.keys, job.keys.curves, false);
@@ -248,8 +293,11 @@ LimitsReport report_of(const LimitsJob& job, Report& progress) {
     StreamedCurve streamed = pipeline.streamed(keys->keys);
     streamed.options.expanded = true;
     if (!report.first) report.first = exact_number(streamed.keys.key(0).times[0], false, pipeline.spec().frames);
-    measure(measured_curve(streamed, pipeline), group_title(input.schema.groups, keys->group),
-            channels_of(pipeline.spec(), input.schema.channels), job.options, report);
+    const std::vector<std::string> title = group_title(input.schema.groups, keys->group);
+    measure(measured_curve(streamed, pipeline), title, channels_of(pipeline.spec(), input.schema.channels), job.options,
+            report);
+    const std::string name = title.empty() ? report.keys : fmt::format("{}", fmt::join(title, ", "));
+    if (drawing != nullptr) drawing->add(streamed, input.schema, pipeline.spec(), name);
   }
   notes.end(curves);
   const auto is_measured = [](const LimitResult& result) { return result.extreme.has_value(); };
@@ -260,22 +308,22 @@ LimitsReport report_of(const LimitsJob& job, Report& progress) {
   return report;
 }
 
-/// x^(1/n) for whole n from 1 to 6, by Newton's method. Requires: x > 0, finite.
-double root_of(double x, int n) {
-  if (n % 2 == 0) return root_of(std::sqrt(x), n / 2);
-  if (n == 1) return x;
-  int exponent = 0;
-  double rest = std::frexp(x, &exponent);
-  for (; exponent % 3 != 0; ++exponent) rest /= 2;
-  double root = 1;
-  for (int i = 0; i < 60; ++i) root -= (root * root * root - rest) / (3 * root * root);
-  return std::ldexp(root, exponent / 3);
-}
-
 Rational power_of(const Rational& x, int exponent) {
   Rational power = 1;
   for (int i = 0; i < exponent; ++i) power *= x;
   return power;
+}
+
+/// The smallest number of 14 digits whose power is at least x. Requires: x > 0.
+Rational root_above(const Rational& x, int power) {
+  Rational unit = 1, root = 0;
+  while (power_of(unit, power) <= x) unit *= 10;
+  while (power_of(unit / 10, power) > x) unit /= 10;
+  for (int digit = 0; digit < 14; ++digit) {
+    unit /= 10;
+    while (power_of(root + unit, power) < x) root += unit;
+  }
+  return root + unit;
 }
 
 /// The smallest factor of 14 digits by which all limits hold, with a margin for the rounding of times.
@@ -315,13 +363,8 @@ Rational factor_within(const LimitsReport& report, bool fits) {
   for (const Pace& pace : least) {
     const double ratio = nearest_double(pace.ratio);
     if (!std::isfinite(ratio) || ratio < 1e-300) throw refuse(pace.name, "it is too far from the maximum");
-    constexpr double margin = 1 + 0x1p-44;
-    const double near = root_of(ratio, pace.power) * margin;
-    constexpr int digits = 14;
-    const Rational unit = power_of_ten(decimal_exponent(near) - digits + 1);
-    Rational wanted = -floor(-(Rational(near) / unit)) * unit;
-    while (power_of(wanted, pace.power) < pace.ratio) wanted += unit;
-    factor = std::max(factor, wanted);
+    const Rational margin = power_of(Rational(1 + 0x1p-44), pace.power);
+    factor = std::max(factor, root_above(pace.ratio * margin, pace.power));
   }
   for (const Pace& pace : most) {
     if (power_of(factor, pace.power) > pace.ratio) throw refuse(pace.name, "slower times break it");
@@ -332,7 +375,13 @@ Rational factor_within(const LimitsReport& report, bool fits) {
 }  // namespace
 }  // namespace limits
 
-Retiming retiming_within(const LimitsJob& job) {
+RetimedKeys retimed_within(LimitsJob job) {
+  if (job.keys_file == "-") {
+    const Source<std::string> bytes = read_file(job.keys_file);
+    std::string all;
+    while (const std::optional<std::string> part = bytes()) all += *part;
+    job.keys.standard_input = std::make_shared<const std::string>(std::move(all));
+  }
   Verbosity quiet = job.verbosity;
   quiet.quiet = true;
   Retiming retiming{1, 0};
@@ -348,7 +397,7 @@ Retiming retiming_within(const LimitsJob& job) {
       .note(job.keys_file, {fmt::format("the times are scaled by {}, so that all limits hold",
                                         time_text(nearest_time(retiming.factor))),
                             true});
-  return retiming;
+  return {retiming, job.keys.standard_input};
 }
 
 Exit measure_limits(const LimitsJob& job) {
@@ -359,10 +408,12 @@ Exit measure_limits(const LimitsJob& job) {
   const ThreadPool pool(job.threads.count());
   Report progress(job.verbosity);
   progress.expect(1, 0);
+  limits::LimitsPicture drawing(job.picture);
+  limits::LimitsPicture* const drawn = job.format->is_picture ? &drawing : nullptr;
   const limits::LimitsReport report =
-      in_file(shown_name(job.keys_file), [&] { return limits::report_of(job, progress); });
+      in_file(shown_name(job.keys_file), [&] { return limits::report_of(job, progress, drawn); });
   Output output(job.output);
-  output.write(job.format->has_reports ? json(report) : text(report));
+  output.write(drawn != nullptr ? drawing.svg(report) : job.format->has_reports ? json(report) : text(report));
   output.commit();
   return report.passed() ? Exit::done : Exit::data;
 }

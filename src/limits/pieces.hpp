@@ -1,6 +1,7 @@
 // Pieces: the parts of segments in which all channels are polynomials, and what is measured on them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -26,34 +27,38 @@ struct Measure {
 /// A part of a segment on which all channels are polynomials of the part of its time that has passed, from 0 to 1.
 template <class S>
 struct Piece {
-  S begin, end;                            ///< fractions of the duration of the segment
-  S duration;                              ///< of the piece
+  std::size_t number;  ///< of the part of the ease
+  S begin, size;       ///< fractions of the duration of the segment
+  S duration;          ///< of the piece
   std::vector<Polynomial<S>> cubics = {};  ///< one per channel
 };
 
 /// The local parameter over a part of the duration of a segment, as a polynomial of the fraction of this part.
 template <class S>
 struct WarpPart {
-  S begin, end;
+  std::size_t number;
+  S begin, size;
   Polynomial<S> parameter;
 };
 
 /// For Warp see tcb/spline/ease.hpp, whose letters these are: the parts end at A = kf and B = 1 - ke, k = 1 + (A -
-/// B)/2.
+/// B)/2. Doubles always have a middle part, as they cannot tell whether there is one.
 template <class S>
 std::vector<WarpPart<S>> parts_of(const spline::Warp<S>& warp) {
   const S zero(0), one(1), two(2);
-  if (warp.is_identity()) return {{zero, one, {zero, one}}};
+  if (warp.is_identity()) return {{0, zero, one, {zero, one}}};
   if (warp.is_cubic()) {
     const S a = warp.first_derivative(zero), b = warp.first_derivative(one);
-    return {{zero, one, {zero, a, S(3) - two * a - b, a + b - two}}};
+    return {{0, zero, one, {zero, a, S(3) - two * a - b, a + b - two}}};
   }
   const S first = warp.end_of_first_part(), last = warp.start_of_last_part();
-  const S k = one + (first - last) / two, f = first / k, e = (one - last) / k, middle = one - f - e;
+  const S k = one + (first - last) / two, f = first / k, e = (one - last) / k;
+  S middle = one - f - e;
+  if constexpr (std::is_same_v<S, double>) middle = std::max(middle, 0x1p-44);
   std::vector<WarpPart<S>> parts;
-  if (zero < f) parts.push_back({zero, f, {zero, zero, first}});
-  if (zero < middle) parts.push_back({f, f + middle, {first, two * k * middle}});
-  if (zero < e) parts.push_back({one - e, one, {last, two * (one - last), last - one}});
+  if (zero < f) parts.push_back({0, zero, f, {zero, zero, first}});
+  if (zero < middle) parts.push_back({1, f, middle, {first, two * k * middle}});
+  if (zero < e) parts.push_back({2, one - e, e, {last, two * (one - last), last - one}});
   return parts;
 }
 
@@ -75,13 +80,13 @@ template <class S>
 std::vector<Piece<S>> pieces_of(const spline::Segments<S>& segments, std::size_t segment, const S& duration,
                                 const S& from, const S& to) {
   std::vector<Piece<S>> pieces;
-  for (const auto& [begin, end, parameter] : parts_of(segments.warp(segment))) {
-    const S first = begin < from ? from : begin, last = to < end ? to : end;
+  for (const auto& [number, begin, size, parameter] : parts_of(segments.warp(segment))) {
+    const S first = begin < from ? (from - begin) / size : S(0);
+    const S last = to < S(1) && to < begin + size ? (to - begin) / size : S(1);
     if (!(first < last)) continue;
-    const S size = end - begin;
-    const Polynomial<S> passed{(first - begin) / size, (last - first) / size};
-    pieces.push_back(
-        {first, last, (last - first) * duration, cubics_over(segments, segment, composed(parameter, passed))});
+    const S width = (last - first) * size;
+    pieces.push_back({number, begin + first * size, width, width * duration,
+                      cubics_over(segments, segment, composed(parameter, {first, last - first}))});
   }
   return pieces;
 }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "numbers/print_number.hpp"
 #include "text/utf8.hpp"
@@ -23,6 +24,16 @@ Rational whole_below(const Rational& value, bool root) {
   return whole;
 }
 
+/// The exponent of the first digit of a decimal. Requires: value > 0, finite.
+int decimal_exponent(double value) {
+  const std::string text = fmt::format("{:.17e}", value);
+  const std::size_t mark = text.find('e') + 1;
+  const int size = static_cast<int>(whole_number(*parse_rational(std::string_view(text).substr(mark + 1))));
+  return text[mark] == '-' ? -size : size;
+}
+
+Rational power_of_ten(int exponent) { return *parse_rational(fmt::format("1e{}", exponent)); }
+
 /// A measure of a curve in words: a maximum and a minimum of the same number have their own.
 std::string_view extreme_of(const Measure& measure) {
   if (measure.is_size()) return "size";
@@ -33,6 +44,7 @@ std::string_view extreme_of(const Measure& measure) {
 struct ResultTexts {
   std::string maximum = "null", bound = "null", time = "null", limit = "null", factor = "null";
   std::string_view side = "null", passed = "null";
+  double part = 0;  ///< of the limit
 };
 
 std::string number_text(double value) {
@@ -65,7 +77,9 @@ ResultTexts texts_of(const LimitResult& result) {
   }
   texts.maximum = decimal_text(low);
   texts.bound = decimal_text(high);
-  if (result.limit) texts.factor = number_text(low / nearest_double(*result.limit) + 0);
+  if (!result.limit || *result.limit == 0) return texts;
+  texts.part = low / nearest_double(*result.limit) + 0;
+  texts.factor = number_text(texts.part);
   return texts;
 }
 
@@ -101,15 +115,6 @@ std::string text(const LimitResult& result) {
 
 }  // namespace
 
-int decimal_exponent(double value) {
-  const std::string text = fmt::format("{:.17e}", value);
-  const std::size_t mark = text.find('e') + 1;
-  const int size = static_cast<int>(whole_number(*parse_rational(std::string_view(text).substr(mark + 1))));
-  return text[mark] == '-' ? -size : size;
-}
-
-Rational power_of_ten(int exponent) { return *parse_rational(fmt::format("1e{}", exponent)); }
-
 DecimalBounds decimal_bounds(const Rational& low, const Rational& high, bool root) {
   constexpr int most_digits = 15;
   Rational size = std::max(abs(low), abs(high));
@@ -130,6 +135,25 @@ DecimalBounds decimal_bounds(const Rational& low, const Rational& high, bool roo
     }
   }
   return {};
+}
+
+const LimitResult* LimitsReport::tightest() const {
+  const LimitResult* tightest = nullptr;
+  for (const LimitResult& result : results) {
+    if (!result.extreme) continue;
+    const auto rank = [](const LimitResult& of) { return std::pair(!of.passed, texts_of(of).part); };
+    if (tightest == nullptr || rank(result) > rank(*tightest)) tightest = &result;
+  }
+  return tightest;
+}
+
+std::string in_short(const LimitsReport& report) {
+  const std::string result = report.passed() ? "limits: passed" : "limits: failed";
+  const LimitResult* const tightest = report.tightest();
+  if (tightest == nullptr) return result;
+  const ResultTexts texts = texts_of(*tightest);
+  const std::string part = texts.factor == "null" ? "" : fmt::format(", {} of its limit", texts.factor);
+  return fmt::format("{} · {}: {}{}", result, tightest->measure.name, texts.maximum, part);
 }
 
 std::string text(const LimitsReport& report) {

@@ -34,6 +34,8 @@ struct LimitsReport {
   std::optional<Rational> first = {};  ///< the time of the first key
 
   bool passed() const { return std::ranges::all_of(results, &LimitResult::passed); }
+  /// The result that is nearest to its limit, or beyond it the farthest; without limits the first one.
+  const LimitResult* tightest() const;
 };
 
 /// Two numbers that differ by one unit of the last digit at most, unless the bounds do not allow that.
@@ -41,14 +43,11 @@ struct DecimalBounds {
   double low = 0, high = 0;  ///< their shortest texts have 15 digits at most
 };
 
-/// The exponent of the first digit of a decimal. Requires: value > 0, finite.
-int decimal_exponent(double value);
-Rational power_of_ten(int exponent);
-
 /// Decimals around a number within bounds; with `root`, around the root of one.
 DecimalBounds decimal_bounds(const Rational& low, const Rational& high, bool root);
 
-/// The report as text, and as a JSON object.
+/// The report in a few words, as text, and as a JSON object.
+std::string in_short(const LimitsReport& report);
 std::string text(const LimitsReport& report);
 std::string json(const LimitsReport& report);
 

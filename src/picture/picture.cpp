@@ -217,7 +217,7 @@ class Legend {
       all.push_back({Symbol::axis_y, "y axis", css});
       all.push_back({Symbol::axis_z, "z axis", css});
     }
-    if (marks.worst) all.push_back({Symbol::worst, "largest difference", css});
+    if (marks.worst) all.push_back({Symbol::worst, scene_.worst_in_words, css});
     if (marks.hides_keys) all.push_back({Symbol::none, "keys are too dense to be shown", css});
     if (marks.hides_samples) all.push_back({Symbol::none, "samples are too dense to be shown", css});
     Pixel at;

@@ -62,7 +62,8 @@ struct Scene {
   bool is_path_requested = false;                  ///< it is there whatever the extents of its channels
   std::optional<SceneFrame> frame = {};
   std::vector<SceneCurve> curves = {};
-  std::optional<SceneMark> worst = {};  ///< where given samples differ most from the curve
+  std::optional<SceneMark> worst = {};  ///< where given samples differ most from the curve, or another worst place
+  std::string worst_in_words = "largest difference";
 
   /// The samples of a curve with more are not drawn.
   static constexpr std::uint64_t most_samples = 400;

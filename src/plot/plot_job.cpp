@@ -253,7 +253,7 @@ class Picture final : public BatchOutput {
     const bool live = is_live(file.path);
     const auto progress = report_.begin_file(file.path, file.size);
     FileNotes notes(report_, file.path);
-    const Source<std::string> bytes = progress->observe_bytes(read_file(file.path));
+    const Source<std::string> bytes = progress->observe_bytes(job_.keys.bytes_of(file.path));
     InputOptions options = job_.keys.input;
     options.threads = job_.threads.for_reading(threads, live);
     const Input input = open_input(file.path, bytes, options);  // split, parse

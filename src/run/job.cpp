@@ -1,14 +1,25 @@
-// Parts of jobs: the samples that are requested of each curve, where groups may have their own places.
+// Parts of jobs: the bytes of keys, and the samples of each curve, where groups may have their own places.
 #include "run/job.hpp"
 
 #include <fmt/ranges.h>
 
+#include <utility>
+
+#include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "option_names.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
 
 namespace tcb {
+
+Source<std::string> KeyOptions::bytes_of(const std::string& path) const {
+  if (path != "-" || !standard_input) return read_file(path);
+  return [left = standard_input]() mutable -> std::optional<std::string> {
+    const std::shared_ptr<const std::string> all = std::exchange(left, nullptr);
+    return all ? std::optional(*all) : std::nullopt;
+  };
+}
 
 const std::vector<Rational>& places_of_group(const GroupedPlaces& places, std::string_view option,
                                              const InputCurve& curve, const Schema& schema) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 #include "sample/request.hpp"
 #include "schema/curve_settings.hpp"
 #include "stream/ordered_map.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 
@@ -26,6 +28,10 @@ struct KeyOptions {
   InputOptions input;
   CurveOptions curves;
   CurveSettings rules;  ///< completed by the settings in the input
+  std::shared_ptr<const std::string> standard_input = {};  ///< its bytes, if they were read before
+
+  /// The bytes of a file. Throws: Error (usage) as read_file() does.
+  Source<std::string> bytes_of(const std::string& path) const;
 };
 
 /// Times or arc lengths for each group, by the contents of its texts.

@@ -41,7 +41,7 @@ class FileRun {
   /// The stages of the flow, with their observers. Returns the number of rows.
   std::uint64_t run() {
     ProvenanceRecorder& provenance = writer_.recorder();
-    Source<std::string> bytes = progress_->observe_bytes(read_file(path_));
+    Source<std::string> bytes = progress_->observe_bytes(job_.keys.bytes_of(path_));
     bytes = provenance.observe_bytes(shown_name(path_), std::move(bytes));
     InputOptions options = job_.keys.input;
     options.threads = threads_;

@@ -1,7 +1,7 @@
 """--limits and --retime against Sturm sequences of fractions: limits.py PROGRAM [CURVES] [SEED].
 
-Random curves by all rules: cusps, corners, tension 1, |T|, |C|, |B| to 8, closed curves, ease,
-sizes from 1e-100 to 1e100. The maximum that is printed is attained, its bound is not exceeded, and they differ by
+Random curves by all rules: cusps, corners, tension 1, |T|, |C|, |B| to 8, closed curves, ease, equal speeds, groups,
+channels with keys of their own, sizes from 1e-100 to 1e100. The maximum that is printed is attained, its bound is not exceeded, and they differ by
 one unit of the last digit at most. With scaled times all limits hold, and the tightest is met within 1e-12.
 Exit 1: a number is wrong, and its command is printed.
 """
@@ -225,14 +225,49 @@ def random_curve():
     return keys, t if closed else None, eased, kind
 
 
-def exact_parts(keys, key_times, rule, ends, period, velocity):
+def norm(vector):
+    """The length of a vector of fractions, to 300 bits."""
+    square = sum(x * x for x in vector)
+    if square == 0:
+        return F(0)
+    shift = 2 * (300 + (square.denominator.bit_length() - square.numerator.bit_length()) // 2)
+    scaled = square * F(2) ** shift
+    return F(math.isqrt(scaled.numerator // scaled.denominator)) / F(2) ** (shift // 2)
+
+
+def exact_parts(keys, key_times, rule, ends, period, velocity, equal=False):
     of = lambda numbers: [F(x) for x in numbers]
     stamps = of(key_times)
     end = None if period is None else F(period)
-    curve = Cubics(stamps, [(0, of(p), of(tcb)) for _, p, tcb, _ in keys], rule, ends, end, of(velocity))
+    curve = Cubics(stamps, [(0, of(p), of(tcb)) for _, p, tcb, _ in keys], rule, ends, end, of(velocity),
+                   norm if equal else None)
     stops = curve.times
     eases = [(F(keys[(i + 1) % len(keys)][3][0]), F(keys[i][3][1])) for i in range(len(curve.cubics))]
     return list(pieces(curve.cubics, eases, [b - a for a, b in zip(stops, stops[1:])]))
+
+
+def sparse_parts(keys, rule, ends, velocity):
+    """Of channels that have keys of their own, and are constant around them."""
+    stops = [F(key[0]) for key in keys]
+    curves = []
+    for c, given in enumerate(velocity):
+        own = [key for key in keys if key[1][c] is not None]
+        times = [F(key[0]) for key in own]
+        cubics = Cubics(times, [(0, [F(key[1][c])], [F(x) for x in key[2]]) for key in own], rule, ends, None,
+                        [F(given)]).cubics if len(own) > 1 else []
+        curves.append((times, [F(key[1][c]) for key in own], cubics))
+    parts = []
+    for a, b in zip(stops, stops[1:]):
+        over = []
+        for times, positions, cubics in curves:
+            if b <= times[0] or a >= times[-1]:
+                over.append([positions[0] if b <= times[0] else positions[-1]])
+                continue
+            i = max(j for j in range(len(times) - 1) if times[j] <= a)
+            h = times[i + 1] - times[i]
+            over.append(compose(list(cubics[i][0]), [(a - times[i]) / h, (b - a) / h]))
+        parts.append((b - a, over, over))
+    return parts
 
 
 def run(command, text, codes=(0,)):
@@ -242,28 +277,50 @@ def run(command, text, codes=(0,)):
     return done.stdout
 
 
+def rows_of(keys, eased, group):
+    numbers = lambda key: [key[0], *key[1], *key[2], *(key[3] if eased else [])]
+    return [",".join(group + ["" if x is None else repr(x) for x in numbers(key)]) for key in keys]
+
+
 maxima = wide = unbounded = retimed = 0
 for number in range(curves):
     keys, period, eased, kind = random_curve()
     channels = len(keys[0][1])
     rule, ends = rng.choice(rules), (rng.choice(end_rules), rng.choice(end_rules))
     velocity = [rng.uniform(-2, 2) for _ in range(channels)]
-    header = ["t", *"xyz"[:channels], "tension", "continuity", "bias"] + (["ease_in", "ease_out"] if eased else [])
-    lines = [[t, *p, *tcb, *(ease if eased else [])] for t, p, tcb, ease in keys]
-    text = "\n".join([",".join(header)] + [",".join(map(repr, line)) for line in lines]) + "\n"
+    equal = rng.random() < 0.15
+    sparse = not period and not eased and not equal and channels > 1 and len(keys) > 2 and rng.random() < 0.3
+    groups = {(): keys}
+    if not period and rng.random() < 0.15:  # the same keys, and those in the opposite order
+        again = [(t, p, tcb, ease) for (t, *_), (_, p, tcb, ease) in zip(keys, reversed(keys))]
+        groups = {("g=a",): keys, ("g=b",): again}
+    if sparse:
+        for c in range(channels):
+            for i in rng.sample(range(len(keys)), rng.randint(1, len(keys) - 1)):
+                if sum(x is not None for x in keys[i][1]) > 1:
+                    keys[i][1][c] = None
+    header = ["g"] * (len(groups) > 1) + ["t", *"xyz"[:channels], "tension", "continuity", "bias"]
+    header += ["ease_in", "ease_out"] if eased else []
+    lines = [line for title, of in groups.items() for line in rows_of(of, eased, [x[2:] for x in title])]
+    text = "\n".join([",".join(header), *lines]) + "\n"
     with_velocity = ":".join(map(repr, velocity))
     options = ["--tangents", rule, "-q", "--tcb-scale", "none"]
+    options += ["--equal-speed"] if equal else []
+    options += ["--missing", "skip-cell"] if sparse else []
+    options += ["-g", "g"] if len(groups) > 1 else []
     options += [f"--period={period!r}"] if period else \
         ["--ends", ",".join(e + (f"={with_velocity}" if e == "velocity" else "") for e in ends)]
     names = ["speed", "acceleration", "jerk", "position_x", "velocity_x", "acceleration_x", "jerk_x"]
     wanted = rng.sample(names, 2 if eased else 4)
     command = [*options, "--limits=" + ",".join(wanted), "-f", "json", "-"]
     report = json.loads(run(command, text), parse_float=str, parse_int=str)
-    exact = exact_parts(keys, [key[0] for key in keys], rule, ends, period, velocity)
+    exact = {title: sparse_parts(of, rule, ends, velocity) if sparse else
+             exact_parts(of, [key[0] for key in of], rule, ends, period, velocity, equal)
+             for title, of in groups.items()}
     for entry in report["limits"]:
         extreme, name = entry["extreme"], entry["name"]
         measured = [0] if name.endswith("_x") else list(range(channels))
-        best = exact_maximum(exact, name, extreme, measured)
+        best = exact_maximum(exact[tuple(entry["curve"])], name, extreme, measured)
         maxima += 1
         if best is None or entry["maximum"] is None:
             unbounded += 1
@@ -281,7 +338,7 @@ for number in range(curves):
         if not good or abs(bound - shown) > F(3, 10 ** 14) * max(abs(shown), abs(bound)):
             sys.exit(f"curve {number}: {name} {extreme}: {entry['maximum']} to {entry['bound']}, exactly {float(best)}\n"
                      f"{' '.join(command)}\n{text}")
-    if period or eased or number % 2 or "lightwave" in ends or "velocity" in ends:
+    if period or eased or equal or sparse or len(groups) > 1 or number % 2 or {"lightwave", "velocity"} & {*ends}:
         continue
     limits = {}
     for entry in report["limits"]:

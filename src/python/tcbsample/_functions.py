@@ -110,23 +110,23 @@ class Picture:
         return subprocess.run(command, input=self.svg.encode(), stdout=subprocess.PIPE, check=True).stdout
 
 
-# The input is positional, as keys= is the option --keys.
+# The input is positional, and not called keys, as that is the option --keys, which type checkers see in **options.
 
 
 @overload
-def resample(keys: Frame, /, *, step: Value = None, count: Optional[int] = None, arc_step: Value = None,
+def resample(data: Frame, /, *, step: Value = None, count: Optional[int] = None, arc_step: Value = None,
              at: Value = None, tolerance: Value = None, preset: Optional[str] = None,
              **options: Unpack[Options]) -> pandas.DataFrame: ...  # fmt: skip
 @overload
-def resample(keys: Other, /, *, step: Value = None, count: Optional[int] = None, arc_step: Value = None,
+def resample(data: Other, /, *, step: Value = None, count: Optional[int] = None, arc_step: Value = None,
              at: Value = None, tolerance: Value = None, preset: Optional[str] = None,
              **options: Unpack[Options]) -> Array: ...  # fmt: skip
-def resample(keys: Any, /, *, step: Value = None, count: Optional[int] = None, arc_step: Value = None,
+def resample(data: Any, /, *, step: Value = None, count: Optional[int] = None, arc_step: Value = None,
              at: Value = None, tolerance: Value = None, preset: Optional[str] = None,
              **options: Unpack[Options]) -> Any:  # fmt: skip
     """Samples of the curve through keys.
 
-    keys       n keys with their columns; see the description of the module
+    data       n keys with their columns; see the description of the module
     step       every step of time, from the first key; the text or Fraction 1/24 is exact
     count      this many samples at equal times, both ends included
     arc_step   every arc_step of length along the curve
@@ -138,10 +138,10 @@ def resample(keys: Any, /, *, step: Value = None, count: Optional[int] = None, a
 
     Times are in the unit of the keys' times, lengths and tolerances in that of the positions.
 
-    Returns a structured array of shape (m,), or a DataFrame of m rows if keys are a DataFrame or a Series. Its fields
+    Returns a structured array of shape (m,), or a DataFrame of m rows if data is a DataFrame or a Series. Its fields
     are the groups, the time, the channels, and labels, or what fields= chooses: float64, where undefined values are
     NaN; whole times from 2^53 up are int64; dates are datetime64[ns], durations timedelta64[ns]; groups and labels
-    have the type that they have in keys. A time zone, and an index of times, are those of the keys.
+    have the type that they have in data. A time zone, and an index of times, are those of the keys.
     With missing="break" or duplicates="break", a first field "curve" counts curves from 0.
 
     Raises Error if keys or options are rejected, and TypeError for an unknown option or what is not a table.
@@ -156,7 +156,7 @@ def resample(keys: Any, /, *, step: Value = None, count: Optional[int] = None, a
     [(1.125, 2.75)]
     """
     given = dict(options, step=step, count=count, arc_step=arc_step, at=at, tolerance=tolerance, preset=preset)
-    with Run(keys).add(given) as run:
+    with Run(data).add(given) as run:
         return rows_of(run, given)
 
 
@@ -199,12 +199,12 @@ def _compare(option: str, keys: Any, samples: Any, options: Mapping[str, Any], a
         return Report(data, data[agrees])
 
 
-def check(keys: Keys, samples: Keys, /, *, abs: Value = None, rel: Value = None, ulp: Value = None,
+def check(data: Keys, samples: Keys, /, *, abs: Value = None, rel: Value = None, ulp: Value = None,
           **options: Unpack[SamplingOptions]) -> Report:  # fmt: skip
     """Compares samples that any program made with the curve through keys.
 
-    keys      n keys; see the description of the module
-    samples   m samples, like keys; their times, or their arc lengths in a column s, say where they are on the curve
+    data      n keys; see the description of the module
+    samples   m samples, like the keys; their times, or their arc lengths in a column s, say where they are on the curve
     abs       the largest accepted difference of two numbers; a dict has limits of columns
     rel       the same as a fraction of the number on the curve
     ulp       the same in units in the last place; 0 if none of the three is given
@@ -221,13 +221,13 @@ def check(keys: Keys, samples: Keys, /, *, abs: Value = None, rel: Value = None,
     >>> bool(report), report["worst"]["row"], report["worst"]["abs"]
     (False, 1, 0.125)
     """
-    return _compare("check", keys, samples, dict(options, abs=abs, rel=rel, ulp=ulp), "passed")
+    return _compare("check", data, samples, dict(options, abs=abs, rel=rel, ulp=ulp), "passed")
 
 
-def identify(keys: Keys, samples: Keys, /, **options: Unpack[SamplingOptions]) -> Report:
+def identify(data: Keys, samples: Keys, /, **options: Unpack[SamplingOptions]) -> Report:
     """Finds the rules by which another program made samples of the curve through keys.
 
-    keys, samples, options   as in check()
+    data, samples, options   as in check()
 
     Returns a Report, which is true if some rules reproduce the samples; ["ranking"] is a list of dicts with tangents,
     ends, presets and the largest difference, best first. Raises Error and TypeError as resample().
@@ -239,13 +239,13 @@ def identify(keys: Keys, samples: Keys, /, **options: Unpack[SamplingOptions]) -
     >>> bool(report), "vtk" in report["ranking"][0]["presets"]
     (True, True)
     """
-    return _compare("identify", keys, samples, options, "fits")
+    return _compare("identify", data, samples, options, "fits")
 
 
-def plot(keys: Keys, /, **options: Unpack[PlotOptions]) -> Picture:
+def plot(data: Keys, /, **options: Unpack[PlotOptions]) -> Picture:
     """A picture of the curve through keys: its path, and each channel over time, with keys and samples.
 
-    keys      n keys; see the description of the module
+    data      n keys; see the description of the module
     options   those of resample(), and axes, title, size; without a sampling option, it shows 51 samples.
               check=samples and identify=samples show other samples and their differences, fit=tolerance a fit.
 
@@ -257,15 +257,15 @@ def plot(keys: Keys, /, **options: Unpack[PlotOptions]) -> Picture:
     ('<svg', True)
     """
     compares = any(options.get(name) is not None for name in ("check", "identify", "fit"))
-    with Run(keys).add(options, ["check", "identify", "fit"]) as run:
+    with Run(data).add(options, ["check", "identify", "fit"]) as run:
         words = ["--output-format=svg"] if compares else ["--plot"]
         return Picture(run.result(words, accepts_difference=compares).read().decode())
 
 
-def explain(keys: Keys, /, **options: Unpack[SamplingOptions]) -> str:
+def explain(data: Keys, /, **options: Unpack[SamplingOptions]) -> str:
     """What was detected in keys, and with a sampling option what resample() would do, as a text of lines NAME: VALUE.
 
-    keys, options   as in resample(); no sampling option is needed
+    data, options   as in resample(); no sampling option is needed
 
     Raises Error and TypeError as resample().
 
@@ -273,7 +273,7 @@ def explain(keys: Keys, /, **options: Unpack[SamplingOptions]) -> str:
     >>> print(tcbsample.explain([[0, 0], [1, 2], [2, 0]], step=0.5).splitlines()[-2])
     rows: 5
     """
-    with Run(keys).add(options) as run:
+    with Run(data).add(options) as run:
         return run.result(["--explain"]).read().decode()
 
 
