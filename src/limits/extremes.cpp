@@ -29,7 +29,7 @@ struct Candidate {
 
   /// The largest value at its ends, at least.
   double attained() const { return std::max(value.front(), value.back()) - slack; }
-  bool is_narrow(double other) const { return upper - other <= 8 * slack; }
+  bool is_narrow(double other) const { return !is_certain || upper - other <= 8 * slack; }
   bool operator<(const Candidate& other) const { return upper < other.upper; }
 };
 
@@ -38,9 +38,9 @@ class Search {
  public:
   explicit Search(const Measure& measure) : measure_(&measure) {}
 
-  void add(const Piece<double>& piece, std::size_t segment, const MeasuredCurve& curve) {
-    const Measured<double> x = measured(piece, *measure_, curve.unit, curve.scale);
-    constexpr double least = 1e-290;  // below it, squares may be 0
+  void add(const Piece<double>& piece, std::size_t segment) {
+    const Measured<double> x = measured(piece, *measure_);
+    constexpr double least = 1e-290;      // below it, squares may be 0
     constexpr double shortest = 0x1p-40;  // of pieces that are certain
     Candidate one{segment, piece.number, bernstein(x.value, x.value.size() - 1), piece.size > shortest};
     one.slack = x.scale == 0 ? 0 : rounding * x.scale + least;
@@ -244,7 +244,7 @@ class Corners {
   std::vector<End> ends(const Piece<double>& piece, bool at_end) const {
     std::vector<End> result;
     for (const std::size_t channel : channels_) {
-      const auto [rate, sizes] = rate_of(piece, channel, 1, 1.0);
+      const auto [rate, sizes] = rate_of(piece, channel, 1);
       result.push_back({value_at(rate, at_end ? 1.0 : 0.0), sizes});
     }
     return result;
@@ -287,10 +287,7 @@ std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const 
     if (!std::isfinite(parts.back().upper)) {
       throw data_error("numbers are too far apart to bound; expected fewer such keys");
     }
-    Rational factor = Rational(1) / Rational(curve.scale);
-    for (int order = 0; order < measure.derivative; ++order) factor /= Rational(curve.unit);
-    if (measure.is_size()) factor *= factor;
-    best.high = std::max(best.high, Rational(parts.back().upper) * factor);
+    best.high = std::max(best.high, Rational(parts.back().upper));
   }
   const Candidate& part = parts[search.best_candidate];
   const Piece<Rational> piece = *piece_of(part);
@@ -330,7 +327,7 @@ Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measur
       const std::vector<Piece<double>> pieces =
           pieces_of(segments, i, duration.hi > 0 ? duration.hi : 1.0, first, last);
       for (Search& search : searches) {
-        for (const Piece<double>& piece : pieces) search.add(piece, number, curve);
+        for (const Piece<double>& piece : pieces) search.add(piece, number);
       }
       corners.add(pieces, start);
     }

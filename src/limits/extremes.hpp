@@ -25,9 +25,6 @@ struct MeasuredCurve {
   std::optional<FrameTimes> frames;                              ///< where the times of the keys are frames in seconds
   std::optional<Rational> from, to;                              ///< the times that are measured; nothing: all
   bool closed = false;
-  // Powers of two that keep doubles in their range:
-  double unit = 1;   ///< of time; segments are hardly shorter
-  double scale = 1;  ///< for positions; no product with it is much above 1
 };
 
 /// The maximum of a measure: of a size its square, of a smallest number its negative.

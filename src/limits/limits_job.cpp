@@ -177,34 +177,6 @@ std::function<spline::Segments<Rational>(std::size_t)> exact_segments(ExactCurve
   };
 }
 
-/// `streamed`: with exact derivatives where keys lack positions.
-MeasuredCurve measured_curve(const StreamedCurve& streamed, const CurvePipeline& pipeline) {
-  MeasuredCurve curve{[streamed] { return streamed.segments(); },
-                      exact_segments(pipeline.exact(streamed)),
-                      pipeline.spec().frames,
-                      pipeline.request().from,
-                      pipeline.request().to,
-                      streamed.extent.closed};
-  double largest = 0, shortest = 0;
-  std::optional<Time> before;
-  const Source<Keys> blocks = streamed.keys.source();
-  while (const std::optional<Keys> block = blocks()) {
-    for (const double position : block->positions) largest = std::max(largest, std::abs(position));
-    for (const Time& time : block->times) {
-      const double duration = before ? (time - *before).hi : 0;
-      if (duration > 0 && (shortest == 0 || duration < shortest)) shortest = duration;
-      before = time;
-    }
-  }
-  const auto power = [](double value, int sign) {
-    constexpr int most = 1000;
-    return value == 0 ? 1 : std::ldexp(1.0, sign * std::clamp(std::ilogb(value), -most, most));
-  };
-  curve.unit = power(shortest, 1);
-  curve.scale = power(largest, -1);
-  return curve;
-}
-
 /// The limit in the form of an Extreme.
 Rational as_measured(const Measure& measure, const Rational& limit) {
   if (measure.is_size()) return limit * limit;
@@ -245,8 +217,8 @@ class LimitsPicture {
     if (scene_.curves.size() == Scene::most_curves) return;
     scene_.names.push_back(std::move(title));
     const auto segments = [streamed] { return streamed.segments(); };
-    scene_.curves.push_back({scene_.names.size() - 1, streamed.keys, with_rotations_as_cubics(segments, spec.channels()),
-                             streamed.extent.closed});
+    scene_.curves.push_back({scene_.names.size() - 1, streamed.keys,
+                             with_rotations_as_cubics(segments, spec.channels()), streamed.extent.closed});
   }
 
   /// The picture as SVG. Throws: Error as picture() does.
@@ -294,8 +266,13 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
     streamed.options.expanded = true;
     if (!report.first) report.first = exact_number(streamed.keys.key(0).times[0], false, pipeline.spec().frames);
     const std::vector<std::string> title = group_title(input.schema.groups, keys->group);
-    measure(measured_curve(streamed, pipeline), title, channels_of(pipeline.spec(), input.schema.channels), job.options,
-            report);
+    const MeasuredCurve curve{[streamed] { return streamed.segments(); },
+                              exact_segments(pipeline.exact(streamed)),
+                              pipeline.spec().frames,
+                              pipeline.request().from,
+                              pipeline.request().to,
+                              streamed.extent.closed};
+    measure(curve, title, channels_of(pipeline.spec(), input.schema.channels), job.options, report);
     const std::string name = title.empty() ? report.keys : fmt::format("{}", fmt::join(title, ", "));
     if (drawing != nullptr) drawing->add(streamed, input.schema, pipeline.spec(), name);
   }

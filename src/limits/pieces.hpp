@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "limits/polynomial.hpp"
@@ -27,9 +28,9 @@ struct Measure {
 /// A part of a segment on which all channels are polynomials of the part of its time that has passed, from 0 to 1.
 template <class S>
 struct Piece {
-  std::size_t number;  ///< of the part of the ease
-  S begin, size;       ///< fractions of the duration of the segment
-  S duration;          ///< of the piece
+  std::size_t number;                      ///< of the part of the ease
+  S begin, size;                           ///< fractions of the duration of the segment
+  S duration;                              ///< of the piece
   std::vector<Polynomial<S>> cubics = {};  ///< one per channel
 };
 
@@ -62,19 +63,6 @@ std::vector<WarpPart<S>> parts_of(const spline::Warp<S>& warp) {
   return parts;
 }
 
-/// The cubics of a segment as polynomials of a parameter, which is one of another.
-template <class S>
-std::vector<Polynomial<S>> cubics_over(const spline::Segments<S>& segments, std::size_t segment,
-                                       const Polynomial<S>& parameter) {
-  std::vector<Polynomial<S>> result;
-  const bool is_whole = parameter == Polynomial<S>{S(0), S(1)};
-  for (const spline::Cubic<S>& x : segments[segment]) {
-    const Polynomial<S> cubic{x.p0, x.out, x.c + x.c_low, x.d};
-    result.push_back(is_whole ? cubic : composed(cubic, parameter));
-  }
-  return result;
-}
-
 /// The pieces of a segment between two fractions of its duration.
 template <class S>
 std::vector<Piece<S>> pieces_of(const spline::Segments<S>& segments, std::size_t segment, const S& duration,
@@ -85,8 +73,14 @@ std::vector<Piece<S>> pieces_of(const spline::Segments<S>& segments, std::size_t
     const S last = to < S(1) && to < begin + size ? (to - begin) / size : S(1);
     if (!(first < last)) continue;
     const S width = (last - first) * size;
-    pieces.push_back({number, begin + first * size, width, width * duration,
-                      cubics_over(segments, segment, composed(parameter, {first, last - first}))});
+    Piece<S> piece{number, begin + first * size, width, width * duration};
+    const Polynomial<S> u = composed(parameter, {first, last - first});
+    const bool is_whole = u == Polynomial<S>{S(0), S(1)};
+    for (const spline::Cubic<S>& x : segments[segment]) {
+      const Polynomial<S> cubic{x.p0, x.out, x.c + x.c_low, x.d};
+      piece.cubics.push_back(is_whole ? cubic : composed(cubic, u));
+    }
+    pieces.push_back(std::move(piece));
   }
   return pieces;
 }
@@ -100,11 +94,11 @@ struct Measured {
 
 /// The derivative of a channel, and the sum of the sizes of its terms.
 template <class S>
-std::pair<Polynomial<S>, S> rate_of(const Piece<S>& piece, std::size_t channel, int order, const S& unit) {
+std::pair<Polynomial<S>, S> rate_of(const Piece<S>& piece, std::size_t channel, int order) {
   const auto size = [](const S& x) { return x < S(0) ? -x : x; };
   Polynomial<S> x = piece.cubics[channel];
   S rate(1), cleared(0), sizes(0);
-  for (int i = 0; i < order; ++i) rate = rate * (unit / piece.duration);
+  for (int i = 0; i < order; ++i) rate = rate / piece.duration;
   // Coefficients that are far smaller than others have the rounding of these, 2^-90 of them.
   for (std::size_t i = 1; i < x.size(); ++i) cleared = cleared + size(x[i]) * S(static_cast<int>(i * i * i));
   for (int i = 0; i < order; ++i) x = derivative(x);
@@ -118,18 +112,18 @@ std::pair<Polynomial<S>, S> rate_of(const Piece<S>& piece, std::size_t channel, 
   return {x, sizes};
 }
 
-/// `unit`: of time, in the unit of times; `scale`: a number by which all positions are multiplied.
 template <class S>
-Measured<S> measured(const Piece<S>& piece, const Measure& measure, const S& unit = S(1), const S& scale = S(1)) {
+Measured<S> measured(const Piece<S>& piece, const Measure& measure) {
   Measured<S> result;
   for (const std::size_t channel : measure.channels) {
-    auto [x, sizes] = rate_of(piece, channel, measure.derivative, unit);
-    const S factor = measure.kind == Measure::Kind::smallest ? -scale : scale;
-    for (S& coefficient : x) coefficient = coefficient * factor;
-    sizes = sizes * scale;
-    if (!measure.is_size()) return {x, sizes};
-    result.value = sum(result.value, product(x, x));
-    result.scale = result.scale + sizes * sizes;
+    auto [x, sizes] = rate_of(piece, channel, measure.derivative);
+    if (measure.is_size()) {
+      result.value = sum(result.value, product(x, x));
+      result.scale = result.scale + sizes * sizes;
+      continue;
+    }
+    for (S& coefficient : x) coefficient = measure.kind == Measure::Kind::smallest ? -coefficient : coefficient;
+    return {x, sizes};
   }
   return result;
 }
