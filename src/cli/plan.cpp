@@ -301,7 +301,7 @@ CompareJob compare_job(const TypedOptions& typed) {
 LimitsJob limits_job(const TypedOptions& typed) {
   const InputListOptions files = one_file_of(typed, option::limits);
   require_forward_range(typed);
-  return {files.files[0],      keys_of(typed), typed.limits,        typed.sampling,    files.outputs.file,
+  return {files.files[0],      keys_of(typed), typed.limits,  typed.sampling,      files.outputs.file,
           typed.output.format, typed.picture,  typed.threads, verbosity_of(typed), files.other_inputs};
 }
 

@@ -1,6 +1,6 @@
-// Positions of a cubic track of Godot 4, by the formula of its documentation and source, Math::cubic_interpolate_in_time:
-// the pyramid of Barry and Goldman over four keys. At an end the end key stands for the missing one, and where two keys
-// have the same time the pyramid takes its inner key.
+// Positions of a cubic track of Godot 4, by the formula of its documentation and source,
+// Math::cubic_interpolate_in_time: the pyramid of Barry and Goldman over four keys. At an end the end key stands for
+// the missing one, and where two keys have the same time the pyramid takes its inner key.
 #include "curve.hpp"
 
 int main() {
