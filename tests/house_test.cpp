@@ -52,8 +52,8 @@ const std::map<std::string, std::set<std::string>> allowed{
      {"picture", "run", "formats", "read", "keys", "sample", "write", "schema", "tcb", "stream", "text", "numbers",
       "io", "error"}},
     {"limits",
-     {"run", "formats", "read", "keys", "sample", "exact", "write", "schema", "tcb", "stream", "text", "numbers", "io",
-      "error"}},
+     {"picture", "run", "formats", "read", "keys", "sample", "exact", "write", "schema", "tcb", "stream", "text",
+      "numbers", "io", "error"}},
     // The command line makes the job of a product.
     {"cli",
      {"fit", "check", "limits", "plot", "picture", "run", "formats", "read", "keys", "sample", "write", "schema", "tcb",
