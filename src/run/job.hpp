@@ -27,7 +27,7 @@ struct Schema;
 struct KeyOptions {
   InputOptions input;
   CurveOptions curves;
-  CurveSettings rules;  ///< completed by the settings in the input
+  CurveSettings rules;                                     ///< completed by the settings in the input
   std::shared_ptr<const std::string> standard_input = {};  ///< its bytes, if they were read before
 
   /// The bytes of a file. Throws: Error (usage) as read_file() does.
