@@ -284,20 +284,20 @@ class RotationSegment {
   std::vector<S> jumps(const Rough& rough) const {
     std::vector<S> places;
     if (!has_inner_arcs() || !is_about_one_axis()) return places;
-    const RotationSegment<double> near = converted<double>(rough);
+    const RotationSegment<double> doubles = converted<double>(rough);
     const auto is_jump = [](const Quaternion<double>& before, const Quaternion<double>& after) {
       return before.w < 0 && after.w < 0 && (along_axis(before) < 0) != (along_axis(after) < 0);
     };
     constexpr int steps = 32;
-    auto before = near.inner_turns(0.0);
+    auto before = doubles.inner_turns(0.0);
     for (int step = 0; step < steps; ++step) {
-      const auto after = near.inner_turns(double(step + 1) / steps);
+      const auto after = doubles.inner_turns(double(step + 1) / steps);
       for (std::size_t arc = 0; arc < after.size(); ++arc) {
         if (!is_jump(before[arc], after[arc])) continue;
         double low = double(step) / steps, high = double(step + 1) / steps;
         for (int halving = 0; halving < 60; ++halving) {
           const double middle = (low + high) / 2;
-          (is_jump(before[arc], near.inner_turns(middle)[arc]) ? high : low) = middle;
+          (is_jump(before[arc], doubles.inner_turns(middle)[arc]) ? high : low) = middle;
         }
         const S place = (jump_near(S(low), arc) - from_) / size_;
         const double rough_place = rough(place);

@@ -1,15 +1,13 @@
 // Turn length: the angle in radians that rotations turn through on a segment, and its inverse.
 //
 // It is the integral of the angular speed by Gauss-Legendre rules on panels, which are halved until the rule on a panel
-// agrees with the rule on its halves. They end where a rotation jumps. The inverse is found by Newton's method between
-// bounds.
+// agrees with the rule on its halves. The inverse is found by Newton's method between bounds.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <span>
 #include <vector>
@@ -38,16 +36,7 @@ class TurnLength {
     sum_ = disagreements_ = S(0);
     const S whole = integral(S(0), S(1));
     tolerance_ = S(8) * std::numeric_limits<S>::epsilon() * std::max(whole, S(1));
-    std::vector<S> ends{S(0), S(1)};
-    for (const RotationSegment<S>& rotation : rotations_) {
-      std::ranges::copy(rotation.jumps([](const S& number) { return static_cast<double>(number); }),
-                        std::back_inserter(ends));
-    }
-    std::ranges::sort(ends);
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-      const S length = ends.size() == 2 ? whole : integral(ends[i - 1], ends[i]);
-      refine({ends[i - 1], ends[i] - ends[i - 1], length, S(0)}, most_halvings);
-    }
+    refine({S(0), S(1), whole, S(0)}, most_halvings);
     total_ = {sum_, tolerance_ * S(panels_.size()) + disagreements_};
   }
 
