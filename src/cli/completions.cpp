@@ -1,4 +1,4 @@
-// Completions: the texts of completions/ for bash, zsh and fish with what follows from the table of options, and the
+// Completions: the texts of cli/completions/ for bash, zsh and fish with what follows from the table of options, and the
 // columns that the scripts offer.
 #include "cli/help.hpp"
 

@@ -27,7 +27,7 @@ std::string version_text();
 /// A text with others in the places marked for them, without line ends at its end.
 std::string filled(std::string_view text, std::initializer_list<std::pair<std::string_view, std::string>> texts);
 
-/// The texts of man/tcbsample.1.in, man/tcbsample-curves.7.in and completions/, put into the program by the build.
+/// The texts of man/tcbsample.1.in, man/tcbsample-curves.7.in and cli/completions/, put into the program by the build.
 extern const char* const manual_template;
 extern const char* const curves_template;
 extern const char* const bash_template;

@@ -97,18 +97,22 @@ class Search {
   double attained_ = -infinity;
 };
 
-/// Bernstein's form on [begin, end].
-Polynomial<Rational> form_on(const Polynomial<Rational>& x, const Rational& begin, const Rational& end) {
+/// x on [begin, begin + size], as a polynomial on [0, 1].
+Polynomial<Rational> part_of(const Polynomial<Rational>& x, const Rational& begin, const Rational& size) {
   Polynomial<Rational> part = shifted(x, begin);
   Rational power = 1;
   for (Rational& coefficient : part) {
     coefficient *= power;
-    power *= end - begin;
+    power *= size;
   }
-  return bernstein(part, part.size() - 1);
+  return part;
 }
 
-Rational largest_coefficient(const Polynomial<Rational>& form) { return *std::max_element(form.begin(), form.end()); }
+/// A bound of x on [0, 1]: the largest coefficient of Bernstein's form.
+Rational bound_of(const Polynomial<Rational>& x) {
+  const Polynomial<Rational> form = bernstein(x, x.size() - 1);
+  return *std::max_element(form.begin(), form.end());
+}
 
 /// The simplest fraction between two numbers.
 Rational simplest_within(const Rational& low, const Rational& high) {
@@ -116,16 +120,15 @@ Rational simplest_within(const Rational& low, const Rational& high) {
   return high < 0 ? -simplest_between(-high, -low) : Rational(0);
 }
 
-/// The maximum on [begin, end], which is within [low, high], if it is a simple fraction; its place may be irrational.
-/// There x less the maximum has a double root, and x is concave.
-std::optional<Rational> simple_maximum(const Polynomial<Rational>& x, const Rational& begin, const Rational& end,
-                                       const Rational& low, const Rational& high) {
+/// The maximum on [0, 1], which is within [low, high], if it is a simple fraction; its place may be irrational. There x
+/// less the maximum has a double root, and x is concave.
+std::optional<Rational> simple_maximum(const Polynomial<Rational>& x, const Rational& low, const Rational& high) {
   const Rational simplest = simplest_within(low, high), size = denominator(simplest);
   if (size * size * (high - low) > Rational(0x1p-20)) return std::nullopt;  // as simple as that of any such interval
   const Polynomial<Rational> rate = derivative(x);
-  if (!(largest_coefficient(form_on(derivative(rate), begin, end)) < 0)) return std::nullopt;
+  if (!(bound_of(derivative(rate)) < 0)) return std::nullopt;
   const Polynomial<Rational> root = common_divisor(sum(x, {simplest}, Rational(-1)), rate);
-  return value_at(root, begin) * value_at(root, end) <= 0 ? std::optional(simplest) : std::nullopt;
+  return value_at(root, Rational(0)) * value_at(root, Rational(1)) <= 0 ? std::optional(simplest) : std::nullopt;
 }
 
 /// Bounds parts of pieces with rationals.
@@ -137,7 +140,7 @@ class ExactSearch {
 
   void add(const Polynomial<Rational>& x, const Candidate& part, std::size_t number) {
     candidate_ = number;
-    bound(x, Rational(part.begin), Rational(part.begin + part.size), 0);
+    bound(part_of(x, Rational(part.begin), Rational(part.size)), Rational(part.begin), Rational(part.size), 0);
   }
 
  private:
@@ -148,51 +151,53 @@ class ExactSearch {
     best_candidate = candidate_;
   }
 
-  /// Where the derivative is nearly 0 at an end, the coefficients are nearly the value there at most.
-  void bound(const Polynomial<Rational>& x, const Rational& begin, const Rational& end, int depth) {
-    static const Rational close = Rational(0x1p-80);
-    const Rational at = likely_place(x, begin, end), value = value_at(x, at);
-    attain(value, at);
-    const bool is_inside = begin < at && at < end;
-    Rational most = largest_coefficient(form_on(x, is_inside ? at : begin, end));
-    if (is_inside) most = std::max(most, largest_coefficient(form_on(x, begin, at)));
+  /// Bounds the part [begin, begin + size], on which the measure is x(0) to x(1): in this form its coefficients have
+  /// the size of what changes on the part, whatever they have on the piece. Where the derivative is nearly 0 at an end,
+  /// the coefficients of Bernstein's form are nearly the value there at most.
+  void bound(const Polynomial<Rational>& x, const Rational& begin, const Rational& size, int depth) {
+    static const Rational close = Rational(0x1p-80), half = Rational(1) / 2;
+    const Rational at = likely_place(x, begin, size), value = value_at(x, at);
+    attain(value, begin + at * size);
+    const Rational most = std::max(at < 1 ? bound_of(part_of(x, at, 1 - at)) : value,
+                                   at > 0 ? bound_of(part_of(x, Rational(0), at)) : value);
     constexpr int deepest = 120;
     if (most <= best->low) return;
     if (depth == deepest || most - best->low <= close * abs(most)) {
-      if (const auto exact = simple_maximum(x, begin, end, value, most)) return attain(*exact, at);
+      if (const auto exact = simple_maximum(x, value, most)) return attain(*exact, begin + at * size);
       best->high = std::max(best->high, most);
       return;
     }
-    const Rational middle = (begin + end) / 2;
-    const bool is_first = at < middle;  // the half that has the largest value, probably
-    bound(x, is_first ? begin : middle, is_first ? middle : end, depth + 1);
-    bound(x, is_first ? middle : begin, is_first ? end : middle, depth + 1);
+    const auto bound_half = [&](const Rational& first) {
+      bound(part_of(x, first, half), begin + first * size, size * half, depth + 1);
+    };
+    const bool is_first = at < half;  // the half that has the largest value, probably
+    bound_half(is_first ? Rational(0) : half);
+    bound_half(is_first ? half : Rational(0));
   }
 
-  /// Where the largest value on [begin, end] probably is: the root of the derivative, as the simplest fraction near it
-  /// that is one, or better by a step of Newton's method.
-  static Rational likely_place(const Polynomial<Rational>& x, const Rational& begin, const Rational& end) {
+  /// Where the largest value on [0, 1] probably is: the root of the derivative, where it is one at the simplest
+  /// fraction of the piece near it, or better by a step of Newton's method.
+  static Rational likely_place(const Polynomial<Rational>& x, const Rational& begin, const Rational& size) {
     Rational largest = 0;
-    for (const Rational& coefficient : x) largest = std::max(largest, abs(coefficient));
-    if (largest == 0) return begin;
-    Polynomial<double> rounded(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i) rounded[i] = nearest_double(x[i] / largest);
-    const Polynomial<double> rate = derivative(rounded);
-    double low = nearest_double(begin), high = nearest_double(end);
-    if (!(value_at(rate, low) > 0)) return begin;
-    if (value_at(rate, high) > 0) return end;
-    const double near = std::min(0x1p-36, (high - low) / 4);
+    for (std::size_t i = 1; i < x.size(); ++i) largest = std::max(largest, abs(x[i]));
+    if (largest == 0) return 0;
+    const Polynomial<Rational> exact = derivative(x);
+    Polynomial<double> rate(exact.size());
+    for (std::size_t i = 0; i < rate.size(); ++i) rate[i] = nearest_double(exact[i] / largest);
+    if (!(value_at(rate, 0.0) > 0)) return 0;
+    if (value_at(rate, 1.0) > 0) return 1;
+    double low = 0, high = 1;
     for (int i = 0; i < 60; ++i) {
       const double middle = low + (high - low) / 2;
       if (middle == low || middle == high) break;
       (value_at(rate, middle) > 0 ? low : high) = middle;
     }
-    const Polynomial<Rational> exact = derivative(x);
-    const auto is_inside = [&](const Rational& u) { return begin <= u && u <= end; };
-    const Rational simple =
-        low - near <= 0 ? Rational(0) : simplest_between(Rational(low - near), Rational(low + near));
+    const auto is_inside = [](const Rational& u) { return 0 <= u && u <= 1; };
+    const Rational rough(low), fraction = begin + rough * size, near = std::min(Rational(0x1p-36), size / 4);
+    const Rational simplest = fraction <= near ? Rational(0) : simplest_between(fraction - near, fraction + near);
+    const Rational simple = (simplest - begin) / size;
     if (is_inside(simple) && value_at(exact, simple) == 0) return simple;
-    const Rational rough(low), bend = value_at(derivative(exact), rough);
+    const Rational bend = value_at(derivative(exact), rough);
     if (bend == 0) return rough;
     const Rational step = -value_at(exact, rough) / bend;
     const bool is_quadratic = x.size() == 3;

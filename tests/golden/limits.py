@@ -1,8 +1,9 @@
 """--limits and --retime against Sturm sequences of fractions: limits.py PROGRAM [CURVES] [SEED].
 
 Random curves by all rules: cusps, corners, tension 1, |T|, |C|, |B| to 8, closed curves, ease, equal speeds, groups,
-channels with keys of their own, sizes from 1e-100 to 1e100. The maximum that is printed is attained, its bound is not exceeded, and they differ by
-one unit of the last digit at most. With scaled times all limits hold, and the tightest is met within 1e-12.
+channels with keys of their own, sizes from 1e-100 to 1e100. The maximum that is printed is attained, its bound is not
+exceeded, and they differ by one unit of the last digit at most. With scaled times all limits hold, and the tightest is
+met within 1e-12.
 Exit 1: a number is wrong, and its command is printed.
 """
 import json
