@@ -89,18 +89,18 @@ const UnitNames* find_unit(std::string_view name, bool also_short = false) {
 /// The unit at the end of a name such as "timems"; null where that is no name of a time with a unit.
 const UnitNames* unit_at_end(std::string_view name) {
   for (std::size_t size = 1; size < name.size(); ++size) {
-    const UnitNames* const unit = find_unit(name.substr(size), size > 1);
     const std::string_view time = name.substr(0, size);
-    if (unit != nullptr && (has(time_names, time) || has(frame_names, time))) return unit;
+    if (!has(time_names, time) && !has(frame_names, time)) continue;
+    if (const UnitNames* const unit = find_unit(name.substr(size), size > 1)) return unit;
   }
   return nullptr;
 }
 
 /// Whether a name is that of a time, or of a time and its unit, such as "timems".
 bool is_time(std::string_view name) {
+  if (has(time_names, name) || has(frame_names, name) || name == "ms" || name == "ns") return true;
   const bool is_unit = name.size() > 2 && name != "second" && find_unit(name) != nullptr;
-  return has(time_names, name) || has(frame_names, name) || is_unit || name == "ms" || name == "ns" ||
-         unit_at_end(name) != nullptr;
+  return is_unit || unit_at_end(name) != nullptr;
 }
 
 }  // namespace
