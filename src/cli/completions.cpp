@@ -1,5 +1,5 @@
-// Completions: the texts of cli/completions/ for bash, zsh and fish with what follows from the table of options, and the
-// columns that the scripts offer.
+// Completions: the texts of cli/completions/ for bash, zsh and fish with what follows from the table of options, and
+// the columns that the scripts offer.
 #include "cli/help.hpp"
 
 #include <fmt/format.h>
