@@ -196,7 +196,8 @@ std::optional<DateSeconds> read_usual_date(std::string_view text, DateOrder orde
                                          std::chrono::day(static_cast<unsigned>(day))};
   if (!date.ok() || hours > 23 || minutes > 59 || seconds > 59) return std::nullopt;
   const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
-  return DateSeconds{days * seconds_of_day + (hours * 60 + minutes) * 60 + seconds, fraction};
+  const std::int64_t time = (std::int64_t{hours} * 60 + minutes) * 60 + seconds;
+  return DateSeconds{days * seconds_of_day + time, fraction};
 }
 
 Rational zone_offset(const DateFormat& format) { return offset_of(format.zone).value_or(0); }

@@ -40,7 +40,7 @@ class DifferencePicture {
   std::string svg(const std::string& curves, const std::string& samples, const std::string& result);
 
  private:
-  void add_curve(const KeyStore& keys, const std::function<Source<SegmentBlock>()>& segments, bool closed);
+  void add_curve(const KeyStore& store, const std::function<Source<SegmentBlock>()>& segments, bool closed);
   void add_samples(std::vector<ComparedSample> samples);
 
   const PictureOptions& options_;

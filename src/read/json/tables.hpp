@@ -94,7 +94,7 @@ class JsonTable {
     std::uint32_t row, column, value;
   };
 
-  bool find_layout(std::size_t value, bool is_root, bool is_timeless);
+  bool find_layout(std::size_t table, bool is_root, bool is_timeless);
   void read_rows();
   void read_split(std::size_t table);
   void read_schema(std::size_t table);
