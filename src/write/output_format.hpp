@@ -67,8 +67,8 @@ struct OutputFormat {
 };
 
 /// For each column of a format of poses, the number of the cell in rows of a time, if the format has one, and a
-/// position. Requires: rotations are shown in its form. Throws: Error (data) unless the rows have a
-/// position of three channels, one rotation, and the other channels of the format.
+/// position. Requires: rotations are shown in its form. Throws: Error (data) unless the rows have a position of three
+/// channels, one rotation, and the other channels of the format.
 std::vector<std::size_t> pose_cells(const Format& of, const Schema& schema);
 
 }  // namespace tcb
