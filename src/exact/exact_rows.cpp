@@ -49,8 +49,12 @@ std::optional<ExactPlaces> arc_lengths(const SamplingRequest& request, const Ext
   return arc;
 }
 
-/// Bits of the floats with the least precision: some 38 digits.
-constexpr int first_precision = 128;
+/// Bits of the floats with the least precision: more than the requested digits have, and at least some 38 digits.
+int first_precision(const Notation& notation) {
+  constexpr int least = 128, guard = 40, step = 64;
+  const int needed = notation.count * 10 / 3 + guard;
+  return std::max(least, (needed + step - 1) / step * step);
+}
 
 /// The precision beyond which none is used: that which distinguishes a number from 0 to some 400 digits beyond the size
 /// of the curve. Its numbers may be of different sizes, and their powers more so.
@@ -183,19 +187,18 @@ class ExactRows::Evaluation {
     std::unique_ptr<BallRows> rows = nullptr;  ///< null until it is needed
   };
 
-  static std::vector<Level> levels_of(const RowsOfCurve& rows) {
-    constexpr int most_measured = 256;  // more take minutes
+  static std::vector<Level> levels_of(const RowsOfCurve& rows, const Notation& notation) {
     const bool has_turns = spline::is_turn(rows.exact.rules.metric);
     std::vector<Level> levels;
-    const int last = last_precision(rows);
-    for (int bits = first_precision; bits < last; bits *= 2) levels.push_back({bits, has_turns});
+    const int first = first_precision(notation), last = last_precision(rows);
+    for (int bits = first; bits < last; bits *= 2) levels.push_back({bits, has_turns});
     levels.push_back({last, has_turns});
-    for (int bits = first_precision; has_turns && bits <= most_measured; bits *= 2) levels.push_back({bits, false});
+    for (int bits = first; has_turns && bits <= 2 * first; bits *= 2) levels.push_back({bits, false});
     return levels;
   }
 
   std::vector<Level>& levels() {
-    if (levels_.empty()) levels_ = levels_of(rows_);
+    if (levels_.empty()) levels_ = levels_of(rows_, notation_);
     return levels_;
   }
 

@@ -24,20 +24,24 @@ Rational times_ten_to(const Rational& value, int exponent) {
                       : Rational(value * rational(power_of_ten(exponent)));
 }
 
-/// The nearest whole number, half to even. Requires: value >= 0.
-Integer nearest_whole(const Rational& value) {
-  const Integer whole = integer(floor(value));
-  const Rational rest = value - floor(value);
-  const Rational half(1, 2);
-  return rest > half || (rest == half && whole % 2 != 0) ? Integer(whole + 1) : whole;
-}
+/// A number >= 0 as a fraction of whole numbers, which need no common factors taken out to be rounded.
+struct Fraction {
+  explicit Fraction(const Rational& value) : above(integer(numerator(value))), below(integer(denominator(value))) {}
 
-/// The greatest e with 10^e <= value. Requires: value > 0.
-int floor_log10(const Rational& value) {
-  const auto length = [](const Rational& whole) { return static_cast<int>(whole_text(whole).size()); };
-  const int above = length(numerator(value)) - length(denominator(value));
-  return times_ten_to(value, -above) < 1 ? above - 1 : above;
-}
+  /// The whole number nearest to it times 10^exponent, half to even.
+  Integer nearest_whole_times_ten_to(int exponent) const {
+    return nearest_whole(above * power_of_ten(exponent), below * power_of_ten(-exponent));
+  }
+  /// The greatest e with 10^e <= it. Requires: > 0.
+  int floor_log10() const {
+    const auto bits = static_cast<double>(msb(above)) - static_cast<double>(msb(below)) + 1;  // or one less
+    int exponent = static_cast<int>(std::ceil(bits * 0.30103));
+    while (above * power_of_ten(-exponent) < below * power_of_ten(exponent)) --exponent;
+    return exponent;
+  }
+
+  Integer above, below;
+};
 
 std::string without_zeros(std::string text) {
   if (text.find('.') == std::string::npos) return text;
@@ -65,7 +69,7 @@ Root root_of(const Rational& square, unsigned bits) {
 }  // namespace
 
 std::string fixed_text(const Rational& value, int decimals) {
-  return fixed_text(nearest_whole(times_ten_to(abs(value), decimals)).str(), decimals, value < 0);
+  return fixed_text(Fraction(abs(value)).nearest_whole_times_ten_to(decimals).str(), decimals, value < 0);
 }
 
 std::string fixed_text(std::string digits, int decimals, bool negative) {
@@ -77,9 +81,9 @@ std::string fixed_text(std::string digits, int decimals, bool negative) {
 
 std::string digits_text(const Rational& value, int count) {
   if (value == 0) return "0";
-  const Rational size = abs(value);
-  int exponent = floor_log10(size);
-  Integer digits = nearest_whole(times_ten_to(size, count - 1 - exponent));
+  const Fraction size(abs(value));
+  int exponent = size.floor_log10();
+  Integer digits = size.nearest_whole_times_ten_to(count - 1 - exponent);
   if (digits == power_of_ten(count)) {
     digits /= 10;
     ++exponent;

@@ -29,4 +29,12 @@ inline Rational ratio(const Integer& above, const Integer& below) {
   return Rational(Rational::Large{Rational::Large::Number(above, below)});
 }
 
+/// n / d rounded to the nearest whole number, ties to even. Requires: n >= 0, d > 0.
+inline Integer nearest_whole(const Integer& n, const Integer& d) {
+  Integer quotient, rest;
+  divide_qr(n, d, quotient, rest);
+  const int side = Integer(2 * rest).compare(d);
+  return side > 0 || (side == 0 && quotient % 2 != 0) ? Integer(quotient + 1) : quotient;
+}
+
 }  // namespace tcb

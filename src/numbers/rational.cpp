@@ -84,14 +84,6 @@ std::optional<Rational> parse_decimal(std::string_view text) {
 /// How many bits a positive integer has.
 int bit_width(const Integer& value) { return static_cast<int>(msb(value)) + 1; }
 
-/// n / d rounded to the nearest whole number, ties to even. Requires: n >= 0, d > 0.
-Integer nearest_whole(const Integer& n, const Integer& d) {
-  const Integer quotient = n / d;
-  const Integer twice_rest = (n - quotient * d) * 2;
-  const bool up = twice_rest > d || (twice_rest == d && (quotient % 2) != 0);
-  return up ? Integer(quotient + 1) : quotient;
-}
-
 /// A whole number of at most 106 bits as a time, exactly. Requires: n >= 0.
 spline::Time<double> whole_time(const Integer& n) {
   const auto high = static_cast<double>(n);
@@ -188,11 +180,16 @@ Rational operator/(const Rational& a, const Rational& b) {
 
 bool operator==(const Rational& a, const Rational& b) {
   if (are_small(a, b)) return a.numerator_ == b.numerator_ && a.denominator_ == b.denominator_;
-  return !a.is_small() && !b.is_small() && a.large_->number == b.large_->number;
+  return a.is_small() == b.is_small() && numerator(a.large_->number) == numerator(b.large_->number) &&
+         denominator(a.large_->number) == denominator(b.large_->number);
 }
 
 std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
-  if (!are_small(a, b)) return a.large().number.compare(b.large().number) <=> 0;
+  if (!are_small(a, b)) {
+    const auto above = [](const Rational& x) { return integer(numerator(x)); };
+    const auto below = [](const Rational& x) { return integer(denominator(x)); };
+    return Integer(above(a) * below(b)).compare(above(b) * below(a)) <=> 0;
+  }
   return Int128{a.numerator_} * b.denominator_ <=> Int128{b.numerator_} * a.denominator_;
 }
 
