@@ -465,6 +465,176 @@ S dot(const std::vector<S>& a, const std::vector<S>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), S(0.0));
 }
 
+namespace {
+
+template <class B>
+using Polynomial = std::array<B, 4>;  ///< by the powers of u
+
+template <class B>
+B value(const Polynomial<B>& p, const B& u) {
+  return p[0] + u * (p[1] + u * (p[2] + u * p[3]));
+}
+
+/// Sorted by size; those that may be equal are one.
+template <class B>
+std::vector<B> merged(std::vector<B> places) {
+  std::ranges::sort(places, {}, &B::middle);
+  std::vector<B> result;
+  for (const B& place : places) {
+    if (!result.empty() && (place - result.back()).may_be_zero()) {
+      result.back() = result.back().widened((place - result.back()).most());
+    } else {
+      result.push_back(place);
+    }
+  }
+  return result;
+}
+
+/// Adds the zeros of a quadratic from one place to another, and perhaps others next to these.
+template <class B>
+void add_zeros(const B& c0, const B& c1, const B& c2, const B& begin, const B& end, std::vector<B>& zeros) {
+  const auto add = [&](const B& above, const B& below) {
+    if (above.least() > below.most()) return;  // beyond 1
+    const B zero = above / below, from_begin = zero - begin, to_end = end - zero;
+    const auto is_negative = [](const B& x) { return !x.may_be_zero() && x.rough() < 0; };
+    if (!is_negative(from_begin) && !is_negative(to_end)) zeros.push_back(zero);
+  };
+  if (c0.least() > c1.most() + c2.most()) return;
+  if (c2.is_zero()) return c1.is_zero() ? void() : add(-c0, c1);
+  const B square = c1 * c1 - B(4.0) * c0 * c2;
+  if (square < B()) return;
+  const B root = sqrt(square), half = halved(-c1 + (c1.rough() < 0 ? root : -root));
+  add(half, c2);
+  add(c0, half);
+}
+
+/// The angle of a rotation about one axis, over two: it is a cubic on each part of a segment between the places at
+/// which the shorter way between two of its points changes sides, and it moves in one direction.
+template <class B>
+class AngleAboutAxis {
+ public:
+  struct Part {
+    B begin, end;
+    bool begins_at_rest, ends_at_rest;
+    Polynomial<B> angle;
+  };
+
+  explicit AngleAboutAxis(const spline::RotationSegment<B>& rotation) {
+    const std::array<B, 4> angles = angles_of(rotation.points());
+    const auto way = [&](std::size_t from, std::size_t to) {
+      const B change = angles[to] - angles[from];
+      return Polynomial<B>{angles[from], change - turns_in(change), B(), B()};
+    };
+    if (rotation.curve() == spline::RotationCurve::squad) {
+      weight_ = {B(), B(2.0), B(-2.0)};
+      join({way(0, 3), way(1, 2)}, B(), B(1.0));
+    } else {
+      weight_ = {B(), B(1.0), B()};
+      join({way(0, 1), way(1, 2), way(2, 3)}, B(), B(1.0));
+    }
+  }
+
+  const std::vector<Part>& parts() const { return parts_; }
+  const Part& part_at(const B& place) const {
+    const auto is_after = [&](const Part& part) { return place.middle() < part.end.middle(); };
+    const auto found = std::ranges::find_if(parts_, is_after);
+    return found == parts_.end() ? parts_.back() : *found;
+  }
+
+ private:
+  static std::array<B, 4> angles_of(const std::array<spline::Quaternion<B>, 4>& points) {
+    std::array<spline::Quaternion<B>, 4> turns;
+    std::ranges::transform(points, turns.begin(), [&](const auto& q) { return conjugate(points[0]) * q; });
+    const auto longest = std::ranges::max_element(turns, {}, [](const auto& q) {
+      return dot(q, {q.x, q.y, q.z, B()}).middle();
+    });
+    const spline::Quaternion<B> axis = normalized(spline::Quaternion<B>{longest->x, longest->y, longest->z, B()});
+    std::array<B, 4> angles;
+    for (std::size_t i = 1; i < turns.size(); ++i) {
+      const B sine = dot(turns[i], axis);
+      angles[i] = sine.rough() < 0 ? -angle_of(-sine, turns[i].w) : angle_of(sine, turns[i].w);
+    }
+    return angles;
+  }
+
+  /// The whole turns that the shorter way leaves out. Throws: Undecided where the ways are about the same.
+  static B turns_in(const B& angle) {
+    const B turn = B(2.0) * spline::pi<B>();
+    return turn * floor(angle / turn + B(0.5));
+  }
+
+  /// Joins each way with the next one, up to one.
+  void join(const std::vector<Polynomial<B>>& ways, const B& begin, const B& end) {
+    if (ways.size() == 1) return add(ways[0], begin, end);
+    std::vector<Polynomial<B>> changes;
+    std::vector<B> ends{begin, end};
+    for (std::size_t i = 0; i + 1 < ways.size(); ++i) {
+      Polynomial<B>& change = changes.emplace_back();
+      std::ranges::transform(ways[i + 1], ways[i], change.begin(), std::minus());
+      constexpr int most_turns = 9;  // of half turns: more than three ways have together
+      for (int turns = -most_turns; turns <= most_turns; turns += 2) {
+        add_zeros(change[0] - B(turns) * spline::pi<B>(), change[1], change[2], begin, end, ends);
+      }
+    }
+    ends = merged(std::move(ends));
+    for (std::size_t part = 1; part < ends.size(); ++part) {
+      const B middle((ends[part - 1] + ends[part]).middle());
+      std::vector<Polynomial<B>> joined;
+      for (std::size_t i = 0; i < changes.size(); ++i) {
+        Polynomial<B> change = changes[i], way = ways[i];
+        change[0] = change[0] - turns_in(value(change, halved(middle)));
+        for (std::size_t power = 1; power < way.size(); ++power) {
+          for (std::size_t k = 1; k <= std::min<std::size_t>(power, 2); ++k) {
+            way[power] = way[power] + weight_[k] * change[power - k];
+          }
+        }
+        joined.push_back(way);
+      }
+      join(joined, ends[part - 1], ends[part]);
+    }
+  }
+
+  void add(const Polynomial<B>& angle, const B& begin, const B& end) {
+    std::vector<B> rests, ends{begin, end};
+    try {
+      add_zeros(angle[1], B(2.0) * angle[2], B(3.0) * angle[3], begin, end, rests);
+    } catch (const Undecided&) {  // it nearly rests, but does not turn back
+    }
+    std::ranges::copy(rests, std::back_inserter(ends));
+    ends = merged(std::move(ends));
+    const auto is_rest = [&](const B& place) {
+      return std::ranges::any_of(rests, [&](const B& rest) { return (rest - place).may_be_zero(); });
+    };
+    for (std::size_t part = 1; part < ends.size(); ++part) {
+      parts_.push_back({ends[part - 1], ends[part], is_rest(ends[part - 1]), is_rest(ends[part]), angle});
+    }
+  }
+
+  std::array<B, 3> weight_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace
+
+template <class B>
+bool may_be_about_one_axis(const spline::RotationSegment<B>& rotation) {
+  using spline::RotationCurve;
+  const bool joins_ways = rotation.curve() == RotationCurve::squad || rotation.curve() == RotationCurve::casteljau;
+  if (!joins_ways || rotation.has_whole_turns()) return false;
+  const auto& points = rotation.points();
+  std::array<spline::Quaternion<B>, 3> turns;
+  std::transform(points.begin() + 1, points.end(), turns.begin(),
+                 [&](const auto& q) { return conjugate(points[0]) * q; });
+  const auto size = [](const auto& q) { return q.x * q.x + (q.y * q.y + q.z * q.z); };
+  const auto& longest = *std::ranges::max_element(turns, {}, [&](const auto& q) { return size(q).middle(); });
+  return !size(longest).may_be_zero() && std::ranges::all_of(turns, [&](const auto& q) {
+    return (q.x * longest.y - q.y * longest.x).may_be_zero() && (q.y * longest.z - q.z * longest.y).may_be_zero() &&
+           (q.z * longest.x - q.x * longest.z).may_be_zero();
+  });
+}
+template bool may_be_about_one_axis(const spline::RotationSegment<Ball>& rotation);
+template bool may_be_about_one_axis(const spline::RotationSegment<RealBall>& rotation);
+
 template <class M>
 typename BallTurn<M>::B BallTurn<M>::speed(const B& u) const {
   const std::vector<B> rates = rates_of(rotations_, u);
@@ -577,19 +747,53 @@ bool BallTurn<M>::is_constant(const M& begin, const M& end) const {
   });
 }
 
-/// The speed has no derivative where a constant rate begins or ends, and it jumps where the rotation does; these places
-/// are known but for an error, in which the speed is at most twice that next to it.
+/// Each part as cubics of its own, which begin and end at rest where they do so exactly.
 template <class M>
-void BallTurn<M>::assign(std::span<const spline::RotationSegment<B>> rotations) {
+void BallTurn<M>::assign_cubics() {
+  std::vector<AngleAboutAxis<B>> angles;
+  std::vector<B> ends;
+  for (const auto& rotation : rotations_) {
+    angles.emplace_back(rotation);
+    for (const auto& part : angles.back().parts()) ends.insert(ends.end(), {part.begin, part.end});
+  }
+  ends = merged(std::move(ends));
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    Cubics cubics{ends[i - 1], ends[i] - ends[i - 1], {}, total_};
+    std::vector<spline::Cubic<B>> channels;
+    for (const auto& angle : angles) {
+      const auto& part = angle.part_at(B(spline::halved(ends[i - 1].middle() + ends[i].middle())));
+      const auto& p = part.angle;
+      const auto slope = [&](const B& u) {
+        return B(2.0) * cubics.width * (p[1] + u * (B(2.0) * p[2] + u * (B(3.0) * p[3])));
+      };
+      const B square = B(2.0) * cubics.width * cubics.width, cube = square * cubics.width;
+      spline::Cubic<B> x;
+      x.p0 = B(2.0) * value(p, ends[i - 1]), x.p1 = B(2.0) * value(p, ends[i]);
+      x.out = part.begins_at_rest && angles.size() == 1 ? B() : slope(ends[i - 1]);
+      x.in = part.ends_at_rest && angles.size() == 1 ? B() : slope(ends[i]);
+      x.c = square * (p[2] + B(3.0) * ends[i - 1] * p[3]), x.e = square * (p[2] + B(3.0) * ends[i] * p[3]);
+      x.d = cube * p[3];
+      channels.push_back(x);
+    }
+    cubics.arc.assign(channels, {});
+    total_ += cubics.arc.total();
+    cubics_.push_back(std::move(cubics));
+  }
+}
+
+/// The speed has no derivative where a constant rate begins or ends; these places are known but for an error, in which
+/// the speed is at most twice that next to it.
+template <class M>
+void BallTurn<M>::assign(std::span<const spline::RotationSegment<B>> rotations, bool about_axes) {
   rotations_ = rotations;
   panels_.clear();
+  cubics_.clear();
   total_ = B();
+  if (about_axes) return assign_cubics();
   std::vector<M> ends{M(0.0), M(1.0)};
   Bound doubt = 0.0;
   for (const auto& rotation : rotations) {
-    std::vector<B> places = rotation.jumps([](const B& number) { return number.rough(); });
-    std::ranges::copy(rotation.constant_part(), std::back_inserter(places));
-    for (const B& place : places) {
+    for (const B& place : rotation.constant_part()) {
       if (!(place.middle() > M(0.0) && place.middle() < M(1.0))) continue;
       ends.push_back(place.middle());
       doubt = doubt + Bound(4.0) * place.radius();
@@ -618,6 +822,12 @@ void BallTurn<M>::assign(std::span<const spline::RotationSegment<B>> rotations) 
 template <class M>
 typename BallTurn<M>::B BallTurn<M>::to(const spline::LocalParameter<B>& place) const {
   if (place.w.is_zero()) return total_;
+  if (!cubics_.empty()) {
+    auto part = std::ranges::find_if(
+        cubics_, [&](const Cubics& cubics) { return place.u.middle() < (cubics.begin + cubics.width).middle(); });
+    if (part == cubics_.end()) --part;
+    return part->before + part->arc.to(local(0, (place.u - part->begin) / part->width));
+  }
   auto panel = std::ranges::upper_bound(panels_, place.u.middle(), {}, &Panel::begin);
   if (panel != panels_.begin()) --panel;
   return panel->before + sum(*panel, place.u - B(panel->begin)).widened(panel->length.radius());
@@ -627,6 +837,10 @@ typename BallTurn<M>::B BallTurn<M>::to(const spline::LocalParameter<B>& place) 
 /// that it does not change much there.
 template <class M>
 spline::LocalParameter<BallOf<M>> BallTurn<M>::place(const B& length) const {
+  if (!cubics_.empty()) {
+    const Cubics& part = panel_at_length(cubics_, length.middle());
+    return local(0, part.begin + part.width * part.arc.place(length - part.before).u);
+  }
   const Panel& panel = panel_at_length(panels_, length.middle());
   const B into = length - panel.before, begin(panel.begin);
   if (panel.is_constant) {

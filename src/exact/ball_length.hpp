@@ -72,14 +72,20 @@ class BallArc {
   std::optional<spline::Cubic<B>> monotone_;  ///< the only channel that moves, if it does so in one direction
 };
 
+/// Whether the points of a rotation's curve between keys, each an arc from the first one, have one axis, as far as
+/// balls tell: then it turns about that axis alone, but for the ways that it joins at each place, which may change
+/// sides.
+template <class B>
+bool may_be_about_one_axis(const spline::RotationSegment<B>& rotation);
+
 /// The angle that rotations turn through on a segment.
 template <class M>
 class BallTurn {
  public:
   using B = BallOf<M>;
 
-  /// Requires: `rotations` outlive it.
-  void assign(std::span<const spline::RotationSegment<B>> rotations);
+  /// `about_axes`: each is about one axis. Requires: `rotations` outlive it.
+  void assign(std::span<const spline::RotationSegment<B>> rotations, bool about_axes);
 
   const B& total() const { return total_; }
   B to(const spline::LocalParameter<B>& place) const;
@@ -98,6 +104,14 @@ class BallTurn {
     M end() const { return begin + width; }
   };
 
+  /// A part of the segment on which the angles about axes are cubics.
+  struct Cubics {
+    B begin, width;
+    BallArc<M> arc;
+    B before;
+  };
+
+  void assign_cubics();
   B speed(const B& u) const;
   B sum(const Panel& panel, const B& width) const;
   std::vector<M> rests() const;
@@ -108,6 +122,7 @@ class BallTurn {
 
   std::span<const spline::RotationSegment<B>> rotations_;
   std::vector<Panel> panels_;
+  std::vector<Cubics> cubics_;  ///< instead of panels, where all rotations are about axes
   B total_;
 };
 
@@ -128,23 +143,23 @@ class SegmentLength<BallOf<M>> {
  public:
   using B = BallOf<M>;
 
-  /// `in_double_doubles`: rotations are measured in these, also where they are known to more digits. Requires:
-  /// `rotations` outlive it.
+  /// `about_axes`: each rotation is about one axis. `in_double_doubles`: rotations are measured in these, also where
+  /// they are known to more digits. Requires: `rotations` outlive it.
   void assign(std::span<const Cubic<B>> cubics, std::span<const RotationSegment<B>> rotations,
-              std::span<const std::size_t> metric, bool in_double_doubles = false) {
+              std::span<const std::size_t> metric, bool about_axes = false, bool in_double_doubles = false) {
     if (!is_turn(metric)) {
       kind_ = Kind::arc;
       arc_.assign(cubics, metric);
     } else if (!in_double_doubles) {
       kind_ = Kind::turn;
-      turn_.assign(rotations);
+      turn_.assign(rotations, about_axes);
     } else {
       kind_ = Kind::rough_turn;
       rough_rotations_.clear();
       for (const RotationSegment<B>& rotation : rotations) {
         rough_rotations_.push_back(rotation.template converted<Ball>([](const B& number) { return ball_of(number); }));
       }
-      rough_turn_.assign(rough_rotations_);
+      rough_turn_.assign(rough_rotations_, about_axes);
     }
   }
 

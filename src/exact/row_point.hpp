@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "exact/ball_length.hpp"
 #include "exact/exact_curve.hpp"
 #include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
 #include "sample/fields.hpp"
 #include "sample/sampler.hpp"
-#include "tcb/spline/segment_length.hpp"
 
 namespace tcb {
 
@@ -192,14 +192,24 @@ class RowPoint {
 
   const spline::SegmentLength<S>& arc(std::size_t number) {
     Known& one = known(number);
-    if (!one.arc) one.arc = measured(one.segments);  // only now: some scalars throw
+    if (!one.arc) one.arc = measured(one.segments, number);  // only now: some scalars throw
     return *one.arc;
   }
 
-  spline::SegmentLength<S> measured(const spline::Segments<S>& one) const {
+  spline::SegmentLength<S> measured(const spline::Segments<S>& one, std::size_t number) {
     spline::SegmentLength<S> arc;
-    arc.assign(one[0], one.rotations_of(0), rows_.exact.rules.metric, in_double_doubles_);
+    const bool about_axes = spline::is_turn(rows_.exact.rules.metric) && are_about_axes(one, number);
+    arc.assign(one[0], one.rotations_of(0), rows_.exact.rules.metric, about_axes, in_double_doubles_);
     return arc;
+  }
+
+  /// Whether each rotation of a segment is about one axis: balls with few digits show where one is not.
+  bool are_about_axes(const spline::Segments<S>& one, std::size_t number) {
+    constexpr int last_precision = 1536;  // bits
+    if (!std::ranges::all_of(one.rotations, may_be_about_one_axis<S>)) return false;
+    const RealPrecision precision(last_precision, true);
+    if (last_curve_ == nullptr) last_curve_ = curve_at<RealBall>(rows_.exact);
+    return std::ranges::all_of(last_curve_->segments(number, number + 1).rotations, may_be_about_one_axis<RealBall>);
   }
 
   /// Sets the length at the start of the sample's segment, or at its end if the sample is there, and returns the
@@ -219,7 +229,7 @@ class RowPoint {
     if (lengths_.empty()) lengths_.push_back(S(0));
     for (std::size_t i = lengths_.size(); i <= key; ++i) {
       const bool is_kept = has_room() || known_.contains(i - 1);
-      const S length = is_kept ? arc(i - 1).total().value : measured(curve_->segments(i - 1, i)).total().value;
+      const S length = is_kept ? arc(i - 1).total().value : measured(curve_->segments(i - 1, i), i - 1).total().value;
       lengths_.push_back(lengths_.back() + length);
     }
     return lengths_[key];
@@ -366,6 +376,7 @@ class RowPoint {
   const bool in_double_doubles_;
   std::unique_ptr<const spline::CurveKeys<S>> curve_;
   std::unique_ptr<const spline::CurveKeys<Rational>> exact_curve_;  ///< null until it is needed
+  std::unique_ptr<const spline::CurveKeys<RealBall>> last_curve_;   ///< at the last precision; null until it is needed
   std::map<std::size_t, Known> known_;
   std::vector<S> lengths_;
   std::vector<S> cycle_;

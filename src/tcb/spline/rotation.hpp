@@ -230,6 +230,11 @@ class RotationSegment {
     }
   }
 
+  RotationCurve curve() const { return curve_; }
+  /// Those that it is made from.
+  const std::array<Quaternion<S>, 4>& points() const { return points_; }
+  bool has_whole_turns() const { return half_turns_ > S(1.5); }
+
   /// The part of this curve from the place u = from, of the given size; `left` is what remains after it.
   RotationSegment part(const S& from, const S& size, const S& left) const {
     RotationSegment result = *this;
@@ -278,38 +283,6 @@ class RotationSegment {
     return {S(part - from_) / size_, S(S(1) - part - from_) / size_};
   }
 
-  /// The places at which it jumps if it is about one axis, so that two numbers of all its points are 0: two points
-  /// between which it runs are opposite there, and the shorter way changes sides. `rough`: converts to a double.
-  template <class Rough>
-  std::vector<S> jumps(const Rough& rough) const {
-    std::vector<S> places;
-    if (!has_inner_arcs() || !is_about_one_axis()) return places;
-    const RotationSegment<double> doubles = converted<double>(rough);
-    const auto is_jump = [](const Quaternion<double>& before, const Quaternion<double>& after) {
-      return before.w < 0 && after.w < 0 && (along_axis(before) < 0) != (along_axis(after) < 0);
-    };
-    constexpr int steps = 32;
-    auto before = doubles.inner_turns(0.0);
-    for (int step = 0; step < steps; ++step) {
-      const auto after = doubles.inner_turns(double(step + 1) / steps);
-      for (std::size_t arc = 0; arc < after.size(); ++arc) {
-        if (!is_jump(before[arc], after[arc])) continue;
-        double low = double(step) / steps, high = double(step + 1) / steps;
-        for (int halving = 0; halving < 60; ++halving) {
-          const double middle = (low + high) / 2;
-          (is_jump(before[arc], doubles.inner_turns(middle)[arc]) ? high : low) = middle;
-        }
-        const S place = (jump_near(S(low), arc) - from_) / size_;
-        const double rough_place = rough(place);
-        const auto is_known = [&](const S& other) { return std::abs(rough(other) - rough_place) < 1e-9; };
-        const bool is_inside = rough_place > 0x1p-50 && rough_place < 1 - 0x1p-50;
-        if (is_inside && std::ranges::none_of(places, is_known)) places.push_back(place);
-      }
-      before = after;
-    }
-    return places;
-  }
-
   /// The rotation at a place. Promises: |q| = 1 within 2^-52 for doubles; exact at both ends of a whole curve.
   Quaternion<S> at(const LocalParameter<S>& place) const {
     const auto [u, w] = of_whole(place);
@@ -337,48 +310,6 @@ class RotationSegment {
  private:
   template <class T>
   friend class RotationSegment;
-
-  /// Whether it makes an arc between points that it computes at each place.
-  bool has_inner_arcs() const {
-    return (curve_ == RotationCurve::squad || curve_ == RotationCurve::casteljau) && !has_whole_turns();
-  }
-
-  /// Whether two numbers of all points are 0.
-  bool is_about_one_axis() const {
-    const auto is_zero = [&](S Quaternion<S>::*number) {
-      return std::ranges::all_of(points_, [&](const auto& point) { return is_exactly_zero(point.*number); });
-    };
-    return std::ranges::count_if(std::array{&Quaternion<S>::x, &Quaternion<S>::y, &Quaternion<S>::z, &Quaternion<S>::w},
-                                 is_zero) >= 2;
-  }
-
-  /// The sine of the angle between the points that a turn joins, if it is about one axis of the coordinates.
-  template <class T>
-  static T along_axis(const Quaternion<T>& turn) {
-    return turn.x + turn.y + turn.z;
-  }
-
-  /// The turns between the points that these arcs join. Requires: has_inner_arcs().
-  template <class T>
-  std::vector<Quaternion<T>> inner_turns(const T& u) const {
-    const T left = T(1) - u;
-    const Quaternion<T> first = arcs_[0].at(u, left), second = arcs_[1].at(u, left);
-    if (curve_ == RotationCurve::squad) return {conjugate(first) * second};
-    const Quaternion<T> third = arcs_[2].at(u, left);
-    const Quaternion<T> before = Arc<T>(first, second).at(u, left), after = Arc<T>(second, third).at(u, left);
-    return {conjugate(first) * second, conjugate(second) * third, conjugate(before) * after};
-  }
-
-  /// The jump of an inner arc near a place, by Newton's method: from 40 bits to more than any scalar has.
-  S jump_near(S u, std::size_t arc) const {
-    for (int step = 0; step < 5; ++step) {
-      const Dual<S> sine = along_axis(inner_turns(Dual<S>(u, S(1)))[arc]);
-      u = u - sine.value / sine.slope;
-    }
-    return u;
-  }
-
-  bool has_whole_turns() const { return half_turns_ > S(1.5); }
 
   LocalParameter<S> of_whole(const LocalParameter<S>& place) const {
     if (size_ == S(1)) return place;
