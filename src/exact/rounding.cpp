@@ -30,7 +30,7 @@ struct Fraction {
 
   /// The whole number nearest to it times 10^exponent, half to even.
   Integer nearest_whole_times_ten_to(int exponent) const {
-    return nearest_whole(above * power_of_ten(exponent), below * power_of_ten(-exponent));
+    return rounded_quotient(above * power_of_ten(exponent), below * power_of_ten(-exponent));
   }
   /// The greatest e with 10^e <= it. Requires: > 0.
   int floor_log10() const {

@@ -30,7 +30,7 @@ inline Rational ratio(const Integer& above, const Integer& below) {
 }
 
 /// n / d rounded to the nearest whole number, ties to even. Requires: n >= 0, d > 0.
-inline Integer nearest_whole(const Integer& n, const Integer& d) {
+inline Integer rounded_quotient(const Integer& n, const Integer& d) {
   Integer quotient, rest;
   divide_qr(n, d, quotient, rest);
   const int side = Integer(2 * rest).compare(d);

@@ -102,7 +102,7 @@ double nearest_positive(const Integer& n, const Integer& d) {
   int shift = bits - (bit_width(n) - bit_width(d));
   if (shifted(n, shift) >> bits >= shifted(d, -shift)) --shift;
   if (shift > last_bit) shift = last_bit;
-  const Integer whole = nearest_whole(shifted(n, shift), shifted(d, -shift));
+  const Integer whole = rounded_quotient(shifted(n, shift), shifted(d, -shift));
   return std::ldexp(static_cast<double>(whole), -shift);
 }
 
@@ -252,7 +252,7 @@ Time nearest_time(const Rational& value) {
   constexpr double digits_end = 1e31;  // from here on a whole number has more digits than a time
   const double nearest = nearest_double(value);
   if (std::abs(nearest) >= digits_end || abs(value) < std::int64_t{1} << 53) return {nearest};
-  const Time time = whole_time(nearest_whole(integer(abs(numerator(value))), integer(denominator(value))));
+  const Time time = whole_time(rounded_quotient(integer(abs(numerator(value))), integer(denominator(value))));
   return value < 0 ? -time : time;
 }
 
