@@ -43,8 +43,8 @@ constexpr KindRow kind_rows[] = {
     {ValueKind::column_pair, "column_pair", "compopt +o default -o nospace; _tcbsample_columns : positions",
      ":@VALUE@:_tcbsample_pair", " -x -a '(__tcbsample_list : (__tcbsample_columns positions))'"},
     {ValueKind::roles, "roles",
-     "compopt +o default -o nospace; if [[ ${word##*,} == position=* ]]; then _tcbsample_columns ,=: positions; "
-     "elif [[ ${word##*,} == *=* ]]; then _tcbsample_columns ,=:; else _tcbsample_offer , = @ROLES@; fi",
+     "compopt +o default -o nospace; if [[ ${word##*,} == position=* ]]; then _tcbsample_columns ,=: positions; elif "
+     "[[ ${word##*,} == *=* ]]; then _tcbsample_columns ,=:; else _tcbsample_offer , = @ROLES@; fi",
      ":@VALUE@:_tcbsample_roles", " -x -a '(__tcbsample_roles)'"},
     {ValueKind::places, "places", "compopt +o default -o nospace; if [[ $word == @* ]]; then _tcbsample_files; fi",
      ":@VALUE@:_tcbsample_places", " -x -a '(__tcbsample_places)'"},

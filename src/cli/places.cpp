@@ -30,8 +30,7 @@ namespace {
 constexpr std::string_view not_a_range = "is not a range; expected FIRST:LAST:STEP, such as 0:10:0.5";
 
 constexpr std::string_view not_a_list_of_numbers =
-    "is not a number; expected decimals or ratios of whole numbers, separated by commas, such as "
-    "0,0.5,7/24";
+    "is not a number; expected decimals or ratios of whole numbers, separated by commas, such as 0,0.5,7/24";
 
 /// So many numbers of an option are kept at most.
 constexpr std::uint64_t most_places = 10'000'000;
@@ -90,8 +89,7 @@ class PlaceNumbers {
     TimeValue value = time_value(words, text);
     if (std::exchange(any_, true) && value.in_seconds != places_.in_seconds)
       throw usage_error(
-          "{} and the numbers before it do not both have a unit of time; expected a unit for each number, "
-          "or for none",
+          "{} and the numbers before it do not both have a unit of time; expected a unit for each number, or for none",
           in_quotes(text));
     places_.in_seconds = value.in_seconds;
     return std::move(value.value);
@@ -236,8 +234,8 @@ void read_place_column(TypedOptions& typed) {
   if (alone == places.end()) {
     if (typed.meta)
       throw usage_error(
-          "the column has different numbers for each group, which {} cannot record; expected the same "
-          "numbers for all groups; remove {}, or list the numbers",
+          "the column has different numbers for each group, which {} cannot record; expected the same numbers for all "
+          "groups; remove {}, or list the numbers",
           option::meta, option::meta)
           .about(column.option);
     typed.places.grouped = std::move(places);

@@ -234,8 +234,7 @@ WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest
       typed.files.outputs.file == "-" && !typed.files.outputs.folder && system::is_terminal(system::standard_output);
   if (to_terminal && typed.output.format->is_binary) {
     throw usage_error(
-        "the format npy is binary, and standard output is a terminal; expected a file or a pipe; "
-        "give {} FILE.npy",
+        "the format npy is binary, and standard output is a terminal; expected a file or a pipe; give {} FILE.npy",
         option::output);
   }
   WriterOptions rows = typed.output;

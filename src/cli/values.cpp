@@ -18,16 +18,15 @@ namespace tcb {
 namespace {
 
 constexpr std::string_view not_a_list_of_angles =
-    "is not a list of angles; expected CHANNEL=degrees or CHANNEL=radians, separated by commas, such "
-    "as heading=degrees";
+    "is not a list of angles; expected CHANNEL=degrees or CHANNEL=radians, separated by commas, such as "
+    "heading=degrees";
 
 constexpr std::string_view not_a_list_of_scales =
-    "is not a list of factors; expected CHANNEL=FACTOR pairs separated by commas, with factors other "
-    "than 0, such as x=0.01,y=1/3";
+    "is not a list of factors; expected CHANNEL=FACTOR pairs separated by commas, with factors other than 0, such as "
+    "x=0.01,y=1/3";
 
 constexpr std::string_view not_a_list_of_renamings =
-    "is not a list of renamings; expected NAME=NAME pairs separated by commas, such as "
-    "pos_x=x,pos_y=y";
+    "is not a list of renamings; expected NAME=NAME pairs separated by commas, such as pos_x=x,pos_y=y";
 
 Error not_three_parameters(std::string_view text) {
   return usage_error("{} is not a tension, a continuity and a bias; expected three numbers T,C,B, such as 0,0.5,-0.25",
@@ -36,9 +35,8 @@ Error not_three_parameters(std::string_view text) {
 
 Error bad_fit_limits(std::string_view text) {
   return usage_error(
-      "{} is not a list of tolerances; expected a distance above 0 for all channels, NAME=D for one "
-      "channel, an angle with deg or rad for rotations, or several of these separated by commas, such "
-      "as 0.01 or 0.01,fov=0.5,0.5deg",
+      "{} is not a list of tolerances; expected a distance above 0 for all channels, NAME=D for one channel, an angle "
+      "with deg or rad for rotations, or several of these separated by commas, such as 0.01 or 0.01,fov=0.5,0.5deg",
       in_quotes(text));
 }
 
@@ -110,9 +108,8 @@ std::vector<std::pair<std::string, std::string>> named_values(const std::string&
 
 Error not_a_rotation(std::string_view text) {
   return usage_error(
-      "{} is not a rotation; expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, "
-      "axis-angle=X:Y:Z:ANGLE,relative, axis-angle=X:Y:Z whose length is the angle, euler=A:B:C,order=XYZ, or matrix= "
-      "with nine columns row by row, "
+      "{} is not a rotation; expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, axis-angle=X:Y:Z:ANGLE,relative, "
+      "axis-angle=X:Y:Z whose length is the angle, euler=A:B:C,order=XYZ, or matrix= with nine columns row by row, "
       "where columns are names or numbers; or none",
       in_quotes(text));
 }
@@ -124,8 +121,8 @@ spline::RotationNotation euler_order(std::string_view letters, const std::string
   const bool is_order = notation.intrinsic || letters.find_first_not_of("xyz") == std::string_view::npos;
   if (letters.size() != 3 || !is_order || letters[1] == letters[0] || letters[1] == letters[2]) {
     throw usage_error(
-        "{} has no valid order of axes; expected three of the letters X, Y and Z, with no two equal letters "
-        "side by side, such as ZYX for intrinsic rotations, or zyx for extrinsic rotations",
+        "{} has no valid order of axes; expected three of the letters X, Y and Z, with no two equal letters side by "
+        "side, such as ZYX for intrinsic rotations, or zyx for extrinsic rotations",
         in_quotes(text));
   }
   for (std::size_t i = 0; i < letters.size(); ++i) {
@@ -194,8 +191,7 @@ std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_v
   const bool is_year_first = !format || format->order == DateOrder::ymd;
   if (!is_year_first && !units.date_order) {
     throw usage_error(
-        "the date {} does not tell which number is the day; expected the year first; or give {} dmy or "
-        "{} mdy",
+        "the date {} does not tell which number is the day; expected the year first; or give {} dmy or {} mdy",
         in_quotes(text), option::date_order, option::date_order);
   }
   const DateOrder order = is_year_first ? DateOrder::ymd : *units.date_order;
@@ -281,8 +277,8 @@ std::vector<Tolerance> tolerances(const std::string& text) {
     const std::optional<Tolerance> tolerance = tolerance_of(part);
     if (!tolerance)
       throw usage_error(
-          "{} is not a tolerance; expected a distance of at least 0 for all columns, or COLUMN=DISTANCE for "
-          "one, such as 1e-9 or x=1e-6",
+          "{} is not a tolerance; expected a distance of at least 0 for all columns, or COLUMN=DISTANCE for one, such "
+          "as 1e-9 or x=1e-6",
           in_quotes(part));
     list.push_back(*tolerance);
   }
@@ -349,8 +345,8 @@ char delimiter(const std::string& text) {
       text.size() == 1 && std::string_view("\"\n\r+-.0123456789eE").find(text[0]) == std::string_view::npos;
   if (!usable)
     throw usage_error(
-        "{} is not a delimiter; expected one character that cannot be part of a number, or tab, comma, "
-        "semicolon, space or pipe",
+        "{} is not a delimiter; expected one character that cannot be part of a number, or tab, comma, semicolon, "
+        "space or pipe",
         in_quotes(text));
   return text[0];
 }
@@ -444,8 +440,7 @@ std::vector<std::string> axis_names(const std::string& text) {
   const auto names = split(text, ':');
   if (names.size() != 2 || std::ranges::count(names, "") > 0)
     throw usage_error(
-        "{} is not a pair of axes; expected two channels by name or number, with a colon between them, such "
-        "as x:z",
+        "{} is not a pair of axes; expected two channels by name or number, with a colon between them, such as x:z",
         in_quotes(text));
   return {names.begin(), names.end()};
 }
@@ -510,8 +505,7 @@ spline::RotationNotation rotation_form(const std::string& text) {
   if (found == rotation_forms.end() || found->form == spline::RotationForm::euler) {
     throw usage_error(
         "{} is not a form of rotations; expected quaternion, axis-angle, rotation-vector, matrix, or euler= and an "
-        "order of "
-        "axes, as in euler=ZYX",
+        "order of axes, as in euler=ZYX",
         in_quotes(text));
   }
   return {found->form};

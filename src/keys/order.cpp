@@ -175,8 +175,7 @@ class Order : public HoldingStage {
     if (!column_.empty()) {
       return data_error(
                  "{}time {} does not follow the time {}, but the times increase for each value of {}; expected the "
-                 "keys "
-                 "of one curve; give {} {} for one curve per value",
+                 "keys of one curve; give {} {} for one curve per value",
                  beginning, time, before, in_quotes(column_), option::group, in_shell(column_))
           .at(text_position);
     }

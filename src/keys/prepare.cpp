@@ -26,14 +26,12 @@ Error tcb_of_scale(ShownTcbScale shown, std::string_view role, double value) {
   if (shown == ShownTcbScale::percent) {
     return data_error(
         "{} is {}, as in a product that shows percent; expected a number that is usually from -1 to 1; divide it by "
-        "100, "
-        "or give {} none to take it unchanged",
+        "100, or give {} none to take it unchanged",
         role, value, option::tcb_scale);
   }
   return data_error(
       "{} is {}, as in 3ds Max and similar programs, which show 0 to 50 with 25 for 0; expected a number that is "
-      "usually "
-      "from -1 to 1; give {} 3dsmax to convert it, or {} none to take it unchanged",
+      "usually from -1 to 1; give {} 3dsmax to convert it, or {} none to take it unchanged",
       role, value, option::tcb_scale, option::tcb_scale);
 }
 
@@ -186,16 +184,16 @@ class Steps {
           option::no_ease, option::preset));
     }
     if (!block.keys.velocities.empty()) {
-      refuse(data_error(
-          "the keys have velocities, which a preset with monotone timing would change; expected one of the two; give "
-          "another {}",
-          option::preset));
+      refuse(
+          data_error("the keys have velocities, which a preset with monotone timing would change; expected one of the "
+                     "two; give another {}",
+                     option::preset));
     }
     if (block.keys.is_sparse()) {
-      refuse(data_error(
-          "some numbers were skipped by {} skip-cell, but a preset with monotone timing needs a number in every "
-          "channel; fill them in, or give another {}",
-          option::missing, option::preset));
+      refuse(
+          data_error("some numbers were skipped by {} skip-cell, but a preset with monotone timing needs a number in "
+                     "every channel; fill them in, or give another {}",
+                     option::missing, option::preset));
     }
   }
 
@@ -262,8 +260,8 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel, 
       }
       if (!is_clear && keys > 1 && (!block || keys == most)) {
         throw data_error(
-            "there is no time column, but column {} may be one; expected a column called time; give "
-            "{} {}, or {} uniform if the keys have no times",
+            "there is no time column, but column {} may be one; expected a column called time; give {} {}, or {} "
+            "uniform if the keys have no times",
             in_quotes(channel), option::columns, in_shell("time=" + request), option::parameter);
       }
       is_clear = is_clear || !block;

@@ -29,8 +29,7 @@ constexpr double half_turn_rounding = 0x1p-50;  ///< of the cosine of half the a
 Error rotation_incomplete(const std::string& column) {
   return data_error(
       "the rotation that begins with {} lacks a number; expected all of its numbers, or none; fill it in, or remove "
-      "the "
-      "row",
+      "the row",
       in_quotes(column));
 }
 Error velocities_of_part_of_rotation(const std::string& column) {

@@ -109,8 +109,8 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   }
   if (input.facts.names_quaternion) {
     add(
-        important("columns x, y, z and w after x, y and z are taken as the quaternion qx, qy, qz, qw; {} "
-                  "none takes them as positions",
+        important("columns x, y, z and w after x, y and z are taken as the quaternion qx, qy, qz, qw; {} none takes "
+                  "them as positions",
                   option::rotation));
   }
   if (!input.schema.time.is_given && !options.rules.parameter) {
@@ -130,8 +130,8 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   const bool has_duration = request.in_seconds.has_duration || (period && read_duration(period->value));
   if (time.epoch_unit) {
     add(
-        important("the times in column \"{0}\" may be {1} since 1970; {2} {1} says so, and rates and "
-                  "durations are then in seconds",
+        important("the times in column \"{0}\" may be {1} since 1970; {2} {1} says so, and rates and durations are "
+                  "then in seconds",
                   time.name, row_of(*time.epoch_unit).name, option::time_unit));
   } else if (has_duration && !time.unit) {
     add(important("the unit of the times in column \"{}\" is unknown; they are taken as seconds; {} gives another one",

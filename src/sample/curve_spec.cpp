@@ -143,8 +143,8 @@ void retime(CurveSpec& spec, const Rational& factor) {
   for (auto* end : {&spec.rules.start, &spec.rules.end}) {
     if (end->rule == spline::EndRule::lightwave && !spec.closed && factor != 1) {
       throw usage_error(
-          "the end rule lightwave depends on 1/3600 of a second, so that other times make another curve; name "
-          "another end rule with {}",
+          "the end rule lightwave depends on 1/3600 of a second, so that other times make another curve; name another "
+          "end rule with {}",
           option::ends)
           .about(option::retime);
     }

@@ -94,15 +94,14 @@ void number_texts(Columns& columns) {
 
 Error segment_column_missing(std::string_view column, std::string_view missing_column) {
   return data_error(
-      "the rows are segments and have a column {}, but no {}; expected both; add the missing "
-      "column, or give {} {}",
+      "the rows are segments and have a column {}, but no {}; expected both; add the missing column, or give {} {}",
       in_quotes(column), in_quotes(missing_column), option::columns, in_shell(fmt::format("ignore={}", column)));
 }
 
 Error velocity_column_missing(std::string_view column, std::string_view missing_column) {
   return data_error(
-      "column {} gives the velocity on one side of a key, but there is no {} for the other "
-      "side; expected both, or one column for both sides; add it, or give {} {}",
+      "column {} gives the velocity on one side of a key, but there is no {} for the other side; expected both, or one "
+      "column for both sides; add it, or give {} {}",
       in_quotes(column), in_quotes(missing_column), option::columns, in_shell(fmt::format("ignore={}", column)));
 }
 
@@ -117,16 +116,16 @@ class RolesOfChannel {
     const auto both = name(Role::velocity), in = name(Role::velocity_in), out = name(Role::velocity_out);
     if (both && (in || out))
       throw data_error(
-          "columns {} and {} both give the velocity on the same side of a key; expected {} for "
-          "both sides, or a column for each side; remove one, or give {} ignore=NAME",
+          "columns {} and {} both give the velocity on the same side of a key; expected {} for both sides, or a column "
+          "for each side; remove one, or give {} ignore=NAME",
           in_quotes(*both), in_quotes(in ? *in : *out), *both, option::columns);
     if (in && !out) throw velocity_column_missing(*in, with_role(Role::velocity_out));
     if (out && !in) throw velocity_column_missing(*out, with_role(Role::velocity_in));
     for (const Role role : {Role::channel_tension, Role::channel_continuity, Role::channel_bias}) {
       if (has_velocity() && name(role))
         throw data_error(
-            "column {} gives velocities, so {} has no effect; expected velocities, or tension, "
-            "continuity and bias; remove one of the columns, or give {} ignore=NAME",
+            "column {} gives velocities, so {} has no effect; expected velocities, or tension, continuity and bias; "
+            "remove one of the columns, or give {} ignore=NAME",
             in_quotes(both ? *both : *in), in_quotes(*name(role)), option::columns);
     }
   }
@@ -159,8 +158,8 @@ void require_whole_velocities(const Columns& columns) {
   for (const Role role : {Role::tension, Role::continuity, Role::bias}) {
     if (has_all && columns.has(role))
       throw data_error(
-          "all channels have velocities, so the column of {} has no effect; expected velocities, "
-          "or tension, continuity and bias; remove the column, or give {} ignore=NAME",
+          "all channels have velocities, so the column of {} has no effect; expected velocities, or tension, "
+          "continuity and bias; remove the column, or give {} ignore=NAME",
           role_name(role), option::columns);
   }
 }
@@ -193,8 +192,8 @@ std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::strin
       if (may_be_channel[i] && !named[i]) channels.push_back(header[i]);
     }
     throw data_error(
-        "column {} names a channel {}, which does not exist; expected one of "
-        "{}; correct the name, or name the channels with {} position=NAME:NAME",
+        "column {} names a channel {}, which does not exist; expected one of {}; correct the name, or name the "
+        "channels with {} position=NAME:NAME",
         in_quotes(header[cell]), in_quotes(named[cell]->channel), listed(channels), option::columns);
   }
   return roles;
@@ -236,8 +235,7 @@ void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found
     const auto channel = channels.find(role.channel);
     if (!channel) {
       throw data_error(
-          "the role {} names a channel {}, which does not exist; expected one of the "
-          "channels {}; correct the role",
+          "the role {} names a channel {}, which does not exist; expected one of the channels {}; correct the role",
           role_name(role), in_quotes(role.channel), listed(columns.channels))
           .about(option::columns);
     }
@@ -403,8 +401,8 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     if (role == Role::position && !header.empty() && is_usual_counter(header[cell])) continue;
     if (role == Role::position && !header.empty() && tells_curves_apart(header[cell])) {
       throw data_error(
-          "column {} looks like a label, not a position; expected its role; give {} {} for "
-          "one curve per value, {} {} to keep it in the rows, or {} {} to leave it out",
+          "column {} looks like a label, not a position; expected its role; give {} {} for one curve per value, {} {} "
+          "to keep it in the rows, or {} {} to leave it out",
           in_quotes(header[cell]), option::group, in_shell(requested_as(header[cell], cell)), option::columns,
           in_shell(request_of("carry", header, cell)), option::columns, in_shell(request_of("ignore", header, cell)));
     }
@@ -554,8 +552,7 @@ std::vector<std::string> default_channel_names(std::size_t channels) {
 
 Error same_column_names(std::string_view name) {
   return data_error(
-      "two columns are called {}; expected different names; rename one, or choose columns "
-      "by number with {}",
+      "two columns are called {}; expected different names; rename one, or choose columns by number with {}",
       in_quotes(name), option::columns);
 }
 
@@ -564,17 +561,13 @@ Error no_such_column(std::string_view name, std::span<const std::string> columns
 }
 
 Error no_such_column_number(std::string_view number, std::size_t column_count) {
-  return data_error(
-      "there is no column {}; the columns have no names; expected a number from 1 to {}; "
-      "correct it",
-      in_quotes(number), column_count);
+  return data_error("there is no column {}; the columns have no names; expected a number from 1 to {}; correct it",
+                    in_quotes(number), column_count);
 }
 
 Error two_columns_for_role(std::string_view role, std::string_view second_column) {
-  return data_error(
-      "a second column, {}, has the role {}; expected one column with it; choose one with "
-      "{} {}=NAME",
-      in_quotes(second_column), role, option::columns, role);
+  return data_error("a second column, {}, has the role {}; expected one column with it; choose one with {} {}=NAME",
+                    in_quotes(second_column), role, option::columns, role);
 }
 
 }  // namespace tcb

@@ -105,8 +105,8 @@ std::string KeyBlock::list_position(std::size_t key) const {
 
 Error segment_without_duration(double duration) {
   return data_error(
-      "the duration of the segment is {}; expected a positive number, and an end within the "
-      "range of doubles; correct it",
+      "the duration of the segment is {}; expected a positive number, and an end within the range of doubles; correct "
+      "it",
       duration);
 }
 

@@ -78,10 +78,9 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
       throw usage_error("{} has no column; expected its name or number; give it, as in {}NAME", in_quotes(part), part);
     if (equals == std::string::npos || !(known || of_channel)) {
       throw usage_error(
-          "{} is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, "
-          "continuity=, bias=, tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, "
-          "ease_in=, ease_out=, group=, carry=, ignore=, nanoseconds= or clock=; for example {} "
-          "time=frame,position=px:py",
+          "{} is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, bias=, "
+          "tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, ease_in=, ease_out=, group=, "
+          "carry=, ignore=, nanoseconds= or clock=; for example {} time=frame,position=px:py",
           in_quotes(part), option::columns);
     }
     const auto columns = split(part.substr(equals + 1), ':');

@@ -52,8 +52,8 @@ std::size_t requested_channel(const std::string& name, const Columns& columns, s
     others.reserve(numbers.size());
     for (const std::size_t other : numbers) others.push_back(std::to_string(other));
     throw data_error(
-        "column {} is the time or has another role; expected one of the columns {}; give "
-        "another number, or {} uniform if the keys have no times",
+        "column {} is the time or has another role; expected one of the columns {}; give another number, or {} uniform "
+        "if the keys have no times",
         name, listed(others), option::parameter)
         .about(option);
   }
@@ -79,8 +79,8 @@ void require_letters(const std::vector<std::string>& channels) {
       return "quaternion=" + names[x] + ":" + names[y] + ":" + names[z] + ":" + names[w];
     };
     throw data_error(
-        "columns {} may be a quaternion, but their names do not tell which of them is w; expected names with "
-        "x, y, z and w; give {} {} if it is {}, {} {} if it is {}, or {} none for plain channels",
+        "columns {} may be a quaternion, but their names do not tell which of them is w; expected names with x, y, z "
+        "and w; give {} {} if it is {}, {} {} if it is {}, or {} none for plain channels",
         listed(names), option::rotation, in_shell(request(1, 2, 3, 0)), in_quotes(names.front()), option::rotation,
         in_shell(request(0, 1, 2, 3)), in_quotes(names.back()), option::rotation);
   }
@@ -118,8 +118,8 @@ std::vector<spline::RotationChannels> rotations_by_name(const std::vector<std::s
     std::string lacking = name;
     lacking[name.find('*')] = letters[static_cast<std::size_t>(std::ranges::find(rotation, none) - rotation.begin())];
     throw data_error(
-        "columns {} are three numbers of a quaternion, but there is no {}; expected four "
-        "numbers; add the missing column, or give {} none to take the three as plain channels",
+        "columns {} are three numbers of a quaternion, but there is no {}; expected four numbers; add the missing "
+        "column, or give {} none to take the three as plain channels",
         listed(others), in_quotes(lacking), option::rotation);
   }
   std::ranges::sort(rotations, {}, [](const spline::RotationChannels& rotation) { return std::ranges::min(rotation); });
@@ -159,8 +159,7 @@ void require_own_columns(const Schema& schema, const Columns& columns) {
   const auto take = [&](std::size_t channel, std::string_view option) {
     if (taken[channel])
       throw data_error(
-          "column {} is used twice; expected different columns for each rotation and angle; "
-          "name another column",
+          "column {} is used twice; expected different columns for each rotation and angle; name another column",
           in_quotes(columns.channels[channel]))
           .about(option);
     taken[channel] = true;
@@ -273,10 +272,8 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
   require_own_columns(schema, columns);
   if (!options.shown_by_format && options.shown && schema.rotations.empty()) {
     const auto form = std::ranges::find(rotation_forms, options.shown->form, &RotationFormName::form);
-    throw data_error(
-        "there is no rotation to show as {}; expected columns of a rotation; name them with "
-        "{}",
-        form->name, option::rotation)
+    throw data_error("there is no rotation to show as {}; expected columns of a rotation; name them with {}",
+                     form->name, option::rotation)
         .about(option::rotation_output);
   }
   set_channels(schema, columns);

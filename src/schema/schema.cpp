@@ -68,8 +68,8 @@ void require_distinct_names(Schema schema, std::string_view option) {
   for (const std::string* name : names_of(schema)) {
     if (std::ranges::count(known, *name) > 0)
       throw data_error(
-          "two columns of the output would be called {}; expected different names; choose "
-          "another name, or rename the column in the input",
+          "two columns of the output would be called {}; expected different names; choose another name, or rename the "
+          "column in the input",
           in_quotes(*name))
           .about(option);
     known.push_back(*name);

@@ -29,8 +29,8 @@ void require_unit(const UnitOptions& options, const Columns& columns) {
   if (!named || options.are_optional) return;
   const auto refuse = [&](std::string_view option, TimeUnit unit) {
     throw data_error(
-        "the times are in {} by this option, but in {} by the name of column {}; "
-        "expected one unit; remove the option, or rename the column",
+        "the times are in {} by this option, but in {} by the name of column {}; expected one unit; remove the option, "
+        "or rename the column",
         row_of(unit).name, row_of(*named).name, in_quotes(time))
         .about(option);
   };
@@ -45,17 +45,16 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
   if (format.order == DateOrder::ymd) {
     if (options.date_order && !options.are_optional)
       throw data_error(
-          "the dates in column {}, such as {}, have the year first; expected dates with the year "
-          "last; remove the option",
+          "the dates in column {}, such as {}, have the year first; expected dates with the year last; remove the "
+          "option",
           in_quotes(column), in_quotes(date))
           .about(option::date_order);
     return format;
   }
   if (!options.date_order)
     throw data_error(
-        "the dates in column {}, such as {}, do not tell which number is the day; expected "
-        "dates with the year first, or their order; give {} dmy if the day is first, or {} "
-        "mdy if the month is",
+        "the dates in column {}, such as {}, do not tell which number is the day; expected dates with the year first, "
+        "or their order; give {} dmy if the day is first, or {} mdy if the month is",
         in_quotes(column), in_quotes(date), option::date_order, option::date_order);
   format.order = *options.date_order;
   return format;
@@ -83,10 +82,8 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
   if (is_date(units.notation)) {
     units.dates = date_format_of(options, first_time, columns.time);
   } else if (options.date_order && !options.are_optional) {
-    throw data_error(
-        "the times in column {} are not dates; expected dates with the year last; remove the "
-        "option",
-        in_quotes(columns.time))
+    throw data_error("the times in column {} are not dates; expected dates with the year last; remove the option",
+                     in_quotes(columns.time))
         .about(option::date_order);
   }
   units.frame_rate = options.frame_rate;
@@ -124,8 +121,7 @@ Schema with_unit(Schema schema, const UnitOptions& options) {
   if (!time.is_given) {
     if (!options.frame_rate && !options.time) return schema;
     throw data_error(
-        "there is no time column, but the option needs one; name the column with {} "
-        "time=NAME, or remove the option",
+        "there is no time column, but the option needs one; name the column with {} time=NAME, or remove the option",
         option::columns)
         .about(options.frame_rate ? option::input_fps : option::time_unit);
   }
@@ -143,8 +139,8 @@ Schema with_unit(Schema schema, const UnitOptions& options) {
 
 Error times_without_rate(std::string_view column) {
   return data_error(
-      "the times in column {} are frames or timecode, but no frame rate is given; expected "
-      "one; give it with {}, as in {} 24 or {} 30000/1001",
+      "the times in column {} are frames or timecode, but no frame rate is given; expected one; give it with {}, as in "
+      "{} 24 or {} 30000/1001",
       in_quotes(column), option::input_fps, option::input_fps, option::input_fps);
 }
 

@@ -184,8 +184,7 @@ bool is_usual_label(std::string_view name) {
 
 bool tells_curves_apart(std::string_view name) {
   constexpr std::string_view names =
-      "id track trackid object objectid name curve curveid uuid series deviceid vehicleid playerid robotid mmsi "
-      "icao24";
+      "id track trackid object objectid name curve curveid uuid series deviceid vehicleid playerid robotid mmsi icao24";
   return has(names, compact(name));
 }
 
