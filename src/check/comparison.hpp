@@ -20,9 +20,9 @@ struct EarlierOutput;
 /// The samples that a file should have, no fewer and no more.
 struct ExpectedSamples {
   SampleOptions samples;
-  std::optional<TextSetting> metric = {};  ///< over which they are placed, if the keys have none
-  Notation notation = {};                  ///< of the numbers in the file
-  std::optional<TimeZero> time_zero = {};  ///< from which the times in the file count
+  std::optional<MetricSetting> metric = {};  ///< over which they are placed, if the keys have none
+  Notation notation = {};                    ///< of the numbers in the file
+  std::optional<TimeZero> time_zero = {};    ///< from which the times in the file count
 };
 
 /// A request to compare the samples in a file with the curves of keys.

@@ -230,13 +230,11 @@ std::string ends_of(const Convention& convention) {
 }
 
 CurveSettings settings_of(const Convention& convention, CurveSettings others, const ComparedParts& parts) {
-  others.tangents = {std::string(name_of(convention.tangents)), {option::tangents}};
-  if (!parts.closed) others.ends = {ends_of(convention), {option::ends}};
+  others.tangents = convention.tangents;
+  if (!parts.closed) others.ends = {{{convention.start}, {convention.end}}, {option::ends}};
   others.equal_speed = convention.equal_speed;
   others.timing = convention.timing;
-  if (convention.rotation_curve) {
-    others.rotation_curve = {std::string(name_of(*convention.rotation_curve)), {option::rotation_curve}};
-  }
+  if (convention.rotation_curve) others.rotation_curve = convention.rotation_curve;
   others.rotation_preset = convention.rotation_preset;
   return others;
 }

@@ -1,13 +1,11 @@
 // Conflicts: options that exclude each other, need another, or have no effect, as one table.
-#include "cli/conflicts.hpp"
+#include "cli/options.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "cli/options.hpp"
 #include "error.hpp"
 #include "numbers/print_number.hpp"
-#include "sample/curve_spec.hpp"
 #include "sample/table.hpp"
 #include "schema/format.hpp"
 
@@ -63,13 +61,12 @@ bool any_field(const Typed& typed, Predicate predicate) {
 }
 
 bool needs_all_channels(const Typed& typed) {
-  const bool times_of_distances =
-      typed.has(option::parameter) && make_spec(typed.keys.rules).parameter.value_or(0) != 0;
+  const bool times_of_distances = typed.keys.rules.parameter && typed.keys.rules.parameter->exponent != 0;
   return typed.has(option::equal_speed) || times_of_distances;
 }
 
 bool extends_curve(const Typed& typed) {
-  return typed.keys.rules.extrapolate && typed.keys.rules.extrapolate->value != "error";
+  return typed.keys.rules.extrapolate && typed.keys.rules.extrapolate->extend_curve();
 }
 
 /// The curve is extended, but all samples are on it, as with steps and counts without a range in time.

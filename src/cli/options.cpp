@@ -5,7 +5,6 @@
 #include <array>
 #include <tuple>
 
-#include "cli/places.hpp"
 #include "cli/values.hpp"
 #include "formats/formats.hpp"
 #include "option_names.hpp"
@@ -154,7 +153,7 @@ constexpr OptionRow option_rows[] = {
      "The scale of tension, continuity and bias: 3dsmax converts 0 to 50 into -1 to 1; none, the default, takes "
      "them as they are",
      "", name, recorded,
-     [](Typed& to, Text text) { to.keys.input.keys.tcb_scale = named_row(tcb_scales, text).scale; },
+     [](Typed& to, Text text) { to.keys.input.keys.tcb_scale = named_row(tcb_scales, text).value; },
      names_in<tcb_scales>},
     {option::decimal, "", "MARK", input_group,
      "The decimal mark of numbers, a point or a comma",
@@ -229,7 +228,7 @@ constexpr OptionRow option_rows[] = {
     {option::angles, "", "UNIT", input_group,
      "The unit of the angles in rotations: radians or degrees",
      "radians", name, recorded,
-     [](Typed& to, Text text) { to.keys.input.rotation.degrees = named_row(angle_units, text).degrees; },
+     [](Typed& to, Text text) { to.keys.input.rotation.degrees = named_row(angle_units, text).value; },
      names_in<angle_units>},
     {option::rotation_output, "", "FORM", input_group,
      "The form of rotations in rows: quaternion, axis-angle, rotation-vector, matrix, or euler=XYZ; by default the "
@@ -262,26 +261,25 @@ constexpr OptionRow option_rows[] = {
     {option::preset, "", "NAME", curve_group,
      "The rules of a product for tangents, ends and rotations; --list-presets shows all products",
      "gte", name, recorded,
-     [](Typed& to, Text text) {
-       to.keys.rules.preset = {std::string(named_row(spline::presets, text).name), {option::preset}};
-     }, names_in<spline::presets>},
+     [](Typed& to, Text text) { to.keys.rules.preset = named_row(spline::presets, text).id; },
+     names_in<spline::presets>},
     {option::tangents, "", "RULE", curve_group,
      "The rule for the tangents at inner keys, instead of the preset's rule",
      "", name, recorded,
-     [](Typed& to, Text text) {
-       to.keys.rules.tangents = {std::string(named_row(spline::tangent_rules<double>, text).name), {option::tangents}};
-     }, names_in<spline::tangent_rules<double>>},
+     [](Typed& to, Text text) { to.keys.rules.tangents = named_row(spline::tangent_rules<double>, text).id; },
+     names_in<spline::tangent_rules<double>>},
     {option::ends, "", "RULE[,RULE]", curve_group,
      "The rule for the tangents at the first and the last key, one for both or one for each, instead of the preset's "
      "rule; velocity=V:V... sets a velocity, a number for each channel",
      "", names, recorded,
-     [](Typed& to, Text text) { to.keys.rules.ends = {text, {option::ends}}; }, names_in<spline::end_rules<double>>},
+     [](Typed& to, Text text) { to.keys.rules.ends = {ends_in(text), {option::ends}}; },
+     names_in<spline::end_rules<double>>},
     {option::closed, "", "", curve_group,
      "The curve continues from the last key to the first",
      "", flag, recorded, [](Typed& to, Text) { to.keys.rules.closed = {true, {option::closed}}; }},
     {option::period, "", "P", curve_group,
      "The time that a closed curve takes to return to its first key, such as 4 or 4s; implies --closed",
-     "", other, recorded, [](Typed& to, Text text) { to.keys.rules.period = {text, {option::period}}; }},
+     "", other, recorded, [](Typed& to, Text text) { to.keys.rules.period = {period_in(text), {option::period}}; }},
     {option::equal_speed, "", "", curve_group,
      "Makes the speeds on both sides of a key equal, even if the continuity is not 0",
      "", flag, recorded, [](Typed& to, Text) { to.keys.rules.equal_speed = true; }},
@@ -292,20 +290,21 @@ constexpr OptionRow option_rows[] = {
      "Makes times for keys that have none: uniform, chordal, centripetal, or an exponent of the distances between "
      "keys",
      "uniform", name, recorded,
-     [](Typed& to, Text text) { to.keys.rules.parameter = {text, {option::parameter}}; },
-     [] { return std::vector<std::string_view>{"uniform", "chordal", "centripetal"}; }},
+     [](Typed& to, Text text) { to.keys.rules.parameter = parameter_in(text); }, names_in<parameter_names>},
     {option::metric, "", "CHANNEL,...", curve_group,
      "The channels, by name or number, over which lengths and speeds are measured; by default those called x, y and "
      "z if there are any, otherwise all. all means all channels, rotation the angles in radians through which "
      "rotations turn",
-     "", columns, recorded, [](Typed& to, Text text) { to.keys.rules.metric = {text, {option::metric}}; }},
+     "", columns, recorded, 
+     [](Typed& to, Text text) {
+       const auto names = split(text, ',');
+       to.keys.rules.metric = {{names.begin(), names.end()}, {option::metric}};
+     }},
     {option::rotation_curve, "", "NAME", curve_group,
      "The curve between rotations, instead of the preset's curve: squad, casteljau, components or slerp",
      "", name, recorded,
-     [](Typed& to, Text text) {
-       const auto& row = named_row(spline::rotation_curves, text);
-       to.keys.rules.rotation_curve = {std::string(row.name), {option::rotation_curve}};
-     }, names_in<spline::rotation_curves>},
+     [](Typed& to, Text text) { to.keys.rules.rotation_curve = named_row(spline::rotation_curves, text).id; },
+     names_in<spline::rotation_curves>},
     {option::no_ease, "", "", curve_group,
      "Ignores the columns ease_in and ease_out",
      "", flag, recorded, [](Typed& to, Text) { to.keys.rules.no_ease = true; }},
@@ -313,10 +312,7 @@ constexpr OptionRow option_rows[] = {
      "What happens to times outside the curve, one rule for both sides or one each for before and after: error "
      "rejects them; hold, linear, repeat, offset and oscillate extend the curve",
      "error", names, recorded,
-     [](Typed& to, Text text) {
-       for (const std::string_view rule : split(text, ',')) (void)named_row(extrapolations, rule);
-       to.keys.rules.extrapolate = {text, {option::extrapolate}};
-     }, names_in<extrapolations>},
+     [](Typed& to, Text text) { to.keys.rules.extrapolate = extrapolation(text); }, names_in<extrapolations>},
 
     {option::step, "-s", "H", sampling_group,
      "Samples every H of time from the first key; H is a decimal, a ratio such as 1/24, or a duration such as 20ms "
@@ -407,7 +403,7 @@ constexpr OptionRow option_rows[] = {
      "What happens if the steps do not meet the end: drop stops before it; keep adds it after a shorter step; fit "
      "takes the nearest whole number of equal steps, fit-down steps of at most H, and fit-up steps of at least H",
      "drop", name, recorded,
-     [](Typed& to, Text text) { to.sampling.end = named_row(end_policies, text).policy; }, names_in<end_policies>},
+     [](Typed& to, Text text) { to.sampling.end = named_row(end_policies, text).value; }, names_in<end_policies>},
     {option::keys, "", "", sampling_group,
      "Adds every key as a sample, in place of one within a billionth of a step of it",
      "", flag, recorded, [](Typed& to, Text) { to.sampling.keys = true; }},

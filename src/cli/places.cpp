@@ -1,5 +1,5 @@
 // Places: the times or arc lengths of --at and --arc-at, as listed, in a file of numbers, or in a column of a file.
-#include "cli/places.hpp"
+#include "cli/values.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,6 @@
 #include <system_error>
 #include <utility>
 
-#include "cli/values.hpp"
 #include "formats/formats.hpp"
 #include "io/compression.hpp"
 #include "io/input_file.hpp"

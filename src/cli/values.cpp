@@ -134,13 +134,13 @@ spline::RotationNotation euler_order(std::string_view letters, const std::string
 /// The columns of a rotation after its form. Euler angles still lack their order.
 GivenRotation rotation_request(std::string_view part, const std::string& text) {
   const std::size_t equals = std::min(part.find('='), part.size());
-  const auto form = std::ranges::find(rotation_forms, part.substr(0, equals), &RotationFormName::name);
+  const auto form = std::ranges::find(rotation_forms, part.substr(0, equals), &Named<spline::RotationForm>::name);
   if (equals == part.size() || form == rotation_forms.end()) {
     throw not_a_rotation(text);
   }
-  GivenRotation request{{form->form}};
+  GivenRotation request{{form->value}};
   for (const std::string_view column : split(part.substr(equals + 1), ':')) request.columns.emplace_back(column);
-  const bool lacks_angle = form->form == spline::RotationForm::axis_angle && request.columns.size() == 3;
+  const bool lacks_angle = form->value == spline::RotationForm::axis_angle && request.columns.size() == 3;
   if (lacks_angle) request.notation.form = spline::RotationForm::rotation_vector;
   if (request.columns.size() != request.notation.numbers() || std::ranges::count(request.columns, "") > 0) {
     throw not_a_rotation(text);
@@ -403,9 +403,9 @@ std::vector<ChannelScale> channel_scales(const std::string& text) {
 std::vector<NamedAngle> angle_channels(const std::string& text) {
   std::vector<NamedAngle> all;
   for (const auto& [channel, unit] : named_values(text, not_a_list_of_angles)) {
-    const auto known = std::ranges::find(angle_units, unit, &AngleUnit::name);
+    const auto known = std::ranges::find(angle_units, unit, &Named<bool>::name);
     if (known == angle_units.end()) throw usage_error("{} {}", in_quotes(text), not_a_list_of_angles);
-    all.push_back({channel, known->degrees});
+    all.push_back({channel, known->value});
   }
   return all;
 }
@@ -443,6 +443,13 @@ std::vector<std::string> axis_names(const std::string& text) {
         "{} is not a pair of axes; expected two channels by name or number, with a colon between them, such as x:z",
         in_quotes(text));
   return {names.begin(), names.end()};
+}
+
+Extrapolations extrapolation(const std::string& text) {
+  std::vector<Extrapolation> rules;
+  for (const std::string_view rule : split(text, ',')) rules.push_back(named_row(extrapolations, rule).value);
+  if (rules.size() > 2) throw too_many_rules(rules.size());
+  return {rules.front(), rules.back()};
 }
 
 PictureSize picture_size(const std::string& text) {
@@ -501,14 +508,14 @@ std::vector<GivenRotation> rotations(const std::string& text, bool& none) {
 spline::RotationNotation rotation_form(const std::string& text) {
   constexpr std::string_view euler = "euler=";
   if (text.starts_with(euler)) return euler_order(text.substr(euler.size()), text);
-  const auto found = std::ranges::find(rotation_forms, text, &RotationFormName::name);
-  if (found == rotation_forms.end() || found->form == spline::RotationForm::euler) {
+  const auto found = std::ranges::find(rotation_forms, text, &Named<spline::RotationForm>::name);
+  if (found == rotation_forms.end() || found->value == spline::RotationForm::euler) {
     throw usage_error(
         "{} is not a form of rotations; expected quaternion, axis-angle, rotation-vector, matrix, or euler= and an "
         "order of axes, as in euler=ZYX",
         in_quotes(text));
   }
-  return {found->form};
+  return {found->value};
 }
 
 }  // namespace tcb

@@ -15,15 +15,9 @@
 
 #include "cli/typed_options.hpp"
 #include "schema/format.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
-
-/// A name of a value of an option, and what it means.
-template <class T>
-struct Named {
-  std::string_view name;
-  T value;
-};
 
 inline constexpr auto generated_names = std::to_array<Named<Generated>>({{"man", Generated::manual},
                                                                          {"man-curves", Generated::curves},
@@ -111,6 +105,8 @@ std::size_t form_of_pieces(const std::string& text);
 std::string name_part(const std::string& text);
 /// Two columns with a colon between them.
 std::vector<std::string> axis_names(const std::string& text);
+/// "RULE" or "RULE,RULE".
+Extrapolations extrapolation(const std::string& text);
 /// Width and height with an x between them.
 PictureSize picture_size(const std::string& text);
 /// The value of --rotation; sets `none` if it is "none", for no rotation.
@@ -149,5 +145,13 @@ const auto& named_row(const Table& table, std::string_view name) {
   if (found != std::ranges::end(table)) return *found;
   throw unknown_value(name, names_of(table));
 }
+
+/// Stores the places of an option: numbers, dates, and ranges FIRST:LAST:STEP, separated by commas, or for @FILE and
+/// "-" numbers in that file or standard input. A column of a file is only named. Throws: Error (usage); the caller adds
+/// the name of the option.
+void store_places(TypedOptions& typed, std::string_view option, const std::string& text);
+
+/// Reads the column of a file that an option names, if one does. Throws: Error.
+void read_place_column(TypedOptions& typed);
 
 }  // namespace tcb

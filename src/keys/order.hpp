@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "keys/curve_options.hpp"
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
+#include "schema/curve_settings.hpp"
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
 

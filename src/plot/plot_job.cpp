@@ -111,7 +111,7 @@ std::string short_rules(const CurveSpec& spec) {
   if (rules.equal_speed) words.emplace_back("equal speed");
   if (rules.no_overshoot) words.emplace_back("no overshoot");
   if (!rules.rotations.empty()) append_rotation_rules(words, spec, preset->rotations);
-  if (!spec.timed) words.push_back(fmt::format("parameter {}", spec.parameter_name.value_or("uniform")));
+  if (!spec.timed) words.push_back(fmt::format("parameter {}", spec.parameter ? spec.parameter->name : "uniform"));
   return fmt::format("{}", fmt::join(words, ", "));
 }
 

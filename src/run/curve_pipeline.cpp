@@ -23,17 +23,16 @@ namespace tcb {
 namespace {
 
 /// The channels called x, y and z as the metric; nothing where there are no such, or all channels are.
-std::optional<TextSetting> metric_by_names(const Schema& schema) {
-  std::string names;
+std::optional<MetricSetting> metric_by_names(const Schema& schema) {
+  std::vector<std::string> names;
   for (const std::size_t channel : spatial_channels(schema.channels)) {
     const bool is_of_rotation = std::ranges::any_of(
         schema.rotations, [&](const RotationSchema& rotation) { return rotation.columns.has(channel); });
     const bool is_angle = std::ranges::count(schema.angles, channel, &AngleColumn::channel) > 0;
-    const std::string& name = schema.channels[channel];
-    if (is_of_rotation || is_angle || name.find(',') != std::string::npos) return std::nullopt;
-    names += (names.empty() ? "" : ",") + name;
+    if (is_of_rotation || is_angle) return std::nullopt;
+    names.push_back(schema.channels[channel]);
   }
-  return names.empty() ? std::nullopt : std::optional(TextSetting{names, {option::metric}});
+  return names.empty() ? std::nullopt : std::optional(MetricSetting{names, SettingOrigin{option::metric}});
 }
 
 /// Also checks the settings of the input, even those that the command line replaces. The extrapolation of an input
@@ -114,7 +113,7 @@ CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size
   };
   const bool has_field_of_path =
       any_field([](const Field& field) { return field.over_metric && !field.needs_lengths; });
-  const bool times_of_distances = !spec.timed && spec.parameter.value_or(0) != 0;
+  const bool times_of_distances = !spec.timed && spec.exponent() != 0;
   const bool is_near_path = mode == Mode::tolerance && request.tolerance.limits_distance();
   const bool is_count = mode == Mode::count || mode == Mode::arc_count;
   CurveNeeds needs;
@@ -205,7 +204,7 @@ Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t le
                         .angles = spec_.angles,
                         .closed = spec_.closed,
                         .likely_time = likely_time_,
-                        .exponent = spec_.timed ? std::nullopt : std::optional(spec_.parameter.value_or(0)),
+                        .exponent = spec_.timed ? std::nullopt : std::optional(spec_.exponent()),
                         .metric = spec_.rules.metric,
                         .retiming = spec_.retiming,
                         .frames = frames_of_keys_,

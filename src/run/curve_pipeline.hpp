@@ -114,7 +114,7 @@ class CurvePipeline {
 
  private:
   /// The exponent of the distances that make the times; 0: none do.
-  double time_exponent() const { return spec_.timed ? 0 : spec_.parameter.value_or(0); }
+  double time_exponent() const { return spec_.timed ? 0 : spec_.exponent(); }
 
   Source<KeyBlock> prepared(Source<KeyBlock> blocks, std::size_t least);
   StreamedCurve read(Source<KeyBlock> blocks);

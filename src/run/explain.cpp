@@ -35,13 +35,13 @@ namespace {
 constexpr std::size_t most_curves = 100;  ///< with a line of their own
 
 /// The name of a value in a table of names.
-template <class Row, std::size_t size, class Value>
-std::string_view name_of(const std::array<Row, size>& names, Value Row::*member, Value value) {
-  return std::ranges::find(names, value, member)->name;
+template <class T, std::size_t size>
+std::string_view name_in(const std::array<Named<T>, size>& names, T value) {
+  return std::ranges::find(names, value, &Named<T>::value)->name;
 }
 
 std::string in_words(const spline::RotationNotation& notation) {
-  std::string words(name_of(rotation_forms, &RotationFormName::form, notation.form));
+  std::string words(name_in(rotation_forms, notation.form));
   if (notation.form == spline::RotationForm::euler) {
     words += ' ';
     for (const std::size_t axis : notation.axes) words += (notation.intrinsic ? "XYZ" : "xyz")[axis];
@@ -108,8 +108,8 @@ Facts intentions(const ExplainJob& job, const Schema& schema, const std::optiona
   const SamplingRequest& sampling = job.samples.request;
   Facts facts;
   const auto add = [&](std::string_view name, std::string value) { facts.emplace_back(name, std::move(value)); };
-  add("missing", std::string(name_of(missing_names, &MissingName::value, job.keys.input.keys.missing)));
-  const auto duplicates = name_of(duplicates_names, &DuplicatesName::value, job.keys.curves.duplicates);
+  add("missing", std::string(name_in(missing_names, job.keys.input.keys.missing)));
+  const auto duplicates = name_in(duplicates_names, job.keys.curves.duplicates);
   if (schema.time.is_given) add("duplicates", std::string(duplicates));
   if (job.keys.curves.sort) add("sort", "by time");
   const spline::Tcb<double> tcb = job.keys.input.keys.tcb.value_or(of_file.value_or(spline::Tcb<double>{}));
@@ -128,7 +128,7 @@ Facts intentions(const ExplainJob& job, const Schema& schema, const std::optiona
   const std::string_view others = schema.rotations.empty() && schema.angles.empty() ? "" : "other ";
   std::vector<std::string> of_input(metric.size());
   std::ranges::transform(metric, of_input.begin(), [&](std::size_t channel) { return schema.channels[channel]; });
-  add("metric", job.keys.rules.metric ? job.keys.rules.metric->value
+  add("metric", job.keys.rules.metric ? fmt::format("{}", fmt::join(job.keys.rules.metric->value, ","))
                 : of_input.empty()    ? fmt::format("all {}channels", others)
                                       : fmt::format("{}", fmt::join(of_input, ", ")));
   if (!job.has_samples) return facts;
@@ -352,9 +352,10 @@ class Explainer {
 
   /// The last curve, in one line, with an extrapolation that the input alone decides.
   std::string line(const InputCurve& curve) const {
-    const std::optional<TextSetting>& extrapolation = curve.curve_info->settings.extrapolate;
-    const bool is_decided = extrapolation && !job_.keys.rules.extrapolate;
-    return line_of(last_) + (is_decided ? ", extrapolation " + extrapolation->value : "");
+    const std::optional<Extrapolations>& rules = curve.curve_info->settings.extrapolate;
+    if (!rules || job_.keys.rules.extrapolate) return line_of(last_);
+    const std::string after = rules->before == rules->after ? "" : fmt::format(",{}", name_of(rules->after));
+    return fmt::format("{}, extrapolation {}{}", line_of(last_), name_of(rules->before), after);
   }
 
   const Input& input_;

@@ -127,7 +127,7 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   time_name_ = input.schema.time.name;
   const TimeSchema& time = input.schema.time;
   const auto& period = options.rules.period;
-  const bool has_duration = request.in_seconds.has_duration || (period && read_duration(period->value));
+  const bool has_duration = request.in_seconds.has_duration || (period && period->value.in_seconds);
   if (time.epoch_unit) {
     add(
         important("the times in column \"{0}\" may be {1} since 1970; {2} {1} says so, and rates and durations are "

@@ -36,7 +36,7 @@ Facts rules_in_words(const CurveSpec& spec) {
     if (ends && !spec.closed) words.emplace_back("rotation ends", std::string(name_of(*ends)));
   }
   if (!spec.timed) {
-    const std::string_view made = spec.parameter_name ? std::string_view(*spec.parameter_name) : "uniform";
+    const std::string made = spec.parameter ? spec.parameter->name : "uniform";
     words.emplace_back("times", fmt::format("none; made with {} {}", option::parameter, made));
   }
   return words;

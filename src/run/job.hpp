@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "error.hpp"
-#include "keys/curve_options.hpp"
 #include "numbers/print_number.hpp"
 #include "numbers/rational.hpp"
 #include "read/input_options.hpp"

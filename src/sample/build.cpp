@@ -163,8 +163,8 @@ Time take_closing(KeyStore& keys, const CurveSpec& spec, const std::vector<std::
     const auto frame = spec.frames ? spec.frames->exact(first.times[0]) : std::nullopt;
     end = nearest_time(frame.value_or(exact_time(first.times[0])) + *spec.period, keys.decimals());
   } else if (!spec.timed && keys.size() > 1 && !spline::is_repeated(first, last)) {
-    const double step = parameter_step<double, double>(last.position(0), first.position(0), spec.parameter.value_or(0),
-                                                       spec.rules.metric);
+    const double step =
+        parameter_step<double, double>(last.position(0), first.position(0), spec.exponent(), spec.rules.metric);
     end = Time((last.times[0] + Time(step)).hi);
   }
   const auto closing = spline::find_closing<double>(first, last, keys.size(), end);

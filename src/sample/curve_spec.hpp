@@ -21,14 +21,13 @@ struct CurveSpec {
   spline::Preset preset = spline::Preset::gte;
   spline::CurveRules<double> rules;
   bool closed = false;
-  bool timed = true;                               ///< the keys have times; otherwise the parameter makes them
-  std::optional<Rational> period;                  ///< of a closed curve, if given
-  std::optional<double> parameter;                 ///< exponent of the distances that make times
-  std::optional<std::string> parameter_name = {};  ///< as given
-  std::vector<RotationColumns> rotations = {};     ///< the rotations of the rules, and how rows show them
-  std::vector<AngleColumn> angles = {};            ///< the angle channels of the rules, and how rows show them
-  std::optional<FrameTimes> frames = {};           ///< where the times of the keys are frames in seconds
-  bool is_period_in_seconds = false;               ///< it is a duration, not in the unit of the times
+  bool timed = true;               ///< the keys have times; otherwise the parameter makes them
+  std::optional<Rational> period;  ///< of a closed curve, if given
+  std::optional<ParameterSetting> parameter = {};
+  std::vector<RotationColumns> rotations = {};  ///< the rotations of the rules, and how rows show them
+  std::vector<AngleColumn> angles = {};         ///< the angle channels of the rules, and how rows show them
+  std::optional<FrameTimes> frames = {};        ///< where the times of the keys are frames in seconds
+  bool is_period_in_seconds = false;            ///< it is a duration, not in the unit of the times
   Extrapolations extrapolations;
   bool ease = true;                       ///< ease columns are used, if there are any
   std::optional<Retiming> retiming = {};  ///< of the keys; the period and the velocities at ends have it already
@@ -36,6 +35,8 @@ struct CurveSpec {
   /// There are rotations alone, which have no lengths.
   bool lacks_metric = false;
 
+  /// Of the distances between keys that make their times, where these have none.
+  double exponent() const { return parameter ? parameter->exponent : 0; }
   CurveChannels channels() const { return {rules.metric, rotations, angles, frames}; }
 };
 

@@ -1,38 +1,14 @@
 // Extrapolation: from a time before the first key or after the last to a time on the curve, at any scalar.
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <string_view>
 
 #include "numbers/rational.hpp"
+#include "schema/curve_settings.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb {
-
-enum class Extrapolation { error, hold, linear, repeat, offset, oscillate };
-
-struct NamedExtrapolation {
-  std::string_view name;
-  Extrapolation kind;
-};
-
-/// Every extrapolation by name, in the order of the enumeration; the first is the default.
-inline constexpr std::array extrapolations{
-    NamedExtrapolation{"error", Extrapolation::error},   NamedExtrapolation{"hold", Extrapolation::hold},
-    NamedExtrapolation{"linear", Extrapolation::linear}, NamedExtrapolation{"repeat", Extrapolation::repeat},
-    NamedExtrapolation{"offset", Extrapolation::offset}, NamedExtrapolation{"oscillate", Extrapolation::oscillate},
-};
-
-constexpr std::string_view name_of(Extrapolation kind) { return extrapolations[static_cast<std::size_t>(kind)].name; }
-
-/// What happens before the first key, and after the last one.
-struct Extrapolations {
-  Extrapolation before = Extrapolation::error, after = Extrapolation::error;
-
-  bool extend_curve() const { return before != Extrapolation::error || after != Extrapolation::error; }
-};
 
 /// The relation of a time outside the curve to one inside.
 template <class S>

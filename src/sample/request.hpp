@@ -14,6 +14,7 @@
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
 #include "tcb/spline/key.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 
@@ -22,17 +23,12 @@ enum class Mode { step, count, segments, per_segment, at, arc_step, arc_count, a
 /// Where the last rows are if the steps do not meet the end.
 enum class EndPolicy { drop, keep, fit, fit_down, fit_up };
 
-struct NamedEndPolicy {
-  std::string_view name;
-  EndPolicy policy;
-};
-
 /// Every end policy by name; the first is the default.
-inline constexpr std::array end_policies{
-    NamedEndPolicy{"drop", EndPolicy::drop},     NamedEndPolicy{"keep", EndPolicy::keep},
-    NamedEndPolicy{"fit", EndPolicy::fit},       NamedEndPolicy{"fit-down", EndPolicy::fit_down},
-    NamedEndPolicy{"fit-up", EndPolicy::fit_up},
-};
+inline constexpr auto end_policies = std::to_array<Named<EndPolicy>>({{"drop", EndPolicy::drop},
+                                                                      {"keep", EndPolicy::keep},
+                                                                      {"fit", EndPolicy::fit},
+                                                                      {"fit-down", EndPolicy::fit_down},
+                                                                      {"fit-up", EndPolicy::fit_up}});
 
 /// How far the curve may be from its rows: from the polyline through them, and rotations from the arcs between them.
 struct CurveTolerance {

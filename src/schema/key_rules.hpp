@@ -18,14 +18,10 @@ namespace tcb {
 /// The treatment of cells without a value.
 enum class Missing { error, skip_row, skip_cell, break_curve };
 
-/// The names of the treatments.
-struct MissingName {
-  std::string_view name;
-  Missing value;
-};
-inline constexpr std::array missing_names{
-    MissingName{"error", Missing::error}, MissingName{"skip-row", Missing::skip_row},
-    MissingName{"skip-cell", Missing::skip_cell}, MissingName{"break", Missing::break_curve}};
+inline constexpr auto missing_names = std::to_array<Named<Missing>>({{"error", Missing::error},
+                                                                     {"skip-row", Missing::skip_row},
+                                                                     {"skip-cell", Missing::skip_cell},
+                                                                     {"break", Missing::break_curve}});
 
 /// Besides those of is_missing(). Sources: pandas, R, SQL, Excel and LibreOffice, printf of Microsoft's C library.
 inline constexpr std::array<std::string_view, 44> common_signs{
@@ -52,12 +48,9 @@ enum class TcbScale {
   max3ds,   ///< from 0 to 50, with 25 for 0
 };
 
-/// The names of the scales that can be given.
-struct TcbScaleName {
-  std::string_view name;
-  TcbScale scale;
-};
-inline constexpr std::array tcb_scales{TcbScaleName{"3dsmax", TcbScale::max3ds}, TcbScaleName{"none", TcbScale::none}};
+/// Those that can be given.
+inline constexpr auto tcb_scales =
+    std::to_array<Named<TcbScale>>({{"3dsmax", TcbScale::max3ds}, {"none", TcbScale::none}});
 
 /// (v - 25) / 25, exactly.
 inline Rational from_0_to_50(const Rational& v) { return (v - 25) / 25; }

@@ -271,7 +271,7 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
   }
   require_own_columns(schema, columns);
   if (!options.shown_by_format && options.shown && schema.rotations.empty()) {
-    const auto form = std::ranges::find(rotation_forms, options.shown->form, &RotationFormName::form);
+    const auto form = std::ranges::find(rotation_forms, options.shown->form, &Named<spline::RotationForm>::value);
     throw data_error("there is no rotation to show as {}; expected columns of a rotation; name them with {}",
                      form->name, option::rotation)
         .about(option::rotation_output);

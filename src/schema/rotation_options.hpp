@@ -5,30 +5,22 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "tcb/spline/rotation_form.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 
-/// The names of the forms of rotations.
-struct RotationFormName {
-  std::string_view name;
-  spline::RotationForm form;
-};
-inline constexpr std::array rotation_forms{RotationFormName{"quaternion", spline::RotationForm::quaternion},
-                                           RotationFormName{"axis-angle", spline::RotationForm::axis_angle},
-                                           RotationFormName{"euler", spline::RotationForm::euler},
-                                           RotationFormName{"matrix", spline::RotationForm::matrix},
-                                           RotationFormName{"rotation-vector", spline::RotationForm::rotation_vector}};
+inline constexpr auto rotation_forms =
+    std::to_array<Named<spline::RotationForm>>({{"quaternion", spline::RotationForm::quaternion},
+                                                {"axis-angle", spline::RotationForm::axis_angle},
+                                                {"euler", spline::RotationForm::euler},
+                                                {"matrix", spline::RotationForm::matrix},
+                                                {"rotation-vector", spline::RotationForm::rotation_vector}});
 
-/// The units of angles.
-struct AngleUnit {
-  std::string_view name;
-  bool degrees;
-};
-inline constexpr std::array angle_units{AngleUnit{"radians", false}, AngleUnit{"degrees", true}};
+/// The units of angles, and whether they are degrees.
+inline constexpr auto angle_units = std::to_array<Named<bool>>({{"radians", false}, {"degrees", true}});
 
 /// How keys give a rotation.
 struct GivenRotation {

@@ -1,4 +1,5 @@
-// Names: the known one nearest to one that is misspelt; comparison in any case; texts split at a separator.
+// Names: those of values; the known one nearest to one that is misspelt; comparison in any case; texts split at a
+// separator.
 #pragma once
 
 #include <span>
@@ -7,6 +8,13 @@
 #include <vector>
 
 namespace tcb {
+
+/// A name of a value, in a table of those that an option takes.
+template <class T>
+struct Named {
+  std::string_view name;
+  T value;
+};
 
 /// The known name nearest to `name`, or "" where none is near: within a third of the letters of the longer one changed,
 /// dropped or added. Upper and lower case are different letters.

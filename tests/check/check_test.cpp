@@ -44,11 +44,11 @@ TEST(Pairs, a_single_curve_takes_all_rows) {
 /// The curve (3t, 4t) for t from 0 to 2, which has the length 10, and a file of rows on it.
 class Line {
  public:
-  explicit Line(const std::string& rows, const std::optional<std::string>& extrapolate = {})
+  explicit Line(const std::string& rows, const std::optional<Extrapolations>& extrapolate = {})
       : files_("t,x,y\n0,0,0\n1,3,4\n2,6,8\n", rows) {
     Comparison& comparison = files_.comparison;
-    comparison.keys.rules.ends = TextSetting{"chord"};
-    if (extrapolate) comparison.keys.rules.extrapolate = TextSetting{*extrapolate};
+    comparison.keys.rules.ends = {ends_in("chord"), {}};
+    comparison.keys.rules.extrapolate = extrapolate;
     inputs = read_inputs(comparison, {});
     request_.mode = inputs.columns.by_length ? Mode::arc_at : Mode::at;
     const KeptKeys& curve = inputs.kept.curves.at(0);
@@ -195,7 +195,7 @@ TEST(Limits, a_tolerance_of_the_column_has_priority) {
 constexpr auto line_keys = "t,x,y\n0,0,0\n1,3,4\n2,6,8\n";
 
 Check check_of(Comparison comparison) {
-  comparison.keys.rules.ends = TextSetting{"chord"};
+  comparison.keys.rules.ends = {ends_in("chord"), {}};
   return check(comparison);
 }
 

@@ -67,8 +67,8 @@ TEST(Conventions, have_settings_and_presets) {
   equal_speed.equal_speed = true;
   EXPECT_THAT(presets_of(equal_speed, {}), IsEmpty()) << "no preset makes speeds equal";
   const CurveSettings settings = settings_of(vtk, {}, {});
-  EXPECT_EQ(settings.tangents->value, "interval");
-  EXPECT_EQ(settings.ends->value, "zero");
+  EXPECT_EQ(settings.tangents, TangentRule::interval);
+  EXPECT_EQ(settings.ends->value.last.rule, EndRule::zero);
   EXPECT_FALSE(settings_of(vtk, {}, {.closed = true}).ends);
 }
 
@@ -82,7 +82,7 @@ TEST(Conventions, of_rotations_have_a_curve_and_the_rules_that_presets_give_them
       TangentRule::interval_c, EndRule::natural_tension, EndRule::natural_tension, false, 0, squad, Preset::nel};
   EXPECT_THAT(presets_of(nel, both), ElementsAre("3dsmax", "nel"));
   const CurveSettings settings = settings_of(nel, {}, both);
-  EXPECT_EQ(settings.rotation_curve->value, "squad");
+  EXPECT_EQ(settings.rotation_curve, squad);
   EXPECT_EQ(settings.rotation_preset, Preset::nel);
   const Convention mirror{TangentRule::interval_c, EndRule::mirror, EndRule::mirror, false, 0, squad};
   EXPECT_THAT(presets_of(mirror, both), ElementsAre("lib3ds2"));

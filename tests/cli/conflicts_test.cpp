@@ -1,5 +1,5 @@
 // Conflicts: options that exclude each other, need another, or have no effect are refused, and no others.
-#include "cli/conflicts.hpp"
+#include "cli/options.hpp"
 
 #include "cli/command_line.hpp"
 

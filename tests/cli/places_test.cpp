@@ -1,5 +1,5 @@
 // Places: lists, ranges, files of numbers, and columns of files as times of samples.
-#include "cli/places.hpp"
+#include "cli/values.hpp"
 
 #include <gmock/gmock.h>
 

@@ -105,7 +105,7 @@ TEST(FittedChannels, a_distance_is_that_of_the_metric) {
   EXPECT_THAT(fitted.groups[1].channels, ElementsAre(0, 1));
   EXPECT_THAT(channels_refusal(schema_of_drive(), within({{"", 0.1}})), HasSubstr("\"heading\" has no tolerance"));
   CurveSettings rules;
-  rules.metric = TextSetting{"x"};
+  rules.metric = {{"x"}, {}};
   EXPECT_THAT(channels_refusal(schema_of_drive(), options, rules), HasSubstr("\"y\" has no tolerance"));
   options.tolerances.push_back({"y", 1});
   EXPECT_THAT(fitted_channels(schema_of_drive(), rules, options).groups[2].channels, ElementsAre(0));

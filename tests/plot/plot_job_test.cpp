@@ -57,10 +57,10 @@ TEST(Plot, the_title_is_the_file_and_what_is_done_with_it) {
 
 TEST(Plot, rules_other_than_those_of_the_preset_are_named) {
   PlotJob job = sampled();
-  job.keys.rules.ends = TextSetting{"natural"};
+  job.keys.rules.ends = {ends_in("natural"), {}};
   EXPECT_THAT(drawn(job, {keys}), Not(HasSubstr("preset")));
   job = sampled();
-  job.keys.rules.preset = TextSetting{"vtk"};
+  job.keys.rules.preset = spline::Preset::vtk;
   EXPECT_THAT(drawn(job, {keys}), HasSubstr("preset vtk"));
 }
 

@@ -10,7 +10,7 @@ TEST(Extrapolation, maps_times_onto_the_curve) {
   const auto on_curve = [](Extrapolation kind, double t) {
     return map_to_curve<double>({kind, kind}, 10.0, 14.0, t).t.hi;
   };
-  for (const auto& named : extrapolations) EXPECT_EQ(on_curve(named.kind, 13), 13) << named.name;
+  for (const auto& named : extrapolations) EXPECT_EQ(on_curve(named.value, 13), 13) << named.name;
   EXPECT_EQ(on_curve(Extrapolation::hold, 3), 10);
   EXPECT_EQ(on_curve(Extrapolation::hold, 33), 14);
   EXPECT_EQ(on_curve(Extrapolation::repeat, 15), 11);

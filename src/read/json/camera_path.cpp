@@ -330,14 +330,14 @@ class KeyframeReader {
 };
 
 /// Lengths and speeds are those of the positions of the cameras, by the numbers of their channels.
-std::optional<TextSetting> metric_of(const Columns& columns, const TextPosition& position) {
+std::optional<MetricSetting> metric_of(const Columns& columns, const TextPosition& position) {
   constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
-  std::vector<std::size_t> numbers;
+  std::vector<std::string> numbers;
   for (std::size_t i = 0; i < columns.channels.size(); ++i) {
-    if (std::ranges::count(names, columns.channels[i]) > 0) numbers.push_back(i + 1);
+    if (std::ranges::count(names, columns.channels[i]) > 0) numbers.push_back(std::to_string(i + 1));
   }
   if (numbers.empty()) return std::nullopt;
-  return TextSetting{fmt::format("{}", fmt::join(numbers, ",")), {"metric", position}};
+  return MetricSetting{numbers, SettingOrigin{"metric", position}};
 }
 
 /// The frames that the viewer renders of a path that lasts so long: int(fps * seconds) of doubles, evenly in time.
@@ -430,11 +430,11 @@ Records open_camera_path(const Format&, Source<std::string> bytes, InputOptions 
   KeyframeReader reader(tape, keys, records.columns, transition, fov);
   for (std::size_t i = 0; i < keyframes.size(); ++i) reader.add(i, keyframes[i]);
   CurveInfo& info = records.keys.curve_info;
-  info.settings.preset = {std::string(spline::name_of(spline::Preset::nerfstudio)), {"preset", position}};
+  info.settings.preset = spline::Preset::nerfstudio;
   info.settings.closed = {is_cycle, {"is_cycle", position}};
   const Rational period = is_cycle ? reader.seconds() + reader.first_transition() : reader.seconds();
   info.frames = frames_of(path, period);
-  if (is_cycle) info.settings.period = {ratio_text(period), {"is_cycle", position}};
+  if (is_cycle) info.settings.period = {{period}, {"is_cycle", position}};
   info.settings.metric = metric_of(records.columns, position);
   records.facts.shape = JsonShape::object;
   records.keys.blocks = [block = std::optional(keys.finish(std::string(keyframe_list)))]() mutable {

@@ -48,8 +48,15 @@ class SettingsReader {
     if (!settings_.insert(member_).second) {
       throw at(name_, data_error("the object has this member twice; expected it once; remove one"));
     }
-    if (tape_.kind(value) != Kind::array) return take(value, false);
-    tape_.for_each_element(value, [&](std::size_t element) { return take(element, true), true; });
+    text_.clear();
+    if (tape_.kind(value) != Kind::array) {
+      take(value, false);
+    } else {
+      tape_.for_each_element(value, [&](std::size_t element) { return take(element, true), true; });
+    }
+    const auto& places = found.curve_info.places;
+    if (!places.empty() && places.back().first == member_)
+      set({*std::ranges::find(known_members, member_), places.back().second});
   }
 
   /// Numbers of no setting are not used, except those about the rows of an earlier output.
@@ -106,17 +113,21 @@ class SettingsReader {
     if (member_ == "closed" && kind != Kind::boolean) {
       throw at(value, data_error("found {}; expected true or false; correct it", in_quotes(text)));
     }
-    set(text, is_first, places.back().second);
+    text_ = is_first || member_ != "ends" ? text : text_ + "," + text;
   }
 
-  void set(const std::string& text, bool is_first, const TextPosition& position) {
+  /// Sets the setting that is the member.
+  void set(const SettingOrigin& origin) {
     CurveSettings& curve = found.curve_info.settings;
-    if (member_ == "preset") curve.preset = {text, {"preset", position}};
-    if (member_ == "tangents") curve.tangents = {text, {"tangents", position}};
-    if (member_ == "period") curve.period = {text, {"period", position}};
-    if (member_ == "closed") curve.closed = {text == "true", {"closed", position}};
-    if (member_ == "ends" && !is_first) curve.ends->value += "," + text;
-    if (member_ == "ends" && is_first) curve.ends = {text, {"ends", position}};
+    try {
+      if (member_ == "preset") curve.preset = preset_in(text_);
+      if (member_ == "tangents") curve.tangents = tangents_in(text_);
+      if (member_ == "period") curve.period = {period_in(text_), origin};
+      if (member_ == "closed") curve.closed = {text_ == "true", origin};
+      if (member_ == "ends") curve.ends = {ends_in(text_), origin};
+    } catch (const Error& error) {
+      throw origin.error(error);
+    }
   }
 
   Error at(std::size_t value, const Error& error) const {
@@ -128,6 +139,7 @@ class SettingsReader {
   JsonTape tape_;
   std::size_t name_ = 0;
   std::string_view member_;
+  std::string text_;  ///< of the member's value
   std::unordered_set<std::string_view> settings_, others_;
 };
 

@@ -136,14 +136,11 @@ class AseExport {
     is_tcb_ = line.is_tcb;
     for (const std::string& name : names) track_->channels.push_back({name});
     track_->is_recording = line.word.ends_with("_SAMPLE");
-    track_->settings.preset = {std::string(spline::name_of(spline::Preset::max3ds)),
-                               {"preset", {"", lines_.number(), 0}}};
+    track_->settings.preset = spline::Preset::max3ds;
     if (line.track != "rotation") return;
     track_->rotation = GivenRotation{
         .notation = {.form = spline::RotationForm::axis_angle}, .relative = true, .columns = names, .in_parent = true};
-    if (!is_tcb_) {
-      track_->settings.rotation_curve = {std::string(name_of(spline::RotationCurve::slerp)), {"rotation_curve", {}}};
-    }
+    if (!is_tcb_) track_->settings.rotation_curve = spline::RotationCurve::slerp;
   }
 
   void end_track() {

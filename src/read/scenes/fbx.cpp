@@ -148,7 +148,7 @@ struct OpenTrack {
   /// The track; the keys are not kept here any more.
   Track finish() {
     Track track{object, name};
-    track.settings.preset = {std::string(spline::name_of(spline::Preset::fbx)), {"preset", {"", 1, 1}}};
+    track.settings.preset = spline::Preset::fbx;
     track.failure = failure;
     if (failure) return track;
     try {

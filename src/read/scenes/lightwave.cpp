@@ -222,7 +222,7 @@ class Motions {
         }
       }
       if (track.name == "rotation" && !track.failure) track.euler = EulerTrack{heading_pitch_bank, version_ < 3};
-      track.settings.preset = {std::string(spline::name_of(spline::Preset::lightwave)), {"preset", {"", 1, 1}}};
+      track.settings.preset = spline::Preset::lightwave;
       tracks_.push_back(std::move(track));
     }
   }

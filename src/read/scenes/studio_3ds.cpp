@@ -176,7 +176,7 @@ class Nodes {
     }
     if (bytes.left() > 0) throw chunk_too_short();
     if (count == 0) return;
-    track.settings.preset = {std::string(spline::name_of(spline::Preset::lib3ds1)), {"preset", {"", 1, 0}}};
+    track.settings.preset = spline::Preset::lib3ds1;
     const auto repeats = [](const TrackChannel& channel) {
       return channel.keys.front().value.value == channel.keys.back().value.value;
     };

@@ -185,11 +185,11 @@ Columns columns_of(const Track& track, const std::string& time, const InputOptio
   return find_columns(header, numeric, requests, options.columns.timeless);
 }
 
-/// The extrapolation of a track at one side, which is that of all channels that change; "error" where they differ.
-std::string extrapolation_of(const Track& track, std::string_view TrackChannel::*side) {
+/// The extrapolation of a track at one side, which is that of all channels that change; an error where they differ.
+Extrapolation extrapolation_of(const Track& track, std::string_view TrackChannel::*side) {
   const auto changes = [](const TrackChannel& channel) { return channel.keys.size() > 1; };
   const auto first = std::ranges::find_if(track.channels, changes);
-  if (first == track.channels.end()) return "error";
+  if (first == track.channels.end()) return Extrapolation::error;
   const std::string_view rule = (*first).*side;
   const auto has_rule = [&](const TrackChannel& channel) {
     if (!changes(channel)) return true;
@@ -197,7 +197,8 @@ std::string extrapolation_of(const Track& track, std::string_view TrackChannel::
                                 channel.keys.back().time.decimal == first->keys.back().time.decimal;
     return channel.*side == rule && (has_same_range || rule == "hold");
   };
-  return !rule.empty() && std::ranges::all_of(track.channels, has_rule) ? std::string(rule) : "error";
+  if (rule.empty() || !std::ranges::all_of(track.channels, has_rule)) return Extrapolation::error;
+  return std::ranges::find(extrapolations, rule, &Named<Extrapolation>::name)->value;
 }
 
 /// The angles of a track by the channels of its columns; nothing where one is not read.
@@ -458,12 +459,9 @@ Records records_of_tracks(std::vector<Track> tracks, const std::string& time, co
   choose(tracks, options.only, first_object, records.facts);
   std::deque<KeyBlock> blocks;
   for (Track& track : tracks) {
-    const std::string before = extrapolation_of(track, &TrackChannel::before);
-    const std::string after = extrapolation_of(track, &TrackChannel::after);
-    if (before != "error" || after != "error") {
-      track.settings.extrapolate = {before == after ? before : fmt::format("{},{}", before, after),
-                                    {"extrapolate", {"", 1, 1}}};
-    }
+    const Extrapolations rules{extrapolation_of(track, &TrackChannel::before),
+                               extrapolation_of(track, &TrackChannel::after)};
+    if (rules.extend_curve()) track.settings.extrapolate = rules;
     TrackKeys keys(track, time, options);
     if (blocks.empty()) records.columns = keys.columns();
     blocks.push_back(keys.build());

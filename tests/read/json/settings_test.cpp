@@ -23,10 +23,10 @@ TEST(JsonSettings, settings_channels_and_id_are_read) {
   const JsonCurveInfo found = read_curve_info(part(
       R"({"id":"a","keys":[],"preset":"vtk","ends":["zero","half"],"closed":true,"period":7.5,"channels":["x","y"]})"));
   EXPECT_EQ(found.curve_info.id, "\"a");
-  EXPECT_EQ(found.curve_info.settings.preset.value().value, "vtk");
-  EXPECT_EQ(found.curve_info.settings.ends.value().value, "zero,half");
+  EXPECT_EQ(found.curve_info.settings.preset, spline::Preset::vtk);
+  EXPECT_EQ(found.curve_info.settings.ends.value().value.last.rule, spline::EndRule::half);
   EXPECT_EQ(found.curve_info.settings.closed.value().value, true);
-  EXPECT_EQ(found.curve_info.settings.period.value().value, "7.5");
+  EXPECT_EQ(found.curve_info.settings.period.value().value.value, Rational(15, 2));
   EXPECT_THAT(found.channels, testing::ElementsAre("x", "y"));
   EXPECT_EQ(read_curve_info(part(R"({"id":7})")).curve_info.id, "7");
   EXPECT_EQ(read_curve_info(part(R"({"id":null})")).curve_info.id, "");

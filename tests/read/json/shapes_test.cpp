@@ -134,8 +134,9 @@ TEST(Json, curves_have_their_own_keys_and_settings) {
   std::string ids;
   while (const auto block = input.keys.blocks()) {
     if (block->curve_info == nullptr) continue;
+    const auto& preset = block->curve_info->settings.preset;
     ids += fmt::format("{} {} {}, ", block->curve_info->id, block->keys.positions.at(0),
-                       block->curve_info->settings.preset.value_or(TextSetting{"none"}).value);
+                       preset ? spline::name_of(*preset) : "none");
   }
   EXPECT_EQ(ids, "\"a 1 vtk, 7 6 none, ");
 }
