@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "error.hpp"
-#include "keys/grouping.hpp"
 #include "keys/order.hpp"
 #include "option_names.hpp"
 #include "schema/usual_names.hpp"
@@ -169,37 +168,44 @@ Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
   };
 }
 
-LikelyAngles::LikelyAngles(const Schema& schema) : has_names_(schema.named) {
-  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    const bool is_angle = std::ranges::count(schema.angles, i, &AngleColumn::channel) > 0;
-    const bool is_named = is_usual_angle(schema.channels[i]);
-    if (is_angle || !(is_named || !schema.named || may_be_angle(schema.channels[i]))) continue;
-    const bool is_of_rotation =
-        std::ranges::any_of(schema.rotations, [i](const RotationSchema& rotation) { return rotation.columns.has(i); });
-    if (is_of_rotation) continue;
-    channels_.push_back({schema.sources.empty() ? i : schema.sources[i], schema.channels[i], is_named, true});
+ObservedChannels::ObservedChannels(const Schema& schema) : has_names_(schema.named), channels_(schema.channels.size()) {
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    Channel& channel = channels_[i];
+    channel.source = schema.sources.empty() ? i : schema.sources[i];
+    channel.name = schema.channels[i];
+    channel.is_named_angle = is_usual_angle(channel.name);
+    const bool is_plain =
+        std::ranges::count(schema.angles, i, &AngleColumn::channel) == 0 &&
+        std::ranges::none_of(schema.rotations, [i](const RotationSchema& one) { return one.columns.has(i); });
+    channel.may_be_angle = is_plain && (channel.is_named_angle || !schema.named || may_be_angle(channel.name));
   }
 }
 
-Source<KeyBlock> LikelyAngles::observe(Source<KeyBlock> blocks) {
-  if (channels_.empty()) return blocks;
-  return mapped(std::move(blocks), [this](KeyBlock block) {
-    for (Channel& channel : channels_) {
-      for (std::size_t key = 0; key < block.size(); ++key) {
-        if (block.begins_curve(key)) channel.before.reset();
-        const double value = block.keys.position(key)[channel.channel];
-        if (std::isnan(value)) continue;
-        channel.largest = std::max(channel.largest, std::abs(value));
-        channel.is_positive = channel.is_positive && value >= 0;
-        channel.jump = std::max(channel.jump, std::abs(value - channel.before.value_or(value)));
-        channel.before = value;
+void ObservedChannels::add(const KeyBlock& block) {
+  constexpr std::array signs{-999., -9999., -99999., -999999., -32768.};
+  const Keys& keys = block.keys;
+  for (Channel& channel : channels_) {
+    for (std::size_t i = channel.source; i < keys.positions.size(); i += keys.channels) {
+      const double value = keys.positions[i];
+      if (value <= -999 && std::ranges::count(signs, value) > 0) {
+        channel.sign = value;
+      } else if (value < channel.least) {
+        channel.least = value;
       }
     }
-    return block;
-  });
+    for (std::size_t key = 0; channel.may_be_angle && key < block.size(); ++key) {
+      if (block.begins_curve(key)) channel.before.reset();
+      const double value = keys.position(key)[channel.source];
+      if (std::isnan(value)) continue;
+      channel.largest = std::max(channel.largest, std::abs(value));
+      channel.is_positive = channel.is_positive && value >= 0;
+      channel.jump = std::max(channel.jump, std::abs(value - channel.before.value_or(value)));
+      channel.before = value;
+    }
+  }
 }
 
-std::vector<NamedAngle> LikelyAngles::found() const {
+std::vector<NamedAngle> ObservedChannels::likely_angles() const {
   constexpr double half_turn = 3.15, whole_turn = 6.3;  // rounded up
   std::vector<NamedAngle> angles;
   // All are in one unit: 5 beside 350 is in degrees, too.
@@ -209,38 +215,13 @@ std::vector<NamedAngle> LikelyAngles::found() const {
     const bool degrees = channel.largest > whole_turn || (has_names_ && any_degrees);
     // Within one turn, from 0 or around 0, where the name tells little.
     const double most = channel.is_positive ? (degrees ? 360.5 : 6.29) : (degrees ? 180.5 : half_turn);
-    if (!channel.is_named && (channel.largest > most || (!has_names_ && !degrees))) continue;
+    if (!channel.is_named_angle && (channel.largest > most || (!has_names_ && !degrees))) continue;
     if (channel.jump > (degrees ? 180 : half_turn)) angles.push_back({channel.name, degrees});
   }
   return angles;
 }
 
-LikelySigns::LikelySigns(const Schema& schema) : channels_(schema.channels.size()) {
-  for (std::size_t i = 0; i < channels_.size(); ++i) {
-    channels_[i].channel = schema.sources.empty() ? i : schema.sources[i];
-    channels_[i].name = schema.channels[i];
-  }
-}
-
-Source<KeyBlock> LikelySigns::observe(Source<KeyBlock> blocks) {
-  constexpr std::array signs{-999., -9999., -99999., -999999., -32768.};
-  return mapped(std::move(blocks), [this, signs](KeyBlock block) {
-    const Keys& keys = block.keys;
-    for (Channel& channel : channels_) {
-      for (std::size_t i = channel.channel; i < keys.positions.size(); i += keys.channels) {
-        const double value = keys.positions[i];
-        if (value <= -999 && std::ranges::count(signs, value) > 0) {
-          channel.sign = value;
-        } else if (value < channel.least) {
-          channel.least = value;
-        }
-      }
-    }
-    return block;
-  });
-}
-
-std::vector<LikelySign> LikelySigns::found() const {
+std::vector<LikelySign> ObservedChannels::likely_signs() const {
   std::vector<LikelySign> signs;
   for (const Channel& channel : channels_) {
     if (channel.sign != 0 && channel.sign < channel.least / 2 - 500) signs.push_back({channel.name, channel.sign});
@@ -249,9 +230,12 @@ std::vector<LikelySign> LikelySigns::found() const {
 }
 
 Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
-    : angles_(schema),
-      signs_(schema),
-      blocks_(signs_.observe(angles_.observe(arranged(schema, keys, options, live, midnights_)))),
+    : channels_(schema),
+      blocks_(mapped(arranged(schema, keys, options, live, midnights_),
+                     [this](KeyBlock block) {
+                       channels_.add(block);
+                       return block;
+                     })),
       may_break_(keys.traits.may_break || !schema.groups.empty() || options.duplicates == Duplicates::break_curve ||
                  options.max_gap),
       max_gap_(largest_allowed_gap(schema.time, options)),

@@ -22,53 +22,37 @@ namespace tcb {
 /// throws an Error (data) with all of them.
 Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live);
 
-/// Plain channels that seem to be angles: by their names, and as they jump by more than half a turn.
-class LikelyAngles {
- public:
-  explicit LikelyAngles(const Schema& schema);
-
-  /// Passes keys on. Requires: this outlives the source.
-  Source<KeyBlock> observe(Source<KeyBlock> blocks);
-
-  /// The channels and their units, so far. Angles that are all within a turn of radians are in radians.
-  std::vector<NamedAngle> found() const;
-
- private:
-  struct Channel {
-    std::size_t channel;
-    std::string name;
-    bool is_named = true;     ///< by a name that is one of angles alone
-    bool is_positive = true;  ///< no number is below 0
-    double largest = 0, jump = 0;
-    std::optional<double> before = {};
-  };
-  bool has_names_;  ///< the channels have; small numbers without a name are no angles
-  std::vector<Channel> channels_;
-};
-
 /// A channel with a number that may be the sign of a missing one.
 struct LikelySign {
   std::string channel;
   double number;
 };
 
-/// Channels with a number such as -9999 far below all others, which may be the sign of a missing one.
-class LikelySigns {
+/// What the numbers of channels may mean besides, by all keys.
+class ObservedChannels {
  public:
-  explicit LikelySigns(const Schema& schema);
+  explicit ObservedChannels(const Schema& schema);
 
-  /// Passes keys on. Requires: this outlives the source.
-  Source<KeyBlock> observe(Source<KeyBlock> blocks);
+  void add(const KeyBlock& block);
 
-  std::vector<LikelySign> found() const;
+  /// Plain channels that seem to be angles: by their names, and as they jump by more than half a turn. Angles that are
+  /// all within a turn of radians are in radians.
+  std::vector<NamedAngle> likely_angles() const;
+  /// Channels with a number such as -9999 far below all others.
+  std::vector<LikelySign> likely_signs() const;
 
  private:
   struct Channel {
-    std::size_t channel = 0;  ///< of keys as they are read
+    std::size_t source = 0;  ///< of keys as they are read
     std::string name;
     double least = std::numeric_limits<double>::infinity();  ///< of the numbers that are no sign
     double sign = 0;                                         ///< the last one that is; 0: there is none
+    bool may_be_angle = false, is_named_angle = false;       ///< the latter by a name that is one of angles alone
+    bool is_positive = true;                                 ///< no number is below 0
+    double largest = 0, jump = 0;
+    std::optional<double> before = {};
   };
+  bool has_names_;  ///< the channels have; small numbers without a name are no angles
   std::vector<Channel> channels_;
 };
 
@@ -102,9 +86,7 @@ class Curves {
 
   /// Number of keys that were skipped so far.
   std::uint64_t skipped() const { return skipped_; }
-  /// Plain channels that seem to be angles.
-  std::vector<NamedAngle> likely_angles() const { return angles_.found(); }
-  std::vector<LikelySign> likely_signs() const { return signs_.found(); }
+  const ObservedChannels& channels() const { return channels_; }
   /// How often times of day passed midnight so far.
   std::uint64_t midnights() const { return midnights_; }
   /// How many gaps divided curves so far, and the largest one.
@@ -119,8 +101,7 @@ class Curves {
   bool fill();
 
   std::uint64_t midnights_ = 0;
-  LikelyAngles angles_;
-  LikelySigns signs_;
+  ObservedChannels channels_;
   Source<KeyBlock> blocks_;
   bool may_break_;
   std::optional<Rational> max_gap_;  ///< in the unit of the times

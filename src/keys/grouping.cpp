@@ -1,5 +1,5 @@
 // Grouping: keys of several curves with their rows in any order, split into curves, and keys sorted by time.
-#include "keys/grouping.hpp"
+#include "keys/order.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Order: keys without gaps, whose times increase up to the next break.
+// Order: keys without gaps, whose times increase up to the next break, and those of segments.
 #include "keys/order.hpp"
 
 #include <algorithm>
@@ -210,6 +210,23 @@ class Order : public HoldingStage {
   std::optional<KeyLocation> before_;  ///< of the last key that remained
 };
 
+/// Sets the times of keys as written, if the numbers of keys are kept so. No text is changed for a key without a time.
+void set_written_times(KeyBlock& block, std::span<const std::optional<Rational>> times) {
+  const auto is_changed = [](const auto& time) { return time.has_value(); };
+  if (block.decimals.empty() || std::ranges::none_of(times, is_changed)) return;
+  const std::size_t per_key = block.decimals.size() / block.size();
+  Texts decimals;
+  for (std::size_t i = 0; i < block.decimals.size(); ++i) {
+    const auto& time = times[i / per_key];
+    if (time && i % per_key == NumberOfKey::time) {
+      decimals.add(whole_text(numerator(*time)) + "/" + whole_text(denominator(*time)));
+    } else {
+      decimals.add(block.decimals[i]);
+    }
+  }
+  block.decimals = std::move(decimals);
+}
+
 /// The stage of spread_out(), which holds the keys of one time.
 class Spreader : public HoldingStage {
  public:
@@ -252,20 +269,13 @@ class Spreader : public HoldingStage {
   /// Gives keys with the same time equal parts of the step. Where there is none, or they go back, they stay.
   void divide(KeyBlock& block, std::size_t first, std::size_t last) const {
     if (last - first < 2 || !step_ || *step_ <= 0) return;
-    const std::size_t per_key = block.decimals.size() / block.size();
     const Rational start = exact_time(block.keys.times[first]), part = *step_ / (last - first);
-    Texts decimals;
-    for (std::size_t key = 0; key < block.size(); ++key) {
-      const bool is_moved = key > first && key < last;
-      const Rational time = is_moved ? start + part * (key - first) : Rational(0);
-      if (is_moved) block.keys.times[key] = nearest_time(time);
-      for (std::size_t i = 0; i < per_key; ++i) {
-        const bool is_time = is_moved && i == NumberOfKey::time;
-        decimals.add(is_time ? whole_text(numerator(time)) + "/" + whole_text(denominator(time))
-                             : std::string(block.decimals[key * per_key + i]));
-      }
+    std::vector<std::optional<Rational>> times(block.size());
+    for (std::size_t key = first + 1; key < last; ++key) {
+      times[key] = start + part * (key - first);
+      block.keys.times[key] = nearest_time(*times[key]);
     }
-    if (per_key > 0) block.decimals = std::move(decimals);
+    set_written_times(block, times);
   }
 
   std::optional<Rational> step_;  ///< between the last two times of the curve
@@ -410,22 +420,6 @@ Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, CurveL
   return through<Order>(std::move(blocks), duplicates, std::move(labels));
 }
 
-namespace {
-
-/// The decimals of keys, with other times.
-Texts with_times(const Texts& decimals, std::size_t per_key, std::span<const Rational> added) {
-  Texts result;
-  for (std::size_t i = 0; i < decimals.size(); ++i) {
-    const Rational& seconds = added[i / per_key];
-    const auto time = i % per_key == NumberOfKey::time ? parse_rational(decimals[i]) : std::nullopt;
-    const Rational sum = time.value_or(0) + seconds;
-    result.add(time && seconds != 0 ? whole_text(numerator(sum)) + "/" + whole_text(denominator(sum)) : decimals[i]);
-  }
-  return result;
-}
-
-}  // namespace
-
 Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, const Rational& rate,
                                std::uint64_t& midnights) {
   const std::optional<Rational> day = day_of(notation, rate);
@@ -438,7 +432,8 @@ Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, c
     return nearest_time((frame ? *frame / rate : seconds) + days);
   };
   const auto add_days = [=, &midnights, days = Rational(0), before = std::optional<double>()](KeyBlock block) mutable {
-    std::vector<Rational> added;
+    std::vector<std::optional<Rational>> written(block.size());  // times with days that were added
+    const std::size_t per_key = block.empty() ? 0 : block.decimals.size() / block.size();
     for (std::size_t i = 0; i < block.size(); ++i) {
       if (block.begins_curve(i)) {
         before.reset();
@@ -450,12 +445,12 @@ Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, c
         ++midnights;
       }
       before = time.hi;
-      added.push_back(days);
-      if (days != 0) time = later(time, days);
+      if (days == 0) continue;
+      time = later(time, days);
+      if (per_key > 0) written[i] = parse_rational(block.decimals[i * per_key + NumberOfKey::time]);
+      if (written[i]) *written[i] += days;
     }
-    if (!block.decimals.empty() && days != 0) {
-      block.decimals = with_times(block.decimals, block.decimals.size() / block.size(), added);
-    }
+    set_written_times(block, written);
     return block;
   };
   return with_time_digits(mapped(std::move(blocks), add_days));

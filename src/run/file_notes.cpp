@@ -205,8 +205,8 @@ void FileNotes::end(const Curves& curves) {
   if (curves.midnights() > 0) {
     add(important("the times in column \"{}\" pass midnight, and count on from 24:00:00", time_name_));
   }
-  if (const auto angles = curves.likely_angles(); !angles.empty()) add(angles_note(angles));
-  if (const auto signs = curves.likely_signs(); !signs.empty()) {
+  if (const auto angles = curves.channels().likely_angles(); !angles.empty()) add(angles_note(angles));
+  if (const auto signs = curves.channels().likely_signs(); !signs.empty()) {
     std::vector<std::string> names;
     for (const LikelySign& sign : signs) names.push_back(sign.channel);
     add(important("{} in {} may stand for a missing number; {}={} {} skip-cell leaves it out", signs[0].number,

@@ -1,5 +1,5 @@
 // Grouping: curves in order of first appearance, breaks inside of them, and sorting that keeps equal times in order.
-#include "keys/grouping.hpp"
+#include "keys/order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -65,12 +65,10 @@ std::string likely(const std::string& name, const std::vector<double>& values, b
   Schema schema;
   schema.named = named;
   schema.channels = {name};
-  LikelyAngles angles(schema);
-  const Source<KeyBlock> blocks = angles.observe(keys_with_angles(values));
-  while (blocks()) {
-  }
+  ObservedChannels channels(schema);
+  channels.add(*keys_with_angles(values)());
   std::string text;
-  for (const auto& [channel, degrees] : angles.found()) text += channel + (degrees ? "=degrees" : "=radians");
+  for (const auto& [channel, degrees] : channels.likely_angles()) text += channel + (degrees ? "=degrees" : "=radians");
   return text;
 }
 
