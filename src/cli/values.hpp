@@ -34,10 +34,7 @@ inline constexpr auto delimiter_names =
 /// The marks between thousands, which may also be given themselves.
 inline constexpr auto thousands_names = std::to_array<Named<char>>(
     {{"comma", ','}, {"point", '.'}, {"apostrophe", '\''}, {"underscore", '_'}, {"space", ' '}});
-// Each function throws Error (usage) for any other text; the caller makes it an error about the option.
 
-/// Above 0: a decimal or a ratio of two.
-Rational positive_ratio(const std::string& text);
 /// What an error about a value says after it.
 inline constexpr std::string_view expects_ratio =
     "is not a number; expected a decimal or a ratio of whole numbers, such as 1.5 or 7/24";
@@ -50,69 +47,50 @@ struct TimeValue {
   bool in_seconds = false;
 };
 
+// Each function throws Error (usage) for any other text, with what it expects; the caller makes it an error about the
+// option. The errors of those with `words` end with these.
+
+Rational ratio_or(std::string_view words, std::string_view text);
+TimeValue time_value(std::string_view words, std::string_view text);
+Rational positive_ratio(const std::string& text);
+/// The rate of NTSC video for which a decimal such as "29.97" stands, else a ratio above 0.
+Rational frame_rate(const std::string& text);
+std::optional<Rational> broadcast_rate(std::string_view text);
+Rational step_of_rate(const Rational& rate, std::string_view text);
 /// The seconds of a date, a time of day or timecode; nothing for other texts. Throws: Error (usage) where another
 /// option has to tell its meaning.
 std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_view text);
-
-/// A ratio, or one with a unit of time other than frames. Throws: Error (usage) with the words for any other text.
-TimeValue time_value(std::string_view words, std::string_view text);
-
-/// A frame rate: that of broadcast_rates for its decimal, else a ratio above 0. Throws: Error (usage).
-Rational frame_rate(const std::string& text);
-
-/// The rate of NTSC video for which a decimal such as "29.97" stands; nothing for others.
-std::optional<Rational> broadcast_rate(std::string_view text);
-
-/// The step of a rate, which the text gives.
-Rational step_of_rate(const Rational& rate, std::string_view text);
-
-/// A decimal or a ratio of two within the doubles. Throws: Error (usage) with the words for any other text.
-Rational ratio_or(std::string_view words, std::string_view text);
-/// In digits, from 1 to 2^63 - 1.
 std::uint64_t positive_count(const std::string& text);
-/// A whole number from `least` to `most`, also as 1e9.
+/// A whole number, also as 1e9.
 std::uint64_t count_between(const std::string& text, std::uint64_t least, std::uint64_t most);
-/// Bytes, as a number with a unit such as MiB or GB, or without one.
 std::uint64_t memory_size(const std::string& text);
-/// In digits alone.
 int digit_count(const std::string& text, int least);
-CurveTolerance curve_tolerance(const std::string& text);
-/// "D", "NAME=D" or an angle such as "0.5deg", or several separated by commas, above 0; the angle in radians.
-std::pair<std::vector<Tolerance>, std::optional<double>> fit_limits(const std::string& text);
-/// "NAME", "NAME=LIMIT" or "NAME=LEAST:MOST", or several separated by commas; none for "all".
-std::vector<Limit> limit_list(const std::string& text);
-/// Degrees above 0 and below 180.
 double corner_angle(const std::string& text);
-/// "1e-9", "x=1e-6", or several separated by commas.
-std::vector<Tolerance> tolerances(const std::string& text);
 char delimiter(const std::string& text);
 char decimal_mark(const std::string& text);
 char thousands_mark(const std::string& text);
+std::string name_part(const std::string& text);
+PictureSize picture_size(const std::string& text);
 spline::Tcb<double> tcb_values(const std::string& text);
-/// Columns by name or number, separated by commas.
+CurveTolerance curve_tolerance(const std::string& text);
+std::vector<Tolerance> tolerances(const std::string& text);
+/// The angle is in radians.
+std::pair<std::vector<Tolerance>, std::optional<double>> fit_limits(const std::string& text);
+/// None for "all".
+std::vector<Limit> limit_list(const std::string& text);
 std::vector<std::string> column_list(const std::string& text);
-/// "OLD=NEW", or several separated by commas.
+std::vector<std::string> axis_names(const std::string& text);
 std::vector<Renaming> renamings(const std::string& text);
-/// "CHANNEL=FACTOR", or several separated by commas.
 std::vector<ChannelScale> channel_scales(const std::string& text);
-/// "CHANNEL=UNIT", or several separated by commas.
 std::vector<NamedAngle> angle_channels(const std::string& text);
+/// Sets `none` if the text is "none", for no rotation.
+std::vector<GivenRotation> rotations(const std::string& text, bool& none);
+spline::RotationNotation rotation_form(const std::string& text);
+Extrapolations extrapolation(const std::string& text);
 /// Indices into fields(), each once.
 std::vector<std::size_t> field_list(const std::string& text);
 /// The field with the cubics of pieces in a form.
 std::size_t form_of_pieces(const std::string& text);
-/// A part of a file's name.
-std::string name_part(const std::string& text);
-/// Two columns with a colon between them.
-std::vector<std::string> axis_names(const std::string& text);
-/// "RULE" or "RULE,RULE".
-Extrapolations extrapolation(const std::string& text);
-/// Width and height with an x between them.
-PictureSize picture_size(const std::string& text);
-/// The value of --rotation; sets `none` if it is "none", for no rotation.
-std::vector<GivenRotation> rotations(const std::string& text, bool& none);
-/// The value of --rotation-output.
-spline::RotationNotation rotation_form(const std::string& text);
 const Format* input_format(const std::string& text);
 const Format* output_format(const std::string& text);
 

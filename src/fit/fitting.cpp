@@ -157,10 +157,9 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
 
 /// The samples of a curve, whose rotations and angles are checked.
 Source<KeyBlock> checked_samples(Source<KeyBlock> blocks, const Schema& schema, const FitOptions& options) {
-  if (options.angle) {
-    blocks = with_quaternions(std::move(blocks), {schema.rotations, schema.sources});
-  }
-  return with_clear_angles(std::move(blocks), schema.angles, schema.channels);
+  TurnsOfKeys turns{.rotations = {}, .sources = schema.sources, .angles = schema.angles, .channels = schema.channels};
+  if (options.angle) turns.rotations = schema.rotations;
+  return with_clear_turns(std::move(blocks), turns);
 }
 
 /// Makes an angle go the shorter way from sample to sample.

@@ -8,13 +8,11 @@
 #include <deque>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "error.hpp"
 #include "option_names.hpp"
 #include "schema/roles.hpp"
-#include "tcb/spline/angle.hpp"
 #include "tcb/spline/scalar.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -45,56 +43,10 @@ void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
 
 using spline::DoubleDouble;
 
-/// One angle of successive keys.
-class AngleChain {
- public:
-  AngleChain(const AngleColumn& angle, std::string name) : angle_(angle), name_(std::move(name)) {}
-
-  void check(const KeyBlock& block) {
-    for (std::size_t key = 0; key < block.size(); ++key) {
-      const double value = block.keys.position(key)[angle_.channel];
-      const std::uint64_t line = block.line(key);
-      if (std::isnan(value))
-        throw data_error("the angle {} is missing; expected a number at every key; fill it in, or remove the row",
-                         in_quotes(name_))
-            .at({"", line, 0});
-      require_angle(value, angle_.degrees, false, name_, line);
-      if (line_ == 0) std::tie(first_, first_line_) = std::tie(value, line);
-      require_turn(value, line, line_);
-      std::tie(before_, line_) = std::tie(value, line);
-    }
-  }
-
-  /// Checks the turn from the last key to the first one.
-  void close() const { require_turn(first_, line_, first_line_); }
-
- private:
-  /// Throws: Error (data), at a line, for half a turn from the last key to another one.
-  void require_turn(double value, std::uint64_t line, std::uint64_t other) const {
-    if (line_ == 0) return;
-    const double half = spline::whole_turn<double>(angle_.degrees).hi / 2;
-    const spline::DoubleDouble chord = spline::exact_difference(value, before_);
-    const auto rest = chord - spline::nearest_turns<double>(chord, angle_.degrees);
-    const bool is_half_turn = std::abs(std::abs(rest.hi) - half) <= half * 0x1p-50;
-    if (is_half_turn)
-      throw data_error(
-          "the angle {} is exactly half a turn from the angle on line {}, so its direction is undefined; expected a "
-          "smaller difference; add a key between them",
-          in_quotes(name_), other)
-          .at({"", line, 0});
-  }
-
-  AngleColumn angle_;
-  std::string name_;
-  double before_ = 0, first_ = 0;  ///< of the last key, and of the first one
-  std::uint64_t line_ = 0;         ///< of the last one; 0: there is none
-  std::uint64_t first_line_ = 0;
-};
-
 /// The steps that take one block after another.
 class Steps {
  public:
-  explicit Steps(const KeyPreparation& needs) : needs_(needs), before_in_(needs.channels.size()) {}
+  explicit Steps(const KeyPreparation& needs) : needs_(needs), before_in_(needs.turns.channels.size()) {}
 
   KeyBlock operator()(KeyBlock block) {
     if (needs_.exponent) add_times(block);
@@ -217,14 +169,14 @@ class Steps {
       throw data_error(
           "the outgoing velocity of channel {} is missing; expected a number at every key but the last; fill it in, or "
           "remove the row",
-          in_quotes(needs_.channels[channel]))
+          in_quotes(needs_.turns.channels[channel]))
           .at({"", before.line, 0});
     }
     if (has_before && std::isnan(velocity.in)) {
       throw data_error(
           "the incoming velocity of channel {} is missing; expected a number at every key but the first; fill it in, "
           "or remove the row",
-          in_quotes(needs_.channels[channel]))
+          in_quotes(needs_.turns.channels[channel]))
           .at({"", line, 0});
     }
     before = {line, !std::isnan(velocity.out)};
@@ -276,21 +228,6 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel, 
 
 }  // namespace
 
-Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<AngleColumn>& angles,
-                                   const std::vector<std::string>& channels, bool closed) {
-  if (angles.empty()) return blocks;
-  std::vector<AngleChain> chains;
-  for (const AngleColumn& angle : angles) chains.emplace_back(angle, channels[angle.channel]);
-  return [blocks = std::move(blocks), chains = std::move(chains), closed]() mutable {
-    std::optional<KeyBlock> block = blocks();
-    for (AngleChain& chain : chains) {
-      if (block) chain.check(*block);
-      if (!block && closed) chain.close();
-    }
-    return block;
-  };
-}
-
 SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles) {
   if (angles.empty()) return {std::move(blocks), {}};
   std::vector<KeyBlock> all;
@@ -312,10 +249,9 @@ SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles) 
 }
 
 Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs) {
-  blocks = with_quaternions(std::move(blocks), needs.rotations);
-  blocks = with_clear_angles(std::move(blocks), needs.angles, needs.channels, needs.closed);
+  blocks = with_clear_turns(std::move(blocks), needs.turns);
   if (!needs.likely_time.empty()) {
-    blocks = with_clear_times(std::move(blocks), needs.channels[0], needs.likely_time);
+    blocks = with_clear_times(std::move(blocks), needs.turns.channels[0], needs.likely_time);
   }
   return [blocks = std::move(blocks), steps = Steps(needs)]() mutable -> std::optional<KeyBlock> {
     std::optional<KeyBlock> block = blocks();

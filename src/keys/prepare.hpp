@@ -24,10 +24,7 @@ enum class ShownTcbScale { from_0_to_50, percent };
 
 /// What the keys of a curve need before they make it.
 struct KeyPreparation {
-  std::vector<std::string> channels;  ///< names
-  RotationsOfKeys rotations;
-  std::vector<AngleColumn> angles;
-  bool closed = false;                    ///< the first key follows the last one
+  TurnsOfKeys turns;
   std::string likely_time = {};           ///< the first channel as it can be requested, if it may be the time
   std::optional<double> exponent = {};    ///< of the distances that make the times; nothing: keys have times
   std::vector<std::size_t> metric = {};   ///< the channels of these distances; empty: all
@@ -50,11 +47,6 @@ struct SignedKeys {
   std::vector<AngleColumn> angles;
 };
 SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles);
-
-/// Passes keys on. `closed`: the first key follows the last one. Throws: Error (data), at its line, for an angle that
-/// is missing or beyond what its unit allows, and for half a turn between two.
-Source<KeyBlock> with_clear_angles(Source<KeyBlock> blocks, const std::vector<AngleColumn>& angles,
-                                   const std::vector<std::string>& channels, bool closed = false);
 
 /// The power of a distance at a scalar, from its square. Doubles add up squares as double-doubles, in units of a power
 /// of two, so that none overflows or vanishes. Exact scalars have their own, in exact/rounding.hpp.

@@ -1,4 +1,4 @@
-// Rotations of keys: the quaternions of those in other forms, checks, and signs.
+// Rotations and angles of keys: the quaternions of rotations in other forms, checks, and signs.
 #include "keys/rotations.hpp"
 
 #include <algorithm>
@@ -16,6 +16,7 @@
 
 #include "error.hpp"
 #include "option_names.hpp"
+#include "tcb/spline/angle.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 #include "text/utf8.hpp"
@@ -24,6 +25,21 @@ namespace tcb {
 namespace {
 
 constexpr double half_turn_rounding = 0x1p-50;  ///< of the cosine of half the angle of a turn
+
+/// Throws: Error (data) for an angle of more turns than its unit allows. `makes_turns`: they count.
+void require_angle(double angle, bool degrees, bool makes_turns, const std::string& name, std::uint64_t line) {
+  constexpr double turn = 6.283185307179586, most_turns = 1e4;
+  if (std::abs(angle) <= (degrees ? 360 * most_turns : makes_turns ? turn * most_turns : turn)) return;
+  const bool counts_turns = degrees || makes_turns;
+  throw(counts_turns
+            ? data_error(
+                  "{} has an angle of {}; expected at most 10000 turns; check its column, and its unit with {} or {}",
+                  in_quotes(name), angle, option::angles, option::angle)
+            : data_error("{} has an angle of {} radians; expected at most one turn, 6.2832; give degrees as its unit "
+                         "with {} or {}, or subtract whole turns",
+                         in_quotes(name), angle, option::angles, option::angle))
+      .at({"", line, 0});
+}
 
 /// About the rotation that begins with a column.
 Error rotation_incomplete(const std::string& column) {
@@ -154,7 +170,7 @@ class RowsOfMatrix {
 class Conversion {
  public:
   /// `number`: among those that are converted.
-  Conversion(std::size_t number, const RotationSchema& rotation, const RotationsOfKeys& all)
+  Conversion(std::size_t number, const RotationSchema& rotation, const TurnsOfKeys& all)
       : number_(number),
         channels_(rotation.columns.channels),
         turn_(rotation.columns.turn),
@@ -254,6 +270,52 @@ class Conversion {
   bool in_parent_, has_whole_turns_;
   bool is_first_ = true;
   spline::Quaternion<double> before_{0, 0, 0, 1};
+};
+
+/// One angle of successive keys.
+class AngleChain {
+ public:
+  AngleChain(const AngleColumn& angle, std::string name) : angle_(angle), name_(std::move(name)) {}
+
+  void add(const KeyBlock& block) {
+    for (std::size_t key = 0; key < block.size(); ++key) {
+      const double value = block.keys.position(key)[angle_.channel];
+      const std::uint64_t line = block.line(key);
+      if (std::isnan(value))
+        throw data_error("the angle {} is missing; expected a number at every key; fill it in, or remove the row",
+                         in_quotes(name_))
+            .at({"", line, 0});
+      require_angle(value, angle_.degrees, false, name_, line);
+      if (line_ == 0) std::tie(first_, first_line_) = std::tie(value, line);
+      require_turn(value, line, line_);
+      std::tie(before_, line_) = std::tie(value, line);
+    }
+  }
+
+  /// Checks the turn from the last key to the first one.
+  void close() const { require_turn(first_, line_, first_line_); }
+
+ private:
+  /// Throws: Error (data), at a line, for half a turn from the last key to another one.
+  void require_turn(double value, std::uint64_t line, std::uint64_t other) const {
+    if (line_ == 0) return;
+    const double half = spline::whole_turn<double>(angle_.degrees).hi / 2;
+    const spline::DoubleDouble chord = spline::exact_difference(value, before_);
+    const auto rest = chord - spline::nearest_turns<double>(chord, angle_.degrees);
+    const bool is_half_turn = std::abs(std::abs(rest.hi) - half) <= half * 0x1p-50;
+    if (is_half_turn)
+      throw data_error(
+          "the angle {} is exactly half a turn from the angle on line {}, so its direction is undefined; expected a "
+          "smaller difference; add a key between them",
+          in_quotes(name_), other)
+          .at({"", line, 0});
+  }
+
+  AngleColumn angle_;
+  std::string name_;
+  double before_ = 0, first_ = 0;  ///< of the last key, and of the first one
+  std::uint64_t line_ = 0;         ///< of the last one; 0: there is none
+  std::uint64_t first_line_ = 0;
 };
 
 using Numbers = std::array<double, 4>;
@@ -396,21 +458,21 @@ class SignChain {
 };
 
 /// The keys with the quaternions of rotations that they give in another form.
-Source<KeyBlock> with_converted_rotations(Source<KeyBlock> blocks, const RotationsOfKeys& rotations) {
+Source<KeyBlock> with_converted_rotations(Source<KeyBlock> blocks, const TurnsOfKeys& turns) {
   std::vector<GivenRotation> given;
   auto conversions = std::make_shared<std::vector<Conversion>>();
-  for (const RotationSchema& rotation : rotations.rotations) {
+  for (const RotationSchema& rotation : turns.rotations) {
     if (rotation.given.notation.is_quaternion()) continue;
-    conversions->emplace_back(conversions->size(), rotation, rotations);
+    conversions->emplace_back(conversions->size(), rotation, turns);
     given.push_back(rotation.given);
   }
   if (given.empty()) return blocks;
-  const auto turns = static_cast<std::size_t>(std::ranges::count_if(
-      rotations.rotations, [](const RotationSchema& rotation) { return rotation.columns.turn.has_value(); }));
-  const auto convert = [given, conversions, turns, sources = rotations.sources](KeyBlock block) {
+  const auto relative = static_cast<std::size_t>(std::ranges::count_if(
+      turns.rotations, [](const RotationSchema& rotation) { return rotation.columns.turn.has_value(); }));
+  const auto convert = [given, conversions, relative, sources = turns.sources](KeyBlock block) {
     keep_given(block, given);
     if (!sources.empty()) select_channels(block, sources);
-    block.keys.turns.resize(turns * block.size());
+    block.keys.turns.resize(relative * block.size());
     for (Conversion& conversion : *conversions) conversion.convert(block);
     return block;
   };
@@ -419,40 +481,32 @@ Source<KeyBlock> with_converted_rotations(Source<KeyBlock> blocks, const Rotatio
 
 }  // namespace
 
-std::vector<ConvertedRotation> converted_rotations(const RotationsOfKeys& rotations) {
+std::vector<ConvertedRotation> converted_rotations(const TurnsOfKeys& turns) {
   std::vector<ConvertedRotation> converted;
-  for (const auto& [columns, given, names] : rotations.rotations) {
+  for (const auto& [columns, given, names] : turns.rotations) {
     if (given.notation.is_quaternion()) continue;
-    converted.push_back({columns, given.notation, given.relative, rotations.in_parent || given.in_parent});
+    converted.push_back({columns, given.notation, given.relative, turns.in_parent || given.in_parent});
   }
   return converted;
 }
 
-void require_angle(double angle, bool degrees, bool makes_turns, const std::string& name, std::uint64_t line) {
-  constexpr double turn = 6.283185307179586, most_turns = 1e4;
-  if (std::abs(angle) <= (degrees ? 360 * most_turns : makes_turns ? turn * most_turns : turn)) return;
-  const bool counts_turns = degrees || makes_turns;
-  throw(counts_turns
-            ? data_error(
-                  "{} has an angle of {}; expected at most 10000 turns; check its column, and its unit with {} or {}",
-                  in_quotes(name), angle, option::angles, option::angle)
-            : data_error("{} has an angle of {} radians; expected at most one turn, 6.2832; give degrees as its unit "
-                         "with {} or {}, or subtract whole turns",
-                         in_quotes(name), angle, option::angles, option::angle))
-      .at({"", line, 0});
-}
-
-Source<KeyBlock> with_quaternions(Source<KeyBlock> blocks, const RotationsOfKeys& rotations) {
-  if (rotations.rotations.empty()) return blocks;
-  std::vector<SignChain> chains;
-  for (const RotationSchema& rotation : rotations.rotations) chains.emplace_back(rotation, rotations.curve);
-  return [blocks = with_converted_rotations(std::move(blocks), rotations), chains = std::move(chains),
-          closed = rotations.closed]() mutable {
+Source<KeyBlock> with_clear_turns(Source<KeyBlock> blocks, const TurnsOfKeys& turns) {
+  if (turns.rotations.empty() && turns.angles.empty()) return blocks;
+  std::vector<SignChain> rotations;
+  for (const RotationSchema& rotation : turns.rotations) rotations.emplace_back(rotation, turns.curve);
+  std::vector<AngleChain> angles;
+  for (const AngleColumn& angle : turns.angles) angles.emplace_back(angle, turns.channels[angle.channel]);
+  return [blocks = with_converted_rotations(std::move(blocks), turns), rotations = std::move(rotations),
+          angles = std::move(angles), closed = turns.closed]() mutable {
     std::optional<KeyBlock> block = blocks();
-    for (SignChain& chain : chains) {
-      if (block) chain.add(*block);
-      if (!block && closed) chain.close();
-    }
+    const auto pass = [&](auto& chains) {
+      for (auto& chain : chains) {
+        if (block) chain.add(*block);
+        if (!block && closed) chain.close();
+      }
+    };
+    pass(rotations);
+    pass(angles);
     return block;
   };
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "error.hpp"
@@ -147,9 +148,13 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
       has_tcb_scale_(traits.has_tcb_scale),
       needs_(curve_needs(request_, request.fields, spec_, traits.may_miss, golden_.has_value())),
       threads_(request.threads),
-      channels_(schema.channels),
-      rotations_{schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
-                 spec_.preset == spline::Preset::nel, spec_.closed},
+      turns_{schema.rotations,
+             schema.sources,
+             spec_.rules.rotation_rules.curve,
+             spec_.preset == spline::Preset::nel,
+             spec_.closed,
+             spec_.angles,
+             schema.channels},
       part_(std::move(part)) {
   const auto unit = schema.time.unit;
   const bool has_duration = request_.in_seconds.has_duration || spec_.is_period_in_seconds;
@@ -189,20 +194,16 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
         schema.time.name, option::parameter, option::columns)
         .about(option::parameter);
   }
-  require_rotations(spec_, request.fields, request_);
-  require_fitting_rotations(spec_, needs_.metric, request_.mode == Mode::emit);
+  require_fitting_rotations(spec_, request_, request.fields, needs_.metric);
   if (part_) request_.origin = request_.exact(part_->origin);
 }
 
 /// The keys with times, checked. `least`: how many, unless a single key is enough. Sets the signs of angles.
 Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) {
   SignedKeys keys = with_signs(std::move(blocks), spec_.angles);
-  spec_.angles = std::move(keys.angles);
+  spec_.angles = turns_.angles = std::move(keys.angles);
   return tcb::prepared(std::move(keys.blocks),
-                       {.channels = channels_,
-                        .rotations = rotations_,
-                        .angles = spec_.angles,
-                        .closed = spec_.closed,
+                       {.turns = turns_,
                         .likely_time = likely_time_,
                         .exponent = spec_.timed ? std::nullopt : std::optional(spec_.exponent()),
                         .metric = spec_.rules.metric,
@@ -223,11 +224,11 @@ CurveSamples CurveSamples::none(const Time& first_key) {
 StreamedCurve CurvePipeline::read(Source<KeyBlock> blocks) {
   KeyStore keys(blocks);
   if (keys.are_sparse()) {
-    if (const auto error = spline::find_position_error(keys.all())) throw curve_error(*error, keys, channels_);
+    if (const auto error = spline::find_position_error(keys.all())) throw curve_error(*error, keys, turns_.channels);
   }
   Extent extent{keys.key(0).times[0], {}, {}, spec_.closed, keys.decimals()};
   if (spec_.frames) spec_.frames = spec_.frames->from(extent.first);
-  extent.last = spec_.closed ? take_closing(keys, spec_, channels_) : keys.key(keys.size() - 1).times[0];
+  extent.last = spec_.closed ? take_closing(keys, spec_, turns_.channels) : keys.key(keys.size() - 1).times[0];
   const bool expanded = request_.mode == Mode::emit;  // where coefficients are printed, not positions
   return {std::move(keys), extent, spec_.rules, {false, expanded, threads_, spec_.frames}};
 }
@@ -245,7 +246,7 @@ CurveSamples CurvePipeline::samples(Source<KeyBlock> blocks) {
   blocks = prepared(std::move(blocks), may_be_point ? 1 : 2);
   if (!needs_.all_keys) return samples_as_read(std::move(blocks));
   if (!golden_) return samples(read(std::move(blocks)));
-  ExactKeys exact(golden_->decimal, converted_rotations(rotations_), spec_.frames);
+  ExactKeys exact(golden_->decimal, converted_rotations(turns_), spec_.frames);
   StreamedCurve curve = read(mapped(std::move(blocks), [this, &exact](KeyBlock block) {
     exact.add(block);  // times made from distances are computed exactly and rounded
     if (time_exponent() != 0) exact.set_times(block, time_exponent(), spec_.rules.metric);
@@ -310,14 +311,14 @@ CurveSamples CurvePipeline::samples_as_read(Source<KeyBlock> blocks) {
 CurveSamples CurvePipeline::samples_on_grid(StreamedCurve curve, const ExactKeys* exact) const {
   Extent& extent = curve.extent;
   SampleFacts facts{extent.first, extent.last, {}, {}};
-  std::optional<Lengths> lengths;
+  Source<SegmentBlock> segments;
   if (needs_.whole_length) {
-    lengths = all_lengths(curve.segments(true));
-    facts.length = extent.length = total_length(*lengths);
+    std::tie(segments, facts.length) = curve.measured();
+    extent.length = facts.length;
+  } else {
+    segments = curve.segments(needs_.lengths);
   }
   if (!by_segment(request_.mode)) facts.step = nearest_time(spacing(request_, extent).grid.step());
-  Source<SegmentBlock> segments = curve.segments(needs_.lengths && !lengths);
-  if (lengths) segments = with_lengths(std::move(segments), std::move(*lengths));
   const RowEstimate estimate(request_, extent, curve.keys.size() - (spec_.closed ? 0 : 1));
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
   CurveSamples samples = samples_in_order(std::move(segments), sampler, extent.first);

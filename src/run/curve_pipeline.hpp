@@ -138,8 +138,7 @@ class CurvePipeline {
   CurveNeeds needs_;
   std::optional<FrameTimes> frames_of_keys_ = {};  ///< where they get other times
   unsigned threads_;
-  std::vector<std::string> channels_;
-  RotationsOfKeys rotations_;
+  TurnsOfKeys turns_;
   std::optional<CurvePart> part_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -264,35 +265,24 @@ void require_length(const DoubleDouble& length, const Time& end) {
       time_text(end));
 }
 
-Lengths all_lengths(const Source<SegmentBlock>& measured) {
-  Lengths lengths;
+std::pair<Source<SegmentBlock>, double> StreamedCurve::measured() const {
+  std::deque<spline::Length<double>> lengths;  // which grows without a copy
   DoubleDouble sum;
-  while (const std::optional<SegmentBlock> block = measured()) {
+  const Source<SegmentBlock> blocks = segments(true);
+  while (const std::optional<SegmentBlock> block = blocks()) {
     for (std::size_t i = 0; i < block->lengths.size(); ++i) {
       lengths.push_back(block->lengths[i]);
       sum = sum + DoubleDouble(lengths.back().value);
       require_length(sum, block->segments.times[i + 1]);
     }
   }
-  return lengths;
-}
-
-double total_length(const Lengths& lengths) {
-  DoubleDouble sum;
-  for (const auto& length : lengths) sum = sum + DoubleDouble(length.value);
-  return sum.hi;
-}
-
-Source<SegmentBlock> with_lengths(Source<SegmentBlock> segments, Lengths lengths) {
-  return [segments = std::move(segments), lengths = std::move(lengths),
-          next = std::ptrdiff_t{0}]() mutable -> std::optional<SegmentBlock> {
-    std::optional<SegmentBlock> block = segments();
-    if (!block) return std::nullopt;
+  const auto add_lengths = [lengths = std::move(lengths), next = std::ptrdiff_t{0}](SegmentBlock block) mutable {
     const auto begin = lengths.begin() + next;
-    next += static_cast<std::ptrdiff_t>(block->segments.size());
-    block->lengths.assign(begin, lengths.begin() + next);
+    next += static_cast<std::ptrdiff_t>(block.segments.size());
+    block.lengths.assign(begin, lengths.begin() + next);
     return block;
   };
+  return {mapped(segments(), add_lengths), sum.hi};
 }
 
 }  // namespace tcb

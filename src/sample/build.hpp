@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "error.hpp"
@@ -97,19 +97,13 @@ struct StreamedCurve {
   SegmentOptions options;
 
   Source<SegmentBlock> segments(bool measured = false) const;
+  /// The segments with their lengths, which are all measured before the first one, and the length of the curve.
+  std::pair<Source<SegmentBlock>, double> measured() const;
   /// The curve with random access. `measured`: with the lengths of its segments.
   KeptCurve kept(const CurveChannels& channels, const Extrapolations& extrapolation, bool measured) const;
 };
 
 /// Throws: Error (data) if the length of the curve up to a time is beyond the range of doubles.
 void require_length(const spline::DoubleDouble& length, const Time& end);
-
-/// The lengths of all segments in order.
-using Lengths = std::deque<spline::Length<double>>;  // which grows without a copy
-Lengths all_lengths(const Source<SegmentBlock>& measured);
-double total_length(const Lengths& lengths);
-
-/// Segments that were not measured, with their lengths, which are known.
-Source<SegmentBlock> with_lengths(Source<SegmentBlock> segments, Lengths lengths);
 
 }  // namespace tcb

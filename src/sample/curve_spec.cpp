@@ -206,7 +206,31 @@ std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset) {
   return preset == lightwave ? std::optional(ShownTcbScale::percent) : std::nullopt;
 }
 
-void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits) {
+void require_fitting_rotations(const CurveSpec& spec, const SamplingRequest& request,
+                               const std::vector<std::size_t>& chosen, MetricUse use) {
+  const bool has_rotations = !spec.rules.rotations.empty();
+  const auto of_rotations =
+      std::ranges::find_if(chosen, [](std::size_t field) { return fields()[field].per_rotation; });
+  if (!has_rotations && of_rotations != chosen.end()) {
+    throw data_error("{} needs a rotation, and there is none; name its columns with {}, or remove the field",
+                     fields()[*of_rotations].name, option::rotation)
+        .about(option::fields);
+  }
+  if (!has_rotations && request.tolerance.limits_angle()) {
+    throw data_error(
+        "the tolerance has an angle, but there is no rotation; give the distance alone, or name a rotation with {}",
+        option::rotation)
+        .about(option::tolerance);
+  }
+  const bool is_near_path = request.mode == Mode::tolerance && request.tolerance.limits_distance();
+  if (has_rotations && spec.lacks_metric && is_near_path) {
+    throw data_error(
+        "the tolerance has a distance, but there are only rotations or angles, which have none; give an angle alone, "
+        "as in 0.5deg, or {} none to take the numbers as positions",
+        option::rotation)
+        .about(option::tolerance);
+  }
+  const bool emits = request.mode == Mode::emit;
   if (spec.lacks_metric && use != MetricUse::nothing) {
     throw data_error(
         "there are only rotations or angles, which have no length; expected a position; give {} rotation to measure "
@@ -234,31 +258,6 @@ void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits)
         "the rotation curve {} has no cubics to print as pieces; expected components; give {} components, {} none, or "
         "samples instead, as with {}",
         name_of(curve), option::rotation_curve, option::rotation, option::count);
-  }
-}
-
-void require_rotations(const CurveSpec& spec, const std::vector<std::size_t>& chosen, const SamplingRequest& request) {
-  const bool has_rotations = !spec.rules.rotations.empty();
-  const auto of_rotations =
-      std::ranges::find_if(chosen, [](std::size_t field) { return fields()[field].per_rotation; });
-  if (!has_rotations && of_rotations != chosen.end()) {
-    throw data_error("{} needs a rotation, and there is none; name its columns with {}, or remove the field",
-                     fields()[*of_rotations].name, option::rotation)
-        .about(option::fields);
-  }
-  if (!has_rotations && request.tolerance.limits_angle()) {
-    throw data_error(
-        "the tolerance has an angle, but there is no rotation; give the distance alone, or name a rotation with {}",
-        option::rotation)
-        .about(option::tolerance);
-  }
-  const bool is_near_path = request.mode == Mode::tolerance && request.tolerance.limits_distance();
-  if (has_rotations && spec.lacks_metric && is_near_path) {
-    throw data_error(
-        "the tolerance has a distance, but there are only rotations or angles, which have none; give an angle alone, "
-        "as in 0.5deg, or {} none to take the numbers as positions",
-        option::rotation)
-        .about(option::tolerance);
   }
 }
 

@@ -62,12 +62,9 @@ std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset);
 /// What is used of the metric: lengths along the curve, or also distances and speeds.
 enum class MetricUse { nothing, lengths, path };
 
-/// Throws: Error (data) for lengths where there are only rotations, for distances where lengths are angles, and for
-/// cubics of rotations that have none.
-void require_fitting_rotations(const CurveSpec& spec, MetricUse use, bool emits);
-
-/// Throws: Error (data) where a field or a tolerance is of rotations, and there are none, or of distances, and there
-/// are rotations alone.
-void require_rotations(const CurveSpec& spec, const std::vector<std::size_t>& chosen, const SamplingRequest& request);
+/// Throws: Error (data) where a field or a tolerance is of rotations, and there are none; where lengths or distances
+/// are used, and there are rotations alone; and for cubics of rotations that have none. `chosen`: the fields.
+void require_fitting_rotations(const CurveSpec& spec, const SamplingRequest& request,
+                               const std::vector<std::size_t>& chosen, MetricUse use);
 
 }  // namespace tcb

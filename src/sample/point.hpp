@@ -13,63 +13,6 @@
 
 namespace tcb {
 
-/// A rotation at a sample on a segment, and its rate there.
-template <class S>
-class RotationAt {
- public:
-  /// `u`: the elapsed fraction of the segment's duration. `part`: of its ease. `outside`: null on the curve.
-  RotationAt(const CurveSegmentOf<S>& segment, std::size_t index, const SampleOf<S>& sample, const S& u,
-             spline::EasePart part, const OutsideOf<S>* outside)
-      : segment_(segment), index_(index), sample_(sample), u_(u), part_(part), outside_(outside) {}
-
-  /// The quaternion. Outside the curve, `linear` keeps turning at the rate of the end, `offset` adds the turn of the
-  /// whole curve once per period, and `repeat` negates the quaternion in odd periods where its sign would jump.
-  spline::Quaternion<S> value() const {
-    const spline::Quaternion<S> q = segment_.rotations[index_].at(sample_.at);
-    if (outside_ == nullptr) return q;
-    const S beyond = spline::high_part<S>(outside_->beyond);
-    if (beyond != S(0)) {
-      const auto rate = rate_on_curve();
-      const S half = beyond / S(2);
-      return spline::normalized(spline::exponential<S>({rate[0] * half, rate[1] * half, rate[2] * half}) * q);
-    }
-    if (outside_->odd && segment_.turns[index_].w < S(0)) return -q;
-    return outside_->cycles == S(0) ? q : spline::normalized(cycles() * q);
-  }
-
-  /// The angular velocity, in the frame in which the rotation is given, per unit of time.
-  spline::Vector3<S> rate() const {
-    spline::Vector3<S> rate{S(0), S(0), S(0)};
-    if (segment_.start == segment_.end || (outside_ != nullptr && outside_->holds)) return rate;
-    rate = rate_on_curve();
-    if (outside_ == nullptr) return rate;
-    if (outside_->backward) return {-rate[0], -rate[1], -rate[2]};
-    if (outside_->cycles == S(0)) return rate;
-    const spline::Quaternion<S> turn = cycles();
-    const auto turned = turn * spline::Quaternion<S>{rate[0], rate[1], rate[2], S(0)} * spline::conjugate(turn);
-    return {turned.x, turned.y, turned.z};
-  }
-
- private:
-  spline::Vector3<S> rate_on_curve() const {
-    const S du = segment_.warp.first_derivative(u_, part_) / spline::high_part<S>(segment_.duration());
-    const auto rate = segment_.rotations[index_].rate(sample_.at);
-    return {rate[0] * du, rate[1] * du, rate[2] * du};
-  }
-  spline::Quaternion<S> cycles() const {
-    const auto turn = spline::logarithm(segment_.turns[index_]);
-    const S& count = outside_->cycles;
-    return spline::exponential<S>({turn[0] * count, turn[1] * count, turn[2] * count});
-  }
-
-  const CurveSegmentOf<S>& segment_;
-  std::size_t index_;
-  const SampleOf<S>& sample_;
-  S u_;
-  spline::EasePart part_;
-  const OutsideOf<S>* outside_;
-};
-
 /// A quantity of a point, if it is defined.
 template <class S>
 struct Quantity {
@@ -113,9 +56,11 @@ class Point {
   spline::EasePart part() const;
   /// One component. Outside the curve the end is extended by its velocity, or moved by whole cycles.
   S position(std::size_t channel);
-  spline::Quaternion<S> rotation(std::size_t index) const { return rotation_at(index).value(); }
+  /// A rotation. Outside the curve, `linear` keeps turning at the rate of the end, `offset` adds the turn of the whole
+  /// curve once per period, and `repeat` negates the quaternion in odd periods where its sign would jump.
+  spline::Quaternion<S> rotation(std::size_t index) const;
   /// The angular velocity of a rotation, in the frame in which it is given, per unit of time.
-  spline::Vector3<S> angular_velocity(std::size_t index) const { return rotation_at(index).rate(); }
+  spline::Vector3<S> angular_velocity(std::size_t index) const;
   const spline::Derivatives<S>& derivatives();
   /// From the curve's first key.
   S length();
@@ -136,7 +81,18 @@ class Point {
   }
 
   void set_derivatives();
-  RotationAt<S> rotation_at(std::size_t index) const { return {*segment_, index, *sample_, u(), part(), outside_}; }
+  /// The angular velocity at the time on the curve.
+  spline::Vector3<S> rate_on_curve(std::size_t rotation) const {
+    const S du = segment_->warp.first_derivative(u(), part()) / spline::high_part<S>(segment_->duration());
+    const auto rate = segment_->rotations[rotation].rate(sample_->at);
+    return {rate[0] * du, rate[1] * du, rate[2] * du};
+  }
+  /// The turn of the whole curve, once per period.
+  spline::Quaternion<S> turn_of_cycles(std::size_t rotation) const {
+    const auto turn = spline::logarithm(segment_->turns[rotation]);
+    const S& count = outside_->cycles;
+    return spline::exponential<S>({turn[0] * count, turn[1] * count, turn[2] * count});
+  }
 
   const CurveSegmentOf<S>* segment_ = nullptr;
   const SampleOf<S>* sample_ = nullptr;
@@ -182,6 +138,32 @@ S Point<S>::position(std::size_t channel) {
   if (beyond != S(0)) position += derivatives().velocity[channel] * beyond;
   if (outside_->cycles != S(0)) position += outside_->cycles * segment_->cycle[channel];
   return position;
+}
+
+template <class S>
+spline::Quaternion<S> Point<S>::rotation(std::size_t index) const {
+  const spline::Quaternion<S> q = segment_->rotations[index].at(sample_->at);
+  if (outside_ == nullptr) return q;
+  const S beyond = spline::high_part<S>(outside_->beyond);
+  if (beyond != S(0)) {
+    const auto rate = rate_on_curve(index);
+    const S half = beyond / S(2);
+    return spline::normalized(spline::exponential<S>({rate[0] * half, rate[1] * half, rate[2] * half}) * q);
+  }
+  if (outside_->odd && segment_->turns[index].w < S(0)) return -q;
+  return outside_->cycles == S(0) ? q : spline::normalized(turn_of_cycles(index) * q);
+}
+
+template <class S>
+spline::Vector3<S> Point<S>::angular_velocity(std::size_t index) const {
+  if (segment_->start == segment_->end || (outside_ != nullptr && outside_->holds)) return {S(0), S(0), S(0)};
+  const spline::Vector3<S> rate = rate_on_curve(index);
+  if (outside_ == nullptr) return rate;
+  if (outside_->backward) return {-rate[0], -rate[1], -rate[2]};
+  if (outside_->cycles == S(0)) return rate;
+  const spline::Quaternion<S> turn = turn_of_cycles(index);
+  const auto turned = turn * spline::Quaternion<S>{rate[0], rate[1], rate[2], S(0)} * spline::conjugate(turn);
+  return {turned.x, turned.y, turned.z};
 }
 
 template <class S>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <charconv>
 #include <iterator>
 #include <numeric>
@@ -90,76 +91,52 @@ void number_texts(Columns& columns) {
   }
 }
 
-// Columns with the tension or a velocity of one channel, and those of segments.
-
-Error segment_column_missing(std::string_view column, std::string_view missing_column) {
-  return data_error(
-      "the rows are segments and have a column {}, but no {}; expected both; add the missing column, or give {} {}",
-      in_quotes(column), in_quotes(missing_column), option::columns, in_shell(fmt::format("ignore={}", column)));
-}
-
-Error velocity_column_missing(std::string_view column, std::string_view missing_column) {
-  return data_error(
-      "column {} gives the velocity on one side of a key, but there is no {} for the other side; expected both, or one "
-      "column for both sides; add it, or give {} {}",
-      in_quotes(column), in_quotes(missing_column), option::columns, in_shell(fmt::format("ignore={}", column)));
-}
-
-/// The columns with roles in one channel.
-class RolesOfChannel {
- public:
-  explicit RolesOfChannel(std::string_view channel) : channel_(channel) {}
-  void add(Role role) { roles_.push_back(role); }
-
-  /// Throws: Error (data) for a velocity of one side alone, or two of one side, or with tension, continuity or bias.
-  void require_whole_velocities() const {
-    const auto both = name(Role::velocity), in = name(Role::velocity_in), out = name(Role::velocity_out);
-    if (both && (in || out))
+/// Throws: Error (data) for a velocity of one side of a key alone, two of one side, and for tension, continuity or bias
+/// with the velocities of a channel, or of all channels.
+void require_whole_velocities(const Columns& columns) {
+  std::vector<std::bitset<role_count>> roles(columns.channels.size());  // of each channel
+  bool has_any = false;
+  for (const Columns::Column& column : columns.cells) {
+    if (is_of_channel(column.role)) roles[column.channel].set(static_cast<std::size_t>(column.role));
+    has_any = has_any || is_velocity(column.role);
+  }
+  if (!has_any) return;
+  bool have_all = true;
+  for (std::size_t channel = 0; channel < roles.size(); ++channel) {
+    const auto has = [&](Role role) { return roles[channel][static_cast<std::size_t>(role)]; };
+    const auto name = [&](Role role) { return role_name(ChannelRole{role, columns.channels[channel]}); };
+    const auto require_both = [&](Role role, Role other) {
+      if (!has(role) || has(other)) return;
+      throw data_error(
+          "column {} gives the velocity on one side of a key, but there is no {} for the other side; expected both, or "
+          "one column for both sides; add it, or give {} {}",
+          in_quotes(name(role)), in_quotes(name(other)), option::columns,
+          in_shell(fmt::format("ignore={}", name(role))));
+    };
+    const bool has_both = has(Role::velocity), has_in = has(Role::velocity_in);
+    if (has_both && (has_in || has(Role::velocity_out)))
       throw data_error(
           "columns {} and {} both give the velocity on the same side of a key; expected {} for both sides, or a column "
           "for each side; remove one, or give {} ignore=NAME",
-          in_quotes(*both), in_quotes(in ? *in : *out), *both, option::columns);
-    if (in && !out) throw velocity_column_missing(*in, with_role(Role::velocity_out));
-    if (out && !in) throw velocity_column_missing(*out, with_role(Role::velocity_in));
+          in_quotes(name(Role::velocity)), in_quotes(name(has_in ? Role::velocity_in : Role::velocity_out)),
+          name(Role::velocity), option::columns);
+    require_both(Role::velocity_in, Role::velocity_out);
+    require_both(Role::velocity_out, Role::velocity_in);
+    have_all = have_all && (has_both || has_in);
     for (const Role role : {Role::channel_tension, Role::channel_continuity, Role::channel_bias}) {
-      if (has_velocity() && name(role))
+      if ((has_both || has_in) && has(role))
         throw data_error(
             "column {} gives velocities, so {} has no effect; expected velocities, or tension, continuity and bias; "
             "remove one of the columns, or give {} ignore=NAME",
-            in_quotes(both ? *both : *in), in_quotes(*name(role)), option::columns);
+            in_quotes(name(has_both ? Role::velocity : Role::velocity_in)), in_quotes(name(role)), option::columns);
     }
   }
-  bool has_velocity() const { return name(Role::velocity) || name(Role::velocity_in); }
-
- private:
-  std::string with_role(Role role) const { return role_name(ChannelRole{role, std::string(channel_)}); }
-  std::optional<std::string> name(Role role) const {
-    return std::ranges::count(roles_, role) > 0 ? std::optional(with_role(role)) : std::nullopt;
-  }
-
-  std::string_view channel_;
-  std::vector<Role> roles_;
-};
-
-/// Throws: Error (data) for velocities that are not whole, and for tension, continuity or bias with the velocities of
-/// all channels.
-void require_whole_velocities(const Columns& columns) {
-  const bool has_any = std::ranges::any_of(columns.cells, [](const auto& column) { return is_velocity(column.role); });
-  if (!has_any) return;
-  std::vector<RolesOfChannel> channels(columns.channels.begin(), columns.channels.end());
-  for (const Columns::Column& column : columns.cells) {
-    if (is_of_channel(column.role)) channels[column.channel].add(column.role);
-  }
-  bool has_all = true;
-  for (const RolesOfChannel& channel : channels) {
-    channel.require_whole_velocities();
-    has_all = has_all && channel.has_velocity();
-  }
   for (const Role role : {Role::tension, Role::continuity, Role::bias}) {
-    if (has_all && columns.has(role))
+    if (have_all && columns.has(role))
       throw data_error(
           "all channels have velocities, so the column of {} has no effect; expected velocities, or tension, "
-          "continuity and bias; remove the column, or give {} ignore=NAME",
+          "continuity "
+          "and bias; remove the column, or give {} ignore=NAME",
           role_name(role), option::columns);
   }
 }
@@ -267,7 +244,12 @@ bool assign_segments(Columns& columns, std::span<const std::string> header) {
     if (lacks != endings.end()) incomplete.push_back(channel + lacks->first);
   }
   if (channels.empty()) return false;
-  if (!incomplete.empty()) throw segment_column_missing(incomplete[0] + endings[0].first, incomplete[1]);
+  if (!incomplete.empty()) {
+    const std::string column = incomplete[0] + endings[0].first;
+    throw data_error(
+        "the rows are segments and have a column {}, but no {}; expected both; add the missing column, or give {} {}",
+        in_quotes(column), in_quotes(incomplete[1]), option::columns, in_shell(fmt::format("ignore={}", column)));
+  }
   for (const std::string& channel : channels) {
     for (const auto& ending : endings) {
       columns.cells[*names.find(channel + ending.first)] = {ending.second, columns.channels.size()};

@@ -29,7 +29,8 @@ Source<KeyBlock> keys_with_angles(const std::vector<double>& angles) {
 /// The message of the error of keys with these angles; "": they are taken.
 std::string refusal(const std::vector<double>& angles, bool degrees) {
   try {
-    (void)with_clear_angles(keys_with_angles(angles), {{{0, degrees}}}, {"heading"})();
+    (void)with_clear_turns(keys_with_angles(angles),
+                           {.rotations = {}, .angles = {{{0, degrees}}}, .channels = {"heading"}})();
   } catch (const Error& error) {
     return error.message();
   }

@@ -22,7 +22,7 @@ Numbers quaternions_of(const std::vector<Numbers>& keys, bool relative, bool in_
   const GivenRotation given{
       {spline::RotationForm::axis_angle, {}, true, true}, relative, {"ax", "ay", "az", "angle"}, {1, 2, 3, 4}};
   const RotationSchema rotation{{{{1, 2, 3, 4}, 0}, {}, {}}, given};
-  return with_quaternions(source_of(block_of(keys)), {{rotation}, {}, spline::RotationCurve::squad, in_parent})()
+  return with_clear_turns(source_of(block_of(keys)), {{rotation}, {}, spline::RotationCurve::squad, in_parent})()
       ->keys.positions;
 }
 
@@ -53,7 +53,7 @@ TEST(Rotations, of_three_angles_get_a_channel_more) {
   }
   const GivenRotation given{{spline::RotationForm::euler, {2, 1, 0}, true, true}, false, {"a", "b", "c"}, {0, 1, 2}};
   const RotationSchema rotation{{{{0, 1, 2, 3}}}, given};
-  const KeyBlock wider = *with_quaternions(source_of(block), {{rotation}, {0, 0, 0, 0, 3}})();
+  const KeyBlock wider = *with_clear_turns(source_of(block), {{rotation}, {0, 0, 0, 0, 3}})();
   EXPECT_EQ(wider.keys.channels, 5U);
   const double root = std::sqrt(0.5);
   expect_near(wider.keys.positions, {root, 0, 0, root, 7, 0, 0, 0, 1, 8});
@@ -74,7 +74,7 @@ Numbers quaternion_of(const Numbers& matrix, bool normalize) {
   block.text_positions.lines = {2};
   const GivenRotation given{{spline::RotationForm::matrix}, false, {"r11"}, {0, 1, 2, 4, 5, 6, 7, 8, 9}, normalize};
   const RotationSchema rotation{{{{0, 1, 2, 3}}}, given};
-  return with_quaternions(source_of(block), {{rotation}, {0, 0, 0, 0, 3}})()->keys.positions;
+  return with_clear_turns(source_of(block), {{rotation}, {0, 0, 0, 0, 3}})()->keys.positions;
 }
 
 std::string refusal_of_matrix(const Numbers& matrix, bool normalize = false) {

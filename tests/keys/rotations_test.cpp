@@ -20,7 +20,7 @@ using testing::MatchesRegex;
 
 KeyBlock checked(const KeyBlock& block, bool normalize = false) {
   const RotationSchema rotation{{{{1, 2, 3, 4}}}, {{}, false, {"qx", "qy", "qz", "qw"}, {}, normalize}};
-  return *with_quaternions(source_of(block), {{rotation}})();
+  return *with_clear_turns(source_of(block), {{rotation}})();
 }
 
 /// The line and the message of the error of keys with these quaternions.

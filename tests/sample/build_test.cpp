@@ -31,16 +31,19 @@ Source<KeyBlock> blocks(const std::vector<std::array<double, 2>>& table, std::si
 }
 
 TEST(SegmentBlocks, measured_at_once_or_with_known_lengths_are_the_same) {
-  const KeyStore kept(blocks({{0, 0}, {1, 3}, {2, -1}, {4, 5}}, 2));
-  const Lengths lengths = all_lengths(segment_blocks(kept.source(), {}, {.measured = true}));
+  const StreamedCurve curve{KeyStore(blocks({{0, 0}, {1, 3}, {2, -1}, {4, 5}}, 2)), {}, {}, {}};
+  const auto lengths_of = [](const Source<SegmentBlock>& segments) {
+    std::vector<double> lengths;
+    while (const auto block = segments()) {
+      for (const auto& length : block->lengths) lengths.push_back(length.value);
+    }
+    return lengths;
+  };
+  const auto [segments, length] = curve.measured();
+  const std::vector<double> lengths = lengths_of(segments);
   ASSERT_EQ(lengths.size(), 3U);
-  const auto again = with_lengths(segment_blocks(kept.source(), {}, {}), lengths);
-  std::vector<double> found;
-  while (const auto block = again()) {
-    for (const auto& length : block->lengths) found.push_back(length.value);
-  }
-  EXPECT_EQ(found, (std::vector<double>{lengths[0].value, lengths[1].value, lengths[2].value}));
-  EXPECT_GE(total_length(lengths), 3 + 4 + 6);
+  EXPECT_EQ(lengths, lengths_of(curve.segments(true)));
+  EXPECT_GE(length, 3 + 4 + 6);
 }
 
 KeyStore kept(std::vector<spline::Time<double>> times, std::vector<double> positions) {
