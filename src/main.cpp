@@ -15,7 +15,6 @@
 #include "limits/limits_job.hpp"
 #include "plot/plot_job.hpp"
 #include "run/batch.hpp"
-#include "run/explain.hpp"
 #include "run/pipeline.hpp"
 
 namespace {

@@ -24,7 +24,6 @@ constexpr Options some(const std::array<std::string_view, size>& names) {
   return options;
 }
 
-/// A condition on the values of options.
 using When = bool (*)(const Typed& typed);
 
 /// What each of some options has to do with others, if it is given.

@@ -57,7 +57,6 @@ struct OptionRow {
   }
   /// Both names, a letter first.
   std::vector<std::string_view> all_names() const;
-  /// What it does, and its default.
   std::string description() const;
 };
 
@@ -75,7 +74,6 @@ void for_each_group(Begin begin, Show show) {
   }
 }
 
-/// The row of a name of option_names.hpp.
 const OptionRow& row_of(std::string_view name);
 
 /// The options that place the samples.

@@ -175,12 +175,6 @@ std::vector<std::string> group_names(const InputOptions& keys) {
   return group == keys.columns.roles.end() ? std::vector<std::string>{} : group->columns;
 }
 
-/// A number as the text of an option.
-std::string text_of(const Rational& value) {
-  const Rational divisor = denominator(value);
-  return whole_text(numerator(value)) + (divisor == 1 ? "" : "/" + whole_text(divisor));
-}
-
 /// The places in a column of a file, in its order. Throws: Error.
 GroupedPlaces read_places(const PlaceColumn& column, const InputOptions& of_keys) {
   InputOptions options;
@@ -242,7 +236,8 @@ void read_place_column(TypedOptions& typed) {
   }
   typed.places.list = std::move(alone->second);
   std::vector<std::string> texts;
-  for (const Rational& place : typed.places.list) texts.push_back(text_of(place));
+  for (const Rational& place : typed.places.list)
+    texts.push_back(denominator(place) == 1 ? whole_text(place) : ratio_text(place));
   typed.give(column.option, fmt::format("{}", fmt::join(texts, ",")));
 }
 

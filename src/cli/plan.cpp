@@ -226,7 +226,6 @@ void require_samples(const TypedOptions& typed) {
 
 // The parts that jobs have in common.
 
-/// Files and outputs of a format.
 InputListOptions files_of(const TypedOptions& typed) {
   InputListOptions files = typed.files;
   if (files.files.empty() && files.list.empty()) files.files = {"-"};
@@ -281,7 +280,6 @@ bool is_from_left(const TypedOptions& typed, const std::vector<std::size_t>& cho
   return !chosen.empty() && std::ranges::none_of(chosen, [](std::size_t field) { return fields()[field].has_side; });
 }
 
-/// The fields of rows.
 std::vector<std::size_t> fields_of(const TypedOptions& typed) {
   if (typed.output.format->poses != nullptr) {
     const bool has_times = typed.output.format->poses->has_times;

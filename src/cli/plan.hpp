@@ -12,7 +12,6 @@
 #include "fit/fit_job.hpp"
 #include "limits/limits_job.hpp"
 #include "plot/plot_job.hpp"
-#include "run/explain.hpp"
 #include "run/pipeline.hpp"
 #include "write/provenance.hpp"
 

@@ -2,7 +2,6 @@
 #include "cli/values.hpp"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -48,13 +47,6 @@ Error not_a_whole_number(std::string_view text, std::uint64_t least, std::uint64
 Error number_beyond_doubles(std::string_view text) {
   return usage_error("{} is too large; expected at most 1.7976931348623157e308 in size, the largest double",
                      in_quotes(text));
-}
-
-template <class Int>
-std::optional<Int> in_digits(std::string_view text) {
-  Int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
 std::vector<std::string_view> format_names(bool (Format::*capability)() const) {

@@ -101,7 +101,6 @@ std::vector<std::string_view> output_format_names();
 std::vector<std::string_view> field_names();
 std::vector<std::string_view> form_names();
 
-/// The names of a table's rows.
 template <class Table>
 std::vector<std::string_view> names_of(const Table& table) {
   std::vector<std::string_view> names;

@@ -50,7 +50,6 @@ std::string kind_of(std::string_view message) {
   return kind;
 }
 
-/// Faults of one kind.
 struct FaultKind {
   std::string kind;
   Error first;
@@ -89,18 +88,14 @@ struct FaultKind {
 }
 
 void require_times(const CurveOptions& options) {
-  if (options.sort)
-    throw data_error(
-        "{} orders rows by time, but there is no time column; remove it, or name the column with {} time=NAME",
-        option::sort, option::columns);
-  if (options.max_gap) {
-    throw data_error("{} is about times, but there is no time column; remove it, or name the column with {} time=NAME",
-                     option::max_gap, option::columns);
-  }
-  if (options.duplicates != Duplicates::error)
-    throw data_error(
-        "{} is about equal times, but there is no time column; remove it, or name the column with {} time=NAME",
-        option::duplicates, option::columns);
+  const auto refuse = [](bool is_given, std::string_view option, std::string_view use) {
+    if (!is_given) return;
+    throw data_error("{} {}, but there is no time column; remove it, or name the column with {} time=NAME", option, use,
+                     option::columns);
+  };
+  refuse(options.sort, option::sort, "orders rows by time");
+  refuse(options.max_gap.has_value(), option::max_gap, "is about times");
+  refuse(options.duplicates != Duplicates::error, option::duplicates, "is about equal times");
 }
 
 /// The largest gap within a curve, in the unit of the times.
@@ -174,10 +169,8 @@ ObservedChannels::ObservedChannels(const Schema& schema) : has_names_(schema.nam
     channel.source = schema.sources.empty() ? i : schema.sources[i];
     channel.name = schema.channels[i];
     channel.is_named_angle = is_usual_angle(channel.name);
-    const bool is_plain =
-        std::ranges::count(schema.angles, i, &AngleColumn::channel) == 0 &&
-        std::ranges::none_of(schema.rotations, [i](const RotationSchema& one) { return one.columns.has(i); });
-    channel.may_be_angle = is_plain && (channel.is_named_angle || !schema.named || may_be_angle(channel.name));
+    channel.may_be_angle =
+        schema.is_plain(i) && (channel.is_named_angle || !schema.named || may_be_angle(channel.name));
   }
 }
 
@@ -266,7 +259,6 @@ std::optional<InputCurve> Curves::next() {
   return curve;
 }
 
-/// The next keys of the current curve.
 std::optional<KeyBlock> Curves::next_keys() {
   if (!fill() || (!started_ && (block_->begins_curve(at_) || has_gap(at_)))) return std::nullopt;
   started_ = false;
@@ -302,7 +294,6 @@ bool Curves::has_gap(std::size_t key) const {
   return exact_time(time) - exact_time(*last_) > *max_gap_;
 }
 
-/// The time of the first key of the next part.
 std::optional<Time> Curves::next_part() {
   if (!fill() || !has_gap(at_)) return std::nullopt;
   return block_->keys.times[at_];

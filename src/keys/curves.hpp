@@ -64,7 +64,6 @@ struct CurvePart {
   std::function<std::optional<Time>()> next;
 };
 
-/// The keys of one curve.
 struct InputCurve {
   std::vector<std::string> group;  ///< the texts that identify the curve, one for each of the input's groups
   std::shared_ptr<const CurveInfo> curve_info;
@@ -84,7 +83,6 @@ class Curves {
   /// Throws: Error (data) with all faults of the keys.
   std::optional<InputCurve> next();
 
-  /// Number of keys that were skipped so far.
   std::uint64_t skipped() const { return skipped_; }
   const ObservedChannels& channels() const { return channels_; }
   /// How often times of day passed midnight so far.

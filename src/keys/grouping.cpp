@@ -63,7 +63,6 @@ class Groups {
     }
   }
 
-  /// Brings the keys into their order.
   void arrange() {
     std::vector<std::size_t> ends(sections_.size() + 1);
     for (const KeyReference& key : keys_) ++ends[key.curve + 1];
@@ -75,7 +74,6 @@ class Groups {
     if (grouping_.sort) sort();
   }
 
-  /// The next keys in that order.
   std::optional<KeyBlock> next() {
     if (next_ == keys_.size()) return std::nullopt;
     KeyBlock block;

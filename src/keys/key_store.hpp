@@ -31,12 +31,10 @@ class KeyStore {
   void join_seam(const Keys& repeated);
   /// The largest number of decimals of the times that have more digits than doubles; 0: there are none.
   int decimals() const;
-  /// Whether a position is missing.
   bool are_sparse() const;
   std::uint64_t first_line() const { return first_line_; }
   std::uint64_t last_line() const { return last_line_; }
 
-  /// All keys at once.
   Keys all() const { return columns_->part(0, size()); }
   /// All keys, keys_at_once of them a block.
   Source<Keys> source() const;

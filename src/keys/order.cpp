@@ -219,7 +219,7 @@ void set_written_times(KeyBlock& block, std::span<const std::optional<Rational>>
   for (std::size_t i = 0; i < block.decimals.size(); ++i) {
     const auto& time = times[i / per_key];
     if (time && i % per_key == NumberOfKey::time) {
-      decimals.add(whole_text(numerator(*time)) + "/" + whole_text(denominator(*time)));
+      decimals.add(ratio_text(*time));
     } else {
       decimals.add(block.decimals[i]);
     }

@@ -61,7 +61,6 @@ class Steps {
     return block;
   }
 
-  /// Throws: Error (data) for too few keys.
   void end() const {
     if (count_ >= needs_.least) return;
     throw data_error("there {}; a curve needs at least two; add keys", count_ == 0 ? "are no keys" : "is only one key")

@@ -41,7 +41,6 @@ void require_angle(double angle, bool degrees, bool makes_turns, const std::stri
       .at({"", line, 0});
 }
 
-/// About the rotation that begins with a column.
 Error rotation_incomplete(const std::string& column) {
   return data_error(
       "the rotation that begins with {} lacks a number; expected all of its numbers, or none; fill it in, or remove "

@@ -34,7 +34,6 @@ namespace {
 /// Files of at least this size use all threads; smaller ones share them.
 constexpr std::uintmax_t large_file = 4UL * 1024 * 1024;
 
-/// The result of a file.
 struct FileOutcome {
   std::uint64_t rows = 0;
   std::optional<Error> error = {};
@@ -94,7 +93,6 @@ void remove_left_temporaries(const Inputs& inputs, const OutputPaths& paths) {
   for (const std::string& folder : folders) tcb::remove_left_temporaries(folder);
 }
 
-/// An output for each file.
 Exit convert_each(const Inputs& inputs, const InputListOptions& files, bool fail_fast, unsigned threads, Report& report,
                   const OpenOutput& open) {
   const OutputPaths& paths = files.outputs;
@@ -127,7 +125,6 @@ Exit convert_each(const Inputs& inputs, const InputListOptions& files, bool fail
   return summary.failed == 0 ? Exit::done : Exit::data;
 }
 
-/// One output for all files.
 void convert_together(const Inputs& inputs, const std::string& path, unsigned threads, const OpenOutput& open) {
   const std::unique_ptr<BatchOutput> output = open(path);
   for (const InputFile& file : inputs.files) in_file(shown_name(file.path), [&] { output->add(file, threads); });

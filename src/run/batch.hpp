@@ -27,7 +27,6 @@ class BatchOutput {
 
   /// Adds what is made of a file, with a number of threads, and returns the number of rows.
   virtual std::uint64_t add(const InputFile& file, unsigned threads) = 0;
-  /// Completes the output.
   virtual void commit() = 0;
 };
 

@@ -27,10 +27,7 @@ namespace {
 std::optional<MetricSetting> metric_by_names(const Schema& schema) {
   std::vector<std::string> names;
   for (const std::size_t channel : spatial_channels(schema.channels)) {
-    const bool is_of_rotation = std::ranges::any_of(
-        schema.rotations, [&](const RotationSchema& rotation) { return rotation.columns.has(channel); });
-    const bool is_angle = std::ranges::count(schema.angles, channel, &AngleColumn::channel) > 0;
-    if (is_of_rotation || is_angle) return std::nullopt;
+    if (!schema.is_plain(channel)) return std::nullopt;
     names.push_back(schema.channels[channel]);
   }
   return names.empty() ? std::nullopt : std::optional(MetricSetting{names, SettingOrigin{option::metric}});

@@ -142,7 +142,6 @@ class CurvePipeline {
   std::optional<CurvePart> part_;
 };
 
-/// As in "all keys before the first row, the length of each segment".
 std::string in_words(const CurveNeeds& needs);
 
 }  // namespace tcb

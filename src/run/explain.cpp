@@ -1,8 +1,5 @@
 // Explanation: what was detected in a file and will be done with it, one fact per line.
-#include "run/explain.hpp"
-#include "formats/formats.hpp"
-#include "read/input.hpp"
-#include "read/input_options.hpp"
+#include "run/pipeline.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,10 +9,13 @@
 #include <cmath>
 #include <utility>
 
+#include "formats/formats.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"
+#include "read/input.hpp"
+#include "read/input_options.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
 #include "run/in_words.hpp"
@@ -34,7 +34,6 @@ namespace {
 
 constexpr std::size_t most_curves = 100;  ///< with a line of their own
 
-/// The name of a value in a table of names.
 template <class T, std::size_t size>
 std::string_view name_in(const std::array<Named<T>, size>& names, T value) {
   return std::ranges::find(names, value, &Named<T>::value)->name;
@@ -56,7 +55,6 @@ std::string unit_in_words(const TimeSchema& time) {
   return time.unit ? std::string(row_of(*time.unit).name) : "unknown";
 }
 
-/// What was detected at the beginning of an input.
 Facts input_facts(const Input& input) {
   constexpr std::array shapes{"an array of keys",
                               "an object with keys",
@@ -151,7 +149,6 @@ std::string title(const Schema& schema, const InputCurve& curve, std::size_t num
   return fmt::format("curve {}", fmt::join(group_title(schema.groups, curve.group), " "));
 }
 
-/// The times of two neighbouring keys.
 struct Gap {
   Time from, to;
 
@@ -376,7 +373,6 @@ std::string as_object(const Facts& lines) {
   return out + "}\n";
 }
 
-/// Prints the explanation of one file.
 void explain(const std::string& path, const ExplainJob& job, Output& output) {
   const Input input = open_input(path, read_file(path), job.keys.input);
   Facts lines{{"file", shown_name(path)}};

@@ -32,11 +32,8 @@ Note important(fmt::format_string<Args...> text, Args&&... args) {
 
 /// A frame rate was given as a decimal such as 29.97, which stands for a ratio.
 Note broadcast_note(const std::string& decimal, const Rational& rate) {
-  const auto ratio = [](const Rational& value) {
-    return whole_text(numerator(value)) + "/" + whole_text(denominator(value));
-  };
-  return important("the frame rate {} is taken as {}; give {} for exactly {}", decimal, ratio(rate),
-                   ratio(parse_rational(decimal).value_or(rate)), decimal);
+  return important("the frame rate {} is taken as {}; give {} for exactly {}", decimal, ratio_text(rate),
+                   ratio_text(parse_rational(decimal).value_or(rate)), decimal);
 }
 
 Note angles_note(const std::vector<NamedAngle>& angles) {
@@ -59,14 +56,7 @@ Note angles_note(const std::vector<NamedAngle>& angles) {
 std::vector<std::string> found_by_elimination(const Input& input) {
   const Schema& schema = input.schema;
   if (input.facts.format->input->has_own_columns || !schema.named) return {};
-  std::vector<bool> is_of_rotation(schema.channels.size());
-  for (const RotationSchema& rotation : schema.rotations) {
-    for (const std::size_t channel : rotation.columns.channels) is_of_rotation[channel] = true;
-  }
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    if (!is_of_rotation[i]) names.push_back(schema.channels[i]);
-  }
+  const std::vector<std::string> names = moving_channels(schema);
   return std::ranges::all_of(names, is_usual_channel) ? std::vector<std::string>{} : names;
 }
 

@@ -11,7 +11,6 @@ namespace tcb {
 struct CurveSpec;
 struct SamplingRequest;
 
-/// The double nearest to a number.
 std::string number_in_words(const Rational& value);
 
 /// The rules of a curve, as names and values.

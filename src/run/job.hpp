@@ -64,7 +64,6 @@ struct GoldenOptions {
   Notation notation = {};  ///< in which the numbers are rounded
 };
 
-/// The threads of a job.
 struct ThreadOptions {
   std::optional<unsigned> requested;  ///< nothing: all cores, and one to read a live pipe
 

@@ -1,11 +1,14 @@
-// Pipeline: resampling, from the bytes of keys to the bytes of rows.
+// Pipeline: resampling, from the bytes of keys to the bytes of rows, and its explanation.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "error.hpp"
 #include "io/input_list.hpp"
 #include "run/job.hpp"
+#include "schema/format.hpp"
 #include "write/writer_options.hpp"
 
 namespace tcb {
@@ -25,5 +28,21 @@ struct ResampleJob {
 /// Reads the keys of every file and writes the samples of their curves. Returns the exit code of the program, as
 /// convert_files(). Throws: Error, with the file. An incomplete output does not get its name.
 Exit resample(const ResampleJob& job);
+
+/// Rows or a picture that are explained instead of made; or only the keys and their curves.
+struct ExplainJob {
+  InputListOptions files;
+  KeyOptions keys;
+  SampleOptions samples;
+  bool has_samples = true;  ///< the samples are requested, so the explanation has them
+  std::optional<GoldenOptions> golden;
+  std::vector<std::size_t> fields;  ///< of the rows, as indices into fields()
+  const Format* format = nullptr;   ///< of the output; the explanation is JSON if that is
+  std::optional<bool> header;       ///< of the output; nothing: as the input has one
+};
+
+/// Prints the explanation of each file: reads the keys and places the samples, but evaluates none. Throws: Error as
+/// resample() does; what was detected at the beginning of the file is printed all the same.
+Exit explain(const ExplainJob& job);
 
 }  // namespace tcb

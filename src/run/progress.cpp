@@ -21,7 +21,6 @@ namespace {
 
 constexpr auto between_updates = std::chrono::milliseconds(100);
 
-/// A size with three digits and its unit.
 std::string size_text(double bytes) {
   constexpr std::array<std::string_view, 6> units{"B", "kB", "MB", "GB", "TB", "PB"};
   std::size_t unit = 0;
@@ -55,7 +54,6 @@ std::string bar(double fraction) {
   return "[" + text + "] ";
 }
 
-/// The parts of the line in their order.
 std::vector<LinePart> line_parts(const Progress& progress) {
   std::vector<LinePart> parts;
   const double done = std::min(progress.fraction.value_or(0), 1.0);

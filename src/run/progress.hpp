@@ -28,14 +28,12 @@ struct Note {
   bool is_important = false;  ///< printed unless it is quiet; other notes only on a terminal
 };
 
-/// Counts of the files of a batch.
 struct Summary {
   std::uint64_t done = 0, skipped = 0, failed = 0;
   std::uint64_t ignored = 0;  ///< files in folders with the ending of no format
   std::uint64_t rows = 0;
 };
 
-/// What is known of the progress.
 struct Progress {
   std::optional<double> fraction = {};  ///< of the work; nothing: unknown
   std::uint64_t files = 0, all_files = 1;
@@ -70,7 +68,6 @@ class Report {
 
   /// A file whose work begins; it ends with the result. 0 bytes: unknown.
   std::shared_ptr<FileProgress> begin_file(const std::string& path, std::uintmax_t size);
-  /// A file without work.
   void skip_file(std::uintmax_t bytes);
 
   /// Prints the counts of all files; if all of them are done, only with notes.

@@ -25,7 +25,6 @@ namespace {
 
 using spline::DoubleDouble;
 
-/// Sets the lengths of the segments.
 void measure(SegmentBlock& block, const Rules& rules) {
   block.lengths = spline::lengths_of<double>(block.segments, rules.metric);
   for (std::size_t i = 0; i < block.segments.size(); ++i) {

@@ -37,7 +37,6 @@ struct SegmentBlock {
   bool closes = false;                          ///< the last segment ends at the first key of a closed curve
 };
 
-/// How segments are made.
 struct SegmentOptions {
   bool measured = false;  ///< with their lengths
   bool expanded =
@@ -74,7 +73,6 @@ class KeptCurve {
   const Extent& extent() const { return extent_; }
   const Extrapolations& extrapolations() const { return extrapolations_; }
   double length() const;
-  /// The number of segments.
   std::uint64_t size() const;
 
   CurveSegment segment(std::uint64_t number) const;

@@ -24,7 +24,6 @@
 
 namespace tcb {
 
-/// A point of the curve.
 struct CurvePoint {
   std::uint64_t segment = 0;
   double u = 0;
@@ -77,7 +76,6 @@ class Chord {
   std::vector<Powers> across_;     ///< a part across the chord
 };
 
-/// A point of the curve.
 struct TurnPlace {
   CurveSegment segment;
   spline::LocalParameter<double> at;
@@ -90,7 +88,6 @@ class TurnChord {
   /// `angle`: how far from the arcs is near, in radians.
   explicit TurnChord(double angle) : sine2_(square(spline::sine(std::min(angle, most_angle) / 2))) {}
 
-  /// The arcs between two points.
   void set(const TurnPlace& from, const TurnPlace& to) {
     from_ = from.segment.precise(from.t);
     duration_ = to.segment.precise(to.t) - from_;

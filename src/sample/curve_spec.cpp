@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "error.hpp"
 #include "keys/prepare.hpp"
@@ -47,10 +46,8 @@ void retime(CurveSpec& spec, const Rational& factor) {
 std::optional<std::size_t> find_channel(const std::string& name, const std::vector<std::string>& channels) {
   const auto found = std::ranges::find(channels, name);
   if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  const bool is_number = error == std::errc() && end == name.data() + name.size();
-  return is_number && number >= 1 && number <= channels.size() ? std::optional(number - 1) : std::nullopt;
+  const std::size_t number = in_digits<std::size_t>(name).value_or(0);
+  return number >= 1 && number <= channels.size() ? std::optional(number - 1) : std::nullopt;
 }
 
 CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {

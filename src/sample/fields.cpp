@@ -191,16 +191,6 @@ std::string column_suffix(const Field& field, std::size_t column) {
   return std::string(column % 2 == 0 ? field.suffix : field.odd_suffix) + std::to_string(column / 2);
 }
 
-/// The channels that are not numbers of a rotation.
-std::vector<std::string> moving_channels(const Schema& schema) {
-  std::vector<std::string> channels;
-  const std::vector<RotationColumns> rotations = rotation_columns(schema);
-  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    if (!spline::is_in_rotation(rotations, i)) channels.push_back(schema.channels[i]);
-  }
-  return channels;
-}
-
 /// The names of the cells of a position.
 std::vector<std::string> position_names(const Schema& schema) {
   std::vector<std::string> names;

@@ -208,7 +208,7 @@ void write_form(Point<S>& point, CellWriter<S> out, CubicForm<S> form, std::size
     for (std::size_t column = 4; column < columns; ++column) out.add(S(0));
   }
 }
-template <class S, CubicForm<S> form, std::size_t columns = 4>
+template <class S, CubicForm<S> form, std::size_t columns = 4>  // small, as there is one for each number of columns
 void write_cubics(Point<S>& point, CellWriter<S> out) {
   write_form(point, out, form, columns);
 }
@@ -300,7 +300,6 @@ constexpr auto with_polynomials(std::index_sequence<i...>) {
   return all;
 }
 
-/// All fields.
 template <class S>
 inline constexpr std::array field_table = with_polynomials<S>(std::make_index_sequence<polynomial_names.size()>());
 

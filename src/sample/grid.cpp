@@ -256,7 +256,7 @@ namespace {
 /// A value that is rounded to the bound is shown as a ratio.
 std::string beside(const Rational& value, const Rational& bound) {
   const std::string shown = text(value);
-  return shown == text(bound) ? whole_text(numerator(value)) + "/" + whole_text(denominator(value)) : shown;
+  return shown == text(bound) ? ratio_text(value) : shown;
 }
 
 std::string or_extended(RangeEnds ends) {

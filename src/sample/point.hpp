@@ -81,7 +81,6 @@ class Point {
   }
 
   void set_derivatives();
-  /// The angular velocity at the time on the curve.
   spline::Vector3<S> rate_on_curve(std::size_t rotation) const {
     const S du = segment_->warp.first_derivative(u(), part()) / spline::high_part<S>(segment_->duration());
     const auto rate = segment_->rotations[rotation].rate(sample_->at);

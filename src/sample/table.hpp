@@ -63,7 +63,6 @@ struct Field {
   bool is_rational = true;           ///< for rational keys at a rational time it is rational, or the root of a rational
 };
 
-/// All fields.
 std::span<const Field> fields();
 
 /// The fields that can be chosen by name: those of samples, and the length of a piece.
@@ -81,7 +80,6 @@ struct RowShape {
 /// The number of cells of these fields in a row.
 std::size_t cells_in_row(std::span<const std::size_t> chosen, const RowShape& shape);
 
-/// The columns of these fields.
 std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Schema& schema);
 
 /// The cells of some rows, row after row.

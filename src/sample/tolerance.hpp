@@ -9,7 +9,6 @@
 
 namespace tcb {
 
-/// Rows within a tolerance.
 struct ToleranceRows {
   std::vector<Time> times;
   std::uint64_t least = 2;  ///< any polyline within the tolerance has at least so many rows

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
-#include <charconv>
 #include <iterator>
 #include <numeric>
 #include <string_view>
@@ -60,10 +59,8 @@ std::size_t find_cell(const std::string& wanted, std::string_view option, std::s
                       const NameIndex& named, std::size_t cells) {
   if (named.repeats(wanted)) throw same_column_names(wanted);
   if (const auto cell = named.find(wanted)) return *cell;
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-  const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
-  if (is_number && number >= 1 && number <= cells) return number - 1;
+  const std::size_t number = in_digits<std::size_t>(wanted).value_or(0);
+  if (number >= 1 && number <= cells) return number - 1;
   if (header.empty()) throw no_such_column_number(wanted, cells).about(option);
   throw no_such_column(wanted, header).about(option);
 }

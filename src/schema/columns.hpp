@@ -13,7 +13,6 @@
 
 namespace tcb {
 
-/// Another name for a column.
 struct Renaming {
   std::string from, to;
 };

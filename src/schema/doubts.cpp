@@ -498,9 +498,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& channels, cons
 std::vector<std::size_t> plain_channels(const Schema& schema) {
   std::vector<std::size_t> plain;
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    const bool is_of_rotation =
-        std::ranges::any_of(schema.rotations, [i](const RotationSchema& rotation) { return rotation.columns.has(i); });
-    if (!is_of_rotation && std::ranges::count(schema.angles, i, &AngleColumn::channel) == 0) plain.push_back(i);
+    if (schema.is_plain(i)) plain.push_back(i);
   }
   return plain;
 }

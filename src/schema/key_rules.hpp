@@ -55,7 +55,6 @@ inline constexpr auto tcb_scales =
 /// (v - 25) / 25, exactly.
 inline Rational from_0_to_50(const Rational& v) { return (v - 25) / 25; }
 
-/// How cells become keys.
 struct KeyRules {
   std::optional<spline::Tcb<double>> tcb = {};  ///< of keys that have none; nothing: that of the file, or 0
   Missing missing = Missing::error;

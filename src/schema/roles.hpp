@@ -12,7 +12,6 @@
 
 namespace tcb {
 
-/// What a column means.
 enum class Role {
   ignored,
   time,
@@ -52,7 +51,6 @@ constexpr bool is_velocity(Role role) { return role >= Role::velocity && role <=
 /// The name of a role where roles are requested. Requires: not ignored, not of one channel.
 std::string_view role_name(Role role);
 
-/// A role in one channel.
 struct ChannelRole {
   Role role = Role::ignored;
   std::string channel;
@@ -66,7 +64,6 @@ std::string role_name(const ChannelRole& role);
 /// letters.
 std::optional<ChannelRole> channel_role_of(std::string_view name);
 
-/// The role with this name.
 std::optional<Role> find_role(std::string_view name);
 
 /// The role that a column has by its name; position if the name gives none.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <string>
@@ -16,14 +15,6 @@
 
 namespace tcb {
 namespace {
-
-/// The number that a text consists of; nothing for others.
-std::optional<std::size_t> column_number(const std::string& text) {
-  std::size_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  return is_number ? std::optional(number) : std::nullopt;
-}
 
 /// The number of the column of each channel, from 1.
 std::vector<std::size_t> numbers_of_channels(const Columns& columns) {
@@ -44,7 +35,7 @@ std::size_t requested_channel(const std::string& name, const Columns& columns, s
   });
   if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
   const std::vector<std::size_t> numbers = numbers_of_channels(columns);
-  const auto number = column_number(name);
+  const auto number = in_digits<std::size_t>(name);
   const auto column = number ? std::ranges::find(numbers, *number) : numbers.end();
   if (column != numbers.end()) return static_cast<std::size_t>(column - numbers.begin());
   if (number && *number >= 1 && *number <= columns.cells.size()) {
@@ -65,11 +56,10 @@ std::size_t requested_channel(const std::string& name, const Columns& columns, s
 void require_letters(const std::vector<std::string>& channels) {
   std::map<std::string, std::map<char, std::string>> found;  // by stem and number
   for (const std::string& channel : channels) {
-    char last = 0;
     std::string name = channel;  // q[0] as q0
     std::erase_if(name, [](char c) { return c == '[' || c == ']'; });
-    const auto stem = rotation_stem_of(name, last);
-    if (stem && last >= '0' && last <= '4') found[*stem][last] = channel;
+    const auto number = rotation_stem_of(name);
+    if (number && number->second >= '0' && number->second <= '4') found[number->first][number->second] = channel;
   }
   for (const auto& [stem, numbered] : found) {
     if (numbered.size() != 4 || numbered.rbegin()->first - numbered.begin()->first != 3) continue;
@@ -102,8 +92,7 @@ std::vector<spline::RotationChannels> rotations_by_name(const std::vector<std::s
   for (std::size_t channel = 0; channel < channels.size(); ++channel) {
     const std::string name = in_lower_case(channels[channel]);
     for (std::size_t at = name.find('q'); at != std::string::npos && ++at < name.size();) add(name, at, channel);
-    char last = 0;
-    if (rotation_stem_of(name, last)) add(name, without_unit(name).size() - 1, channel);
+    if (rotation_stem_of(name)) add(name, without_unit(name).size() - 1, channel);
   }
   std::vector<spline::RotationChannels> rotations;
   for (const auto& [name, rotation] : found) {

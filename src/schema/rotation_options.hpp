@@ -32,7 +32,6 @@ struct GivenRotation {
   bool in_parent = false;                  ///< if relative, in the frame outside that of the key before
 };
 
-/// A channel that is an angle.
 struct NamedAngle {
   std::string channel;
   bool degrees = false;

@@ -10,7 +10,6 @@
 namespace tcb {
 namespace {
 
-/// The names of all columns of rows.
 std::vector<std::string*> names_of(Schema& schema) {
   std::vector<std::string*> names;
   if (schema.time.is_given) names.push_back(&schema.time.name);
@@ -32,6 +31,22 @@ std::vector<std::string*> names_of(Schema& schema) {
 }
 
 }  // namespace
+
+bool Schema::is_in_rotation(std::size_t channel) const {
+  return std::ranges::any_of(rotations, [&](const RotationSchema& one) { return one.columns.has(channel); });
+}
+
+bool Schema::is_plain(std::size_t channel) const {
+  return !is_in_rotation(channel) && std::ranges::count(angles, channel, &AngleColumn::channel) == 0;
+}
+
+std::vector<std::string> moving_channels(const Schema& schema) {
+  std::vector<std::string> channels;
+  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+    if (!schema.is_in_rotation(i)) channels.push_back(schema.channels[i]);
+  }
+  return channels;
+}
 
 std::vector<RotationColumns> rotation_columns(const Schema& schema) {
   std::vector<RotationColumns> columns;

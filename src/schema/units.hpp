@@ -15,13 +15,11 @@ namespace tcb {
 struct Columns;
 struct Schema;
 
-/// The factor of a channel's positions.
 struct ChannelScale {
   std::string channel;
   Rational factor;
 };
 
-/// What is requested of units.
 struct UnitOptions {
   std::optional<TimeUnit> time = {};         ///< nothing: that of the column's name, if it has one
   std::optional<Rational> frame_rate = {};   ///< the times are frames, so many of them a second
@@ -31,7 +29,6 @@ struct UnitOptions {
   bool are_optional = false;  ///< a file may have other units and notations of time: frames only by the column's name
 };
 
-/// The units of the numbers of keys.
 struct KeyUnits {
   TimeNotation notation = TimeNotation::seconds;  ///< of the times
   DateFormat dates = {};                          ///< of times that are dates

@@ -156,10 +156,10 @@ bool is_usual_counter(std::string_view name) {
   return last == "seq" || last == "frameid";
 }
 
-std::optional<std::string> rotation_stem_of(std::string_view name, char& last) {
+std::optional<std::pair<std::string, char>> rotation_stem_of(std::string_view name) {
   std::string stem = in_lower_case(without_unit(name));
   if (stem.empty()) return std::nullopt;
-  last = stem.back();
+  const char last = stem.back();
   stem.pop_back();
   const std::size_t end = stem.find_last_not_of("._- /");
   stem.resize(end == std::string::npos ? 0 : end + 1);
@@ -170,7 +170,7 @@ std::optional<std::string> rotation_stem_of(std::string_view name, char& last) {
     if (stem.size() == word.size() || word.size() > 4) return true;  // a long word may be the end of another
     return std::string_view("._- /").find(stem[stem.size() - word.size() - 1]) != std::string_view::npos;
   });
-  return is_rotation ? std::optional(stem) : std::nullopt;
+  return is_rotation ? std::optional(std::pair(stem, last)) : std::nullopt;
 }
 
 bool is_usual_position(std::string_view name) { return has(names_of_positions, compact(name)); }

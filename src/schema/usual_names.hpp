@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "numbers/time_notation.hpp"
@@ -38,9 +39,9 @@ std::optional<TimePartName> time_part_of(std::string_view name);
 /// Whether a name is a usual one of what numbers or labels records without being a position, such as "header.seq".
 bool is_usual_counter(std::string_view name);
 
-/// The stem of the name of a number of a rotation, whose last letter or digit is `last`, such as "pose.orientation" of
-/// "pose.orientation.x" and "rot" of "rotX"; nothing if the stem does not end with a usual name of rotations.
-std::optional<std::string> rotation_stem_of(std::string_view name, char& last);
+/// The stem of the name of a number of a rotation and its last letter or digit, such as "pose.orientation" and 'x', or
+/// "rot" and 'x' of "rotX"; nothing if the stem does not end with a usual name of rotations.
+std::optional<std::pair<std::string, char>> rotation_stem_of(std::string_view name);
 
 /// Whether a name is a usual one of positions with several coordinates, such as "pos" or "translation".
 bool is_usual_position(std::string_view name);
@@ -57,7 +58,6 @@ bool is_usual_angle(std::string_view name);
 /// Whether a name is that of a number of a rotation vector, such as "rvec_x" or "rotvec[0]".
 bool is_of_rotation_vector(std::string_view name);
 
-/// A text without the brackets around it.
 std::string_view without_brackets(std::string_view text);
 
 /// Whether a text is a unit of a quantity, such as "km/h" or "[deg]".

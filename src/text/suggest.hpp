@@ -2,9 +2,12 @@
 // separator.
 #pragma once
 
+#include <charconv>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace tcb {
@@ -39,6 +42,14 @@ std::string in_shell(std::string_view word);
 constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The whole number that a text of digits alone is; nothing for others.
+template <class Int>
+std::optional<Int> in_digits(std::string_view text) {
+  Int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
 
 /// A text with its letters of ASCII in lower case.
 std::string in_lower_case(std::string_view text);
