@@ -94,7 +94,7 @@ TEST(PlacesOfSamples, near_an_end_within_the_limits_are_that_end) {
 }
 
 TEST(PlacesOfSamples, outside_the_curve_are_allowed_by_extrapolation) {
-  const Places places = Line("t,x\n-1,0\n7,6\n", "hold").places();
+  const Places places = Line("t,x\n-1,0\n7,6\n", Extrapolations{Extrapolation::hold, Extrapolation::hold}).places();
   EXPECT_THAT(places.rows, ElementsAre(0, 1));
   EXPECT_EQ(places.places[1].hi, 7) << "it stays where it is";
 }
