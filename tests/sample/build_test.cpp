@@ -80,7 +80,7 @@ TEST(Closing, keys_without_times_need_one_step_more) {
   CurveSpec spec = closed_spec("");
   spec.timed = false;
   EXPECT_EQ(take_closing(keys, spec, {"x"}).hi, 3);
-  spec.parameter = 1;  // chordal
+  spec.parameter = ParameterSetting{1, "chordal"};
   EXPECT_EQ(take_closing(keys, spec, {"x"}).hi, 7);
 }
 

@@ -5,6 +5,7 @@
 
 #include "option_names.hpp"
 #include "read/reading.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 namespace {

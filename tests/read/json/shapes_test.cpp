@@ -5,6 +5,7 @@
 
 #include "formats/formats.hpp"
 #include "read/reading.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 namespace {
