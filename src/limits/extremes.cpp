@@ -6,9 +6,11 @@
 #include <limits>
 #include <map>
 #include <queue>
+#include <type_traits>
 #include <utility>
 
 #include "error.hpp"
+#include "exact/ball.hpp"
 #include "exact/rounding.hpp"
 
 namespace tcb::limits {
@@ -18,19 +20,40 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 0x1p-40;      ///< relative: of the segments, and of hundreds of operations on them
 constexpr std::size_t most_parts = 2000;  ///< that are bounded with rationals
 
-/// A part of a piece of a segment with a measure on it in Bernstein's form, and how far rounding may move that.
+/// A part of a piece of a segment with a measure on it in Bernstein's form, and how far rounding may move that. A
+/// quotient is between the smallest and the largest of those of the coefficients.
 struct Candidate {
   std::size_t segment, piece;  ///< their numbers
-  Polynomial<double> value;
+  Polynomial<double> over, under;
   bool is_certain = true;  ///< the piece is not so short that exact numbers may have none
-  double slack = 0;
-  double begin = 0, size = 1;  ///< of the part
-  double upper = infinity;     ///< a bound
+  double slack = 0, under_slack = 0;
+  double begin = 0, size = 1;        ///< of the part
+  double upper = infinity, doubt{};  ///< a bound, and how far rounding may move it
 
+  void set_bound() {
+    upper = -infinity;
+    double least = infinity;
+    for (std::size_t i = 0; i < over.size(); ++i) {
+      const double most = over[i] + slack;
+      const double below = under_at(i) - (most < 0 ? -under_slack : under_slack);
+      upper = std::max(upper, below > 0 ? most / below : infinity);
+      least = std::min(least, below);
+    }
+    doubt = 8 * (slack + (under_slack == 0 ? 0 : std::abs(upper) * under_slack)) / least;
+  }
   /// The largest value at its ends, at least.
-  double attained() const { return std::max(value.front(), value.back()) - slack; }
-  bool is_narrow(double other) const { return !is_certain || upper - other <= 8 * slack; }
+  double attained() const {
+    const auto least_at = [&](std::size_t i) {
+      const double least = over[i] - slack, above = under_at(i) + (least < 0 ? -under_slack : under_slack);
+      return above > 0 ? least / above : -infinity;
+    };
+    return std::max(least_at(0), least_at(over.size() - 1));
+  }
+  bool is_narrow(double other) const { return !is_certain || upper - other <= doubt; }
   bool operator<(const Candidate& other) const { return upper < other.upper; }
+
+ private:
+  double under_at(std::size_t i) const { return under.size() == 1 ? under[0] : under[i]; }
 };
 
 /// The parts that may hold the maximum of one measure.
@@ -42,9 +65,12 @@ class Search {
     const Measured<double> x = measured(piece, *measure_);
     constexpr double least = 1e-290;      // below it, squares may be 0
     constexpr double shortest = 0x1p-40;  // of pieces that are certain
-    Candidate one{segment, piece.number, bernstein(x.value, x.value.size() - 1), piece.size > shortest};
+    const std::size_t degree = std::max(x.over.size(), x.under.size()) - 1;
+    Candidate one{segment, piece.number, bernstein(x.over, degree), x.under, piece.size > shortest};
+    if (x.under.size() > 1) one.under = bernstein(x.under, degree);
     one.slack = x.scale == 0 ? 0 : rounding * x.scale + least;
-    if (!std::isfinite(x.scale)) {
+    one.under_slack = rounding * x.under_scale;
+    if (!std::isfinite(x.scale) || !std::isfinite(x.under_scale)) {
       candidates_.push_back(std::move(one));  // doubles do not bound it
       return;
     }
@@ -68,12 +94,14 @@ class Search {
         final.push_back(std::move(top));
         continue;
       }
-      const auto [left, right] = halves(top.value);
+      const auto [left, right] = halves(top.over);
+      const auto [under_left, under_right] = halves(top.under);
       for (const bool second : {false, true}) {
         Candidate half = top;
         half.size = top.size / 2;
         if (second) half.begin += half.size;
-        half.value = second ? right : left;
+        half.over = second ? right : left;
+        half.under = second ? under_right : under_left;
         add(std::move(half));
       }
       for (Candidate& half : candidates_) queue.push(std::move(half));
@@ -85,7 +113,7 @@ class Search {
 
  private:
   void add(Candidate&& one) {
-    one.upper = *std::ranges::max_element(one.value) + one.slack;
+    one.set_bound();
     if (!(one.upper > attained_)) return;
     if (one.is_certain) attained_ = std::max(attained_, one.attained());
     candidates_.push_back(std::move(one));
@@ -98,21 +126,51 @@ class Search {
 };
 
 /// x on [begin, begin + size], as a polynomial on [0, 1].
-Polynomial<Rational> part_of(const Polynomial<Rational>& x, const Rational& begin, const Rational& size) {
-  Polynomial<Rational> part = shifted(x, begin);
-  Rational power = 1;
-  for (Rational& coefficient : part) {
+template <class S>
+Polynomial<S> part_of(const Polynomial<S>& x, const Rational& begin, const Rational& size) {
+  Polynomial<S> part = shifted(x, scalar_of<S>(begin));
+  const S factor = scalar_of<S>(size);
+  S power(1);
+  for (S& coefficient : part) {
     coefficient *= power;
-    power *= size;
+    power *= factor;
   }
   return part;
 }
 
-/// A bound of x on [0, 1]: the largest coefficient of Bernstein's form.
-Rational bound_of(const Polynomial<Rational>& x) {
-  const Polynomial<Rational> form = bernstein(x, x.size() - 1);
-  return *std::max_element(form.begin(), form.end());
-}
+Rational at_least(const Rational& x) { return x; }
+Rational at_least(const RealBall& x) { return x.middle().rational() - Middle<Real>::number(x.radius()).rational(); }
+Rational at_most(const Rational& x) { return x; }
+Rational at_most(const RealBall& x) { return x.middle().rational() + Middle<Real>::number(x.radius()).rational(); }
+double rough(const Rational& x) { return nearest_double(x); }
+double rough(const RealBall& x) { return x.rough(); }
+
+/// A measure on [0, 1], as exact numbers: a polynomial, or where it is a quotient, balls, which have fewer digits.
+template <class S>
+struct ExactMeasure {
+  Polynomial<S> over, under;
+
+  bool is_polynomial() const { return under.size() == 1; }
+  S at(const S& place) const {
+    return is_polynomial() ? value_at(over, place) : S(value_at(over, place) / value_at(under, place));
+  }
+
+  ExactMeasure part(const Rational& begin, const Rational& size) const {
+    return {part_of(over, begin, size), part_of(under, begin, size)};
+  }
+  /// A bound: the largest coefficient of Bernstein's form; nothing where that has none.
+  std::optional<Rational> bound() const {
+    const std::size_t degree = std::max(over.size(), under.size()) - 1;
+    const Polynomial<S> above = bernstein(over, degree), below = bernstein(under, degree);
+    std::optional<Rational> most;
+    for (std::size_t i = 0; i <= degree; ++i) {
+      if (!is_polynomial() && !(at_least(below[i]) > 0)) return std::nullopt;
+      const Rational quotient = is_polynomial() ? at_most(above[i]) : at_most(above[i] / below[i]);
+      most = most ? std::max(*most, quotient) : quotient;
+    }
+    return most;
+  }
+};
 
 /// The simplest fraction between two numbers.
 Rational simplest_within(const Rational& low, const Rational& high) {
@@ -126,21 +184,22 @@ std::optional<Rational> simple_maximum(const Polynomial<Rational>& x, const Rati
   const Rational simplest = simplest_within(low, high), size = denominator(simplest);
   if (size * size * (high - low) > Rational(0x1p-20)) return std::nullopt;  // as simple as that of any such interval
   const Polynomial<Rational> rate = derivative(x);
-  if (!(bound_of(derivative(rate)) < 0)) return std::nullopt;
+  if (!(*ExactMeasure<Rational>{derivative(rate), {1}}.bound() < 0)) return std::nullopt;
   const Polynomial<Rational> root = common_divisor(sum(x, {simplest}, Rational(-1)), rate);
   return value_at(root, Rational(0)) * value_at(root, Rational(1)) <= 0 ? std::optional(simplest) : std::nullopt;
 }
 
-/// Bounds parts of pieces with rationals.
+/// Bounds parts of pieces with exact numbers.
 class ExactSearch {
  public:
   std::optional<Extreme> best;
   Rational place;  ///< of the best, in its piece
   std::size_t best_candidate = 0;
 
-  void add(const Polynomial<Rational>& x, const Candidate& part, std::size_t number) {
+  template <class S>
+  void add(const ExactMeasure<S>& x, const Candidate& part, std::size_t number) {
     candidate_ = number;
-    bound(part_of(x, Rational(part.begin), Rational(part.size)), Rational(part.begin), Rational(part.size), 0);
+    bound(x.part(Rational(part.begin), Rational(part.size)), Rational(part.begin), Rational(part.size), 0);
   }
 
  private:
@@ -154,59 +213,111 @@ class ExactSearch {
   /// Bounds the part [begin, begin + size], on which the measure is x(0) to x(1): in this form its coefficients have
   /// the size of what changes on the part, whatever they have on the piece. Where the derivative is nearly 0 at an end,
   /// the coefficients of Bernstein's form are nearly the value there at most.
-  void bound(const Polynomial<Rational>& x, const Rational& begin, const Rational& size, int depth) {
+  template <class S>
+  void bound(const ExactMeasure<S>& x, const Rational& begin, const Rational& size, int depth) {
     static const Rational close = Rational(0x1p-80), half = Rational(1) / 2;
-    const Rational at = likely_place(x, begin, size), value = value_at(x, at);
-    attain(value, begin + at * size);
-    const Rational most = std::max(at < 1 ? bound_of(part_of(x, at, 1 - at)) : value,
-                                   at > 0 ? bound_of(part_of(x, Rational(0), at)) : value);
+    const Rational at = likely_place(x, begin, size);
+    const S value = x.at(scalar_of<S>(at));
+    attain(at_least(value), begin + at * size);
+    const std::optional<Rational> after = at < 1 ? x.part(at, 1 - at).bound() : at_most(value);
+    const std::optional<Rational> before = at > 0 ? x.part(0, at).bound() : at_most(value);
     constexpr int deepest = 120;
-    if (most <= best->low) return;
-    if (depth == deepest || most - best->low <= close * abs(most)) {
-      if (const auto exact = simple_maximum(x, value, most)) return attain(*exact, begin + at * size);
-      best->high = std::max(best->high, most);
-      return;
+    if (before && after) {
+      const Rational most = std::max(*before, *after);
+      if (most <= best->low) return;
+      if (depth == deepest || most - best->low <= close * abs(most)) {
+        if constexpr (std::is_same_v<S, Rational>) {
+          if (const auto exact = simple_maximum(x.over, value, most)) return attain(*exact, begin + at * size);
+        }
+        best->high = std::max(best->high, most);
+        return;
+      }
     }
+    if (depth == deepest) throw Undecided();
     const auto bound_half = [&](const Rational& first) {
-      bound(part_of(x, first, half), begin + first * size, size * half, depth + 1);
+      bound(x.part(first, half), begin + first * size, size * half, depth + 1);
     };
     const bool is_first = at < half;  // the half that has the largest value, probably
     bound_half(is_first ? Rational(0) : half);
     bound_half(is_first ? half : Rational(0));
   }
 
-  /// Where the largest value on [0, 1] probably is: the root of the derivative, where it is one at the simplest
-  /// fraction of the piece near it, or better by a step of Newton's method.
-  static Rational likely_place(const Polynomial<Rational>& x, const Rational& begin, const Rational& size) {
-    Rational largest = 0;
-    for (std::size_t i = 1; i < x.size(); ++i) largest = std::max(largest, abs(x[i]));
-    if (largest == 0) return 0;
-    const Polynomial<Rational> exact = derivative(x);
-    Polynomial<double> rate(exact.size());
-    for (std::size_t i = 0; i < rate.size(); ++i) rate[i] = nearest_double(exact[i] / largest);
-    if (!(value_at(rate, 0.0) > 0)) return 0;
-    if (value_at(rate, 1.0) > 0) return 1;
+  /// Where the largest value on [0, 1] probably is: the root of the derivative. Of a polynomial, where it is one at the
+  /// simplest fraction of the piece near it, or better by a step of Newton's method.
+  template <class S>
+  static Rational likely_place(const ExactMeasure<S>& x, const Rational& begin, const Rational& size) {
+    const auto largest_of = [](const Polynomial<S>& of, std::size_t first) {
+      using spline::rough_max;
+      S largest(0);
+      for (std::size_t i = first; i < of.size(); ++i) largest = rough_max(largest, S(abs(of[i])));
+      return largest;
+    };
+    const S largest = largest_of(x.over, x.is_polynomial() ? 1 : 0), largest_under = largest_of(x.under, 0);
+    using spline::is_exactly_zero;
+    if (is_exactly_zero(largest)) return 0;
+    const auto in_units = [](const Polynomial<S>& of, const S& unit) {
+      Polynomial<double> result(of.size());
+      for (std::size_t i = 0; i < of.size(); ++i) result[i] = rough(of[i] / unit);
+      return result;
+    };
+    const Polynomial<S> exact = derivative(x.over);
+    const Polynomial<double> slope = in_units(exact, largest), under = in_units(x.under, largest_under);
+    const Polynomial<double> over = x.is_polynomial() ? Polynomial<double>() : in_units(x.over, largest);
+    const auto grows = [&](double u) {
+      return value_at(slope, u) * value_at(under, u) - value_at(over, u) * value_at(derivative(under), u) > 0;
+    };
+    if (!grows(0)) return 0;
+    if (grows(1)) return 1;
     double low = 0, high = 1;
     for (int i = 0; i < 60; ++i) {
       const double middle = low + (high - low) / 2;
       if (middle == low || middle == high) break;
-      (value_at(rate, middle) > 0 ? low : high) = middle;
+      (grows(middle) ? low : high) = middle;
     }
-    const auto is_inside = [](const Rational& u) { return 0 <= u && u <= 1; };
-    const Rational rough(low), fraction = begin + rough * size, near = std::min(Rational(0x1p-36), size / 4);
-    const Rational simplest = fraction <= near ? Rational(0) : simplest_between(fraction - near, fraction + near);
-    const Rational simple = (simplest - begin) / size;
-    if (is_inside(simple) && value_at(exact, simple) == 0) return simple;
-    const Rational bend = value_at(derivative(exact), rough);
-    if (bend == 0) return rough;
-    const Rational step = -value_at(exact, rough) / bend;
-    const bool is_quadratic = x.size() == 3;
-    const Rational better = rough + (is_quadratic ? step : Rational(nearest_double(step)));
-    return is_inside(better) ? better : rough;
+    const Rational rough(low);
+    if constexpr (std::is_same_v<S, Rational>) {
+      const auto is_inside = [](const Rational& u) { return 0 <= u && u <= 1; };
+      const Rational fraction = begin + rough * size, near = std::min(Rational(0x1p-36), size / 4);
+      const Rational simplest = fraction <= near ? Rational(0) : simplest_between(fraction - near, fraction + near);
+      const Rational simple = (simplest - begin) / size;
+      if (is_inside(simple) && value_at(exact, simple) == 0) return simple;
+      const Rational bend = value_at(derivative(exact), rough);
+      if (bend == 0) return rough;
+      const Rational step = -value_at(exact, rough) / bend;
+      const bool is_quadratic = x.over.size() == 3;
+      const Rational better = rough + (is_quadratic ? step : Rational(nearest_double(step)));
+      return is_inside(better) ? better : rough;
+    }
+    return rough;
   }
 
   std::size_t candidate_ = 0;
 };
+
+Polynomial<RealBall> as_balls(const Polynomial<Rational>& x) {
+  Polynomial<RealBall> result(x.size());
+  std::ranges::transform(x, result.begin(), [](const Rational& number) { return scalar_of<RealBall>(number); });
+  return result;
+}
+
+/// Where a curve rests at a place at which it has a curvature before and after it, so that this has no bound; its
+/// velocity has a factor that is 0 there.
+std::optional<Rational> sharp_rest(const Piece<Rational>& piece, const Measure& measure) {
+  Polynomial<Rational> common{0};
+  for (const std::size_t channel : measure.channels) {
+    common = common_divisor(common, derivative(piece.cubics[channel]));
+  }
+  if (common.size() != 2) return std::nullopt;
+  const Rational root = -common[0] / common[1];
+  Rational low = 0, high = 1;
+  if (root < value_at(piece.parameter, low) || root > value_at(piece.parameter, high)) return std::nullopt;
+  if (root == value_at(piece.parameter, high)) return high;
+  for (int i = 0; i < 60 && value_at(piece.parameter, low) != root; ++i) {
+    const Rational middle = (low + high) / 2;
+    (value_at(piece.parameter, middle) <= root ? low : high) = middle;
+  }
+  return low;
+}
 
 Rational exactly(const Time& time, const std::optional<FrameTimes>& frames) {
   const auto frame = frames ? frames->exact(time) : std::nullopt;
@@ -256,8 +367,10 @@ class Corners {
   }
 
   void compare(const std::vector<End>& in, const std::vector<End>& out, const Time& time) {
-    Corner corner{time, 0, {}};
+    Corner corner{time};
     for (std::size_t i = 0; i < channels_.size(); ++i) {
+      corner.in.push_back(in[i].velocity);
+      corner.out.push_back(out[i].velocity);
       const double jump = std::abs(out[i].velocity - in[i].velocity);
       if (!(jump > rounding * std::max(out[i].size, in[i].size))) continue;
       corner.jump = std::hypot(corner.jump, jump);
@@ -270,7 +383,7 @@ class Corners {
   std::vector<End> first_, before_;
 };
 
-/// The maximum among the parts that may hold it.
+/// The maximum among the parts that may hold it. Throws: Error (data) where numbers are too far apart.
 std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const Measure& measure,
                                      const MeasuredCurve& curve,
                                      const std::function<const spline::Segments<Rational>&(std::size_t)>& segment) {
@@ -282,29 +395,44 @@ std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const 
     const auto found = std::ranges::find(pieces, part.piece, &Piece<Rational>::number);
     return found == pieces.end() ? std::nullopt : std::optional(*found);
   };
+  const auto extreme_at = [&](Extreme extreme, const Candidate& part, const Rational& place) {
+    const Piece<Rational> piece = *piece_of(part);
+    const Rational fraction = piece.begin + place * piece.size;
+    const spline::Segments<Rational>& one = segment(part.segment);
+    extreme.time = one.times[0] + fraction * (one.times[1] - one.times[0]);
+    extreme.is_at_key = fraction == 0 || fraction == 1;
+    if (fraction == 1) extreme.side = spline::Side::left;
+    const Rational u = value_at(piece.parameter, place);
+    for (const Polynomial<Rational>& x : piece.cubics) extreme.position.push_back(nearest_double(value_at(x, u)));
+    return extreme;
+  };
+  constexpr int bits = 400;
+  const RealPrecision precision(bits);
   ExactSearch search;
+  Measured<Rational> of_best;
   for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i) {
-    if (const auto piece = piece_of(parts[i])) search.add(measured(*piece, measure).value, parts[i], i);
+    const auto piece = piece_of(parts[i]);
+    if (!piece) continue;
+    const Measured<Rational> x = measured(*piece, measure);
+    if (x.under.size() == 1) {
+      search.add(ExactMeasure<Rational>{x.over, x.under}, parts[i], i);
+    } else {
+      const auto rest = measure.kind == Measure::Kind::curvature ? sharp_rest(*piece, measure) : std::nullopt;
+      if (rest) return extreme_at({.is_unbounded = true}, parts[i], *rest);
+      search.add(ExactMeasure<RealBall>{as_balls(x.over), as_balls(x.under)}, parts[i], i);
+    }
+    if (search.best_candidate == i) of_best = x;
   }
   if (!search.best) return std::nullopt;
   Extreme& best = *search.best;
+  if (of_best.under.size() > 1) {
+    best.low = value_at(of_best.over, search.place) / value_at(of_best.under, search.place);
+  }
   if (parts.size() > most_parts) {
-    if (!std::isfinite(parts.back().upper)) {
-      throw data_error("numbers are too far apart to bound; expected fewer such keys");
-    }
+    if (!std::isfinite(parts.back().upper)) throw Undecided();
     best.high = std::max(best.high, Rational(parts.back().upper));
   }
-  const Candidate& part = parts[search.best_candidate];
-  const Piece<Rational> piece = *piece_of(part);
-  const Rational fraction = piece.begin + search.place * piece.size;
-  const spline::Segments<Rational>& one = segment(part.segment);
-  best.time = one.times[0] + fraction * (one.times[1] - one.times[0]);
-  best.is_at_key = fraction == 0 || fraction == 1;
-  if (fraction == 1) best.side = spline::Side::left;
-  for (const Polynomial<Rational>& x : piece.cubics) {
-    best.position.push_back(nearest_double(value_at(x, search.place)));
-  }
-  return search.best;
+  return extreme_at(best, parts[search.best_candidate], search.place);
 }
 
 }  // namespace
@@ -338,14 +466,21 @@ Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measur
     }
   }
   if (curve.closed && !curve.from && !curve.to) corners.close(end);
-  std::map<std::size_t, spline::Segments<Rational>> exact;
-  const auto exact_segment = [&](std::size_t segment) -> const spline::Segments<Rational>& {
-    const auto found = exact.find(segment);
-    return found != exact.end() ? found->second : exact.emplace(segment, curve.exact(segment)).first->second;
-  };
+  std::map<std::pair<bool, std::size_t>, spline::Segments<Rational>> exact;
   Extremes result;
   for (std::size_t k = 0; k < measures.size(); ++k) {
-    result.maxima.push_back(exact_maximum(searches[k].rest(), measures[k], curve, exact_segment));
+    const bool turns = measures[k].is_of_rotation;
+    const auto exact_segment = [&](std::size_t segment) -> const spline::Segments<Rational>& {
+      const std::pair key(turns, segment);
+      const auto found = exact.find(key);
+      if (found != exact.end()) return found->second;
+      return exact.emplace(key, turns ? curve.turning(segment) : curve.exact(segment)).first->second;
+    };
+    try {
+      result.maxima.push_back(exact_maximum(searches[k].rest(), measures[k], curve, exact_segment));
+    } catch (const Undecided&) {
+      throw data_error("numbers are too far apart to bound; expected fewer such keys");
+    }
   }
   result.corners = std::move(corners.found);
   return result;

@@ -21,9 +21,10 @@ namespace tcb::limits {
 /// A curve whose segments can be read again, as doubles and as exact numbers.
 struct MeasuredCurve {
   std::function<Source<SegmentBlock>()> segments;
-  std::function<spline::Segments<Rational>(std::size_t)> exact;  ///< the segment with this number
-  std::optional<FrameTimes> frames;                              ///< where the times of the keys are frames in seconds
-  std::optional<Rational> from, to;                              ///< the times that are measured; nothing: all
+  std::function<spline::Segments<Rational>(std::size_t)> exact;    ///< the segment with this number
+  std::function<spline::Segments<Rational>(std::size_t)> turning;  ///< with the numbers of rotations
+  std::optional<FrameTimes> frames;  ///< where the times of the keys are frames in seconds
+  std::optional<Rational> from, to;  ///< the times that are measured; nothing: all
   bool closed = false;
 };
 
@@ -35,13 +36,15 @@ struct Extreme {
   std::vector<double> position = {};        ///< there, of all channels
   spline::Side side = spline::Side::right;  ///< of a key there, on whose segment
   bool is_at_key = false;
+  bool is_unbounded = false;  ///< it grows beyond all numbers near this time; `low` and `high` have no meaning
 };
 
 /// A sudden change of the velocity.
 struct Corner {
   Time time;
-  double jump = 0;                    ///< the root of the sum of squares over the channels
-  std::vector<std::size_t> channels;  ///< that change
+  double jump = 0;                         ///< the root of the sum of squares over the channels
+  std::vector<std::size_t> channels = {};  ///< that change
+  std::vector<double> in = {}, out = {};   ///< the velocities before and after it, of all channels that are compared
 };
 
 struct Extremes {

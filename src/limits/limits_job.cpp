@@ -52,10 +52,17 @@ struct MeasuredChannels {
   std::vector<std::size_t> numbers;    ///< of those that are none of a rotation
   std::vector<std::size_t> positions;  ///< of those of them that are no angles, which have no range
   std::vector<std::size_t> metric;
+  std::vector<spline::KeyRotation> rotations;
+  spline::RotationCurve rotation_curve;
 };
 
 MeasuredChannels channels_of(const CurveSpec& spec, const std::vector<std::string>& names) {
-  MeasuredChannels channels{names, {}, {}, spline::metric_of(spec.rules, names.size())};
+  MeasuredChannels channels{names,
+                            {},
+                            {},
+                            spline::metric_of(spec.rules, names.size()),
+                            spec.rules.rotations,
+                            spec.rules.rotation_rules.curve};
   if (spline::is_turn(channels.metric)) channels.metric.clear();
   if (channels.metric.empty() && spec.rules.rotations.empty() && spec.rules.angles.empty()) {
     for (std::size_t i = 0; i < names.size(); ++i) channels.metric.push_back(i);
@@ -74,12 +81,28 @@ std::vector<Measure> known_measures(const MeasuredChannels& channels) {
     if (!channels.metric.empty())
       known.push_back({std::string(norm.name), Measure::Kind::size, norm.derivative, channels.metric});
   }
+  if (channels.metric.size() > 1) known.push_back({"curvature", Measure::Kind::curvature, 0, channels.metric});
+  for (std::size_t i = 0; i < channels.rotations.size(); ++i) {
+    Measure one{channels.rotations.size() == 1 ? "angular_speed" : fmt::format("angular_speed{}", i + 1),
+                Measure::Kind::size,
+                1,
+                {channels.names.size() + i}};
+    one.is_of_rotation = true;
+    if (channels.rotation_curve == spline::RotationCurve::components) {
+      one.kind = Measure::Kind::angular_speed;
+      one.channels.assign(channels.rotations[i].channels.begin(), channels.rotations[i].channels.end());
+    } else if (channels.rotation_curve != spline::RotationCurve::slerp) {
+      continue;  // no bound is proved
+    }
+    known.push_back(std::move(one));
+  }
   for (const Quantity& quantity : of_channels) {
     for (const std::size_t channel : quantity.derivative == 0 ? channels.positions : channels.numbers) {
       known.push_back({fmt::format("{}_{}", quantity.name, channels.names[channel]),
                        Measure::Kind::size,
                        quantity.derivative,
-                       {channel}});
+                       {channel},
+                       true});
     }
   }
   return known;
@@ -108,25 +131,26 @@ std::vector<Wanted> wanted_of(const LimitOptions& options, const MeasuredChannel
     if (measure == known.end()) {
       std::vector<std::string> names;
       for (const Measure& one : known) names.push_back(one.name);
+      const bool is_unproved = limit.name.starts_with("angular_speed") && !channels.rotations.empty();
       const std::string reason =
-          limit.name == "angular_speed" || limit.name == "curvature" ? "its maximum has no proved bound; " : "";
+          is_unproved ? fmt::format("it has a proved maximum with {} slerp or components; ", option::rotation_curve)
+                      : "";
       throw usage_error("nothing is measured as {}; {}expected one of {}{}", in_quotes(limit.name), reason,
                         listed(names), did_you_mean(limit.name, names))
           .about(option::limits);
     }
-    const bool is_number = measure->kind == Measure::Kind::size && measure->name.find('_') != std::string::npos;
-    if (limit.least && !is_number) {
+    if (limit.least && !measure->is_signed) {
       throw usage_error("{} is never below 0; expected {}=LIMIT; give its largest value", limit.name, limit.name)
           .about(option::limits);
     }
-    if (limit.least || (!limit.most && measure->derivative == 0 && is_number))
+    if (limit.least || (!limit.most && measure->derivative == 0 && measure->is_signed))
       add_range(*measure, limit);
     else
       add(*measure, measure->kind, limit.most);
   }
   if (!options.limits.empty()) return wanted;
   for (const Measure& measure : known) {
-    const bool is_position = measure.derivative == 0;
+    const bool is_position = measure.derivative == 0 && measure.is_signed;
     if (is_position)
       add_range(measure, {});
     else
@@ -158,13 +182,34 @@ spline::Segments<Rational> rational(const spline::Segments<RealBall>& from) {
   return to;
 }
 
-/// A segment of a curve by its number, as exact numbers; where these are irrational, to 120 digits.
-std::function<spline::Segments<Rational>(std::size_t)> exact_segments(ExactCurve exact) {
-  exact.rules.rotations.clear();  // whose numbers are not measured
-  if (exact.keys.size() == 1) {
-    return [one = spline::constant_segment(exact.keys, exact.rules)](std::size_t) { return one; };
+/// Segments with a further channel for each rotation: the angle that it turns at a constant rate.
+template <class S>
+void add_angles(spline::Segments<S>& segments) {
+  const spline::Segments<S> before = segments;
+  const std::size_t rotations = segments.rotations.size() / segments.size();
+  segments.channels += rotations;
+  segments.cubics.clear();
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    segments.cubics.insert(segments.cubics.end(), before[i].begin(), before[i].end());
+    for (const spline::RotationSegment<S>& rotation : before.rotations_of(i)) {
+      using std::sqrt;
+      const auto [x, y, z] = rotation.rate({S(0), S(-1)});
+      const S zero(0), rate = sqrt(x * x + (y * y + z * z));
+      segments.cubics.push_back({zero, rate, zero, zero, rate, rate, zero, zero, zero});
+    }
   }
-  if (exact.is_rational()) {
+}
+
+/// A segment of a curve by its number, as exact numbers; where these are irrational, to 120 digits.
+std::function<spline::Segments<Rational>(std::size_t)> exact_segments(ExactCurve exact, bool with_rotations) {
+  if (exact.keys.size() == 1) {
+    auto one = spline::constant_segment(exact.keys, exact.rules);
+    one.channels += exact.rules.rotations.size();
+    one.cubics.resize(one.channels);
+    return [one](std::size_t) { return one; };
+  }
+  if (!with_rotations) exact.rules.rotations.clear();
+  if (exact.is_rational() && !with_rotations) {
     return [curve = std::shared_ptr(curve_at<Rational>(exact))](std::size_t number) {
       return curve->segments(number, number + 1);
     };
@@ -173,7 +218,9 @@ std::function<spline::Segments<Rational>(std::size_t)> exact_segments(ExactCurve
   const RealPrecision precision(bits, true);
   return [curve = std::shared_ptr(curve_at<RealBall>(exact))](std::size_t number) {
     const RealPrecision used(bits, true);
-    return rational(curve->segments(number, number + 1));
+    auto segment = curve->segments(number, number + 1);
+    if (!segment.rotations.empty()) add_angles(segment);
+    return rational(segment);
   };
 }
 
@@ -183,9 +230,28 @@ Rational as_measured(const Measure& measure, const Rational& limit) {
   return measure.kind == Measure::Kind::smallest ? -limit : limit;
 }
 
+/// Whether the velocity changes its direction, among some of the channels.
+bool turns(const Corner& corner, const MeasuredChannels& channels, const std::vector<std::size_t>& measured) {
+  std::vector<double> in, out;
+  for (std::size_t i = 0; i < channels.numbers.size(); ++i) {
+    if (std::ranges::count(measured, channels.numbers[i]) == 0) continue;
+    in.push_back(corner.in[i]);
+    out.push_back(corner.out[i]);
+  }
+  const auto norm = [](const std::vector<double>& v) {
+    double size = 0;
+    for (const double x : v) size = std::hypot(size, x);
+    return size;
+  };
+  const double in_size = norm(in), out_size = norm(out);
+  if (in_size == 0 || out_size == 0) return false;
+  std::vector<double> change;
+  for (std::size_t i = 0; i < in.size(); ++i) change.push_back(in[i] / in_size - out[i] / out_size);
+  return norm(change) > 0x1p-40;
+}
+
 void measure(const MeasuredCurve& curve, const std::vector<std::string>& title, const MeasuredChannels& channels,
-             const LimitOptions& options, LimitsReport& report) {
-  std::vector<Wanted> wanted = wanted_of(options, channels);
+             const std::vector<Wanted>& wanted, LimitsReport& report) {
   std::vector<Measure> measures;
   for (const Wanted& one : wanted) measures.push_back(one.measure);
   Extremes found = extremes(curve, measures, channels.numbers);
@@ -193,13 +259,15 @@ void measure(const MeasuredCurve& curve, const std::vector<std::string>& title, 
     const Measure& one = measures[i];
     LimitResult result{title, one, std::move(found.maxima[i]), wanted[i].limit};
     if (result.limit && result.extreme) {
-      const bool needs_smooth = one.derivative > 1;
       const auto breaks = [&](const Corner& corner) {
-        return std::ranges::any_of(corner.channels,
-                                   [&](std::size_t channel) { return std::ranges::count(one.channels, channel) > 0; });
+        if (one.kind == Measure::Kind::curvature) return turns(corner, channels, one.channels);
+        return one.derivative > 1 && std::ranges::any_of(corner.channels, [&](std::size_t channel) {
+                 return std::ranges::count(one.channels, channel) > 0;
+               });
       };
-      result.is_broken = needs_smooth && std::ranges::any_of(found.corners, breaks);
-      result.passed = !result.is_broken && result.extreme->high <= as_measured(one, *result.limit);
+      const Extreme& extreme = *result.extreme;
+      result.is_broken = std::ranges::any_of(found.corners, breaks);
+      result.passed = !result.is_broken && !extreme.is_unbounded && extreme.high <= as_measured(one, *result.limit);
     }
     report.results.push_back(std::move(result));
   }
@@ -225,9 +293,10 @@ class LimitsPicture {
   std::string svg(const LimitsReport& report) {
     scene_.title = options_.title.value_or(report.keys.substr(report.keys.rfind('/') + 1));
     scene_.subtitle = in_short(report);
-    if (const LimitResult* const tightest = report.tightest()) {
-      const auto& [low, high, time, position, side, is_at_key] = *tightest->extreme;
-      scene_.worst = SceneMark{nearest_time(time), position, tightest->measure.channels};
+    const LimitResult* const tightest = report.tightest();
+    if (tightest != nullptr && !tightest->measure.is_of_rotation) {
+      const Extreme& extreme = *tightest->extreme;
+      scene_.worst = SceneMark{nearest_time(extreme.time), extreme.position, tightest->measure.channels};
       scene_.worst_in_words = tightest->measure.name;
     }
     return picture(std::move(scene_), options_.size);
@@ -266,13 +335,21 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
     streamed.options.expanded = true;
     if (!report.first) report.first = exact_number(streamed.keys.key(0).times[0], false, pipeline.spec().frames);
     const std::vector<std::string> title = group_title(input.schema.groups, keys->group);
-    const MeasuredCurve curve{[streamed] { return streamed.segments(); },
-                              exact_segments(pipeline.exact(streamed)),
+    const MeasuredChannels channels = channels_of(pipeline.spec(), input.schema.channels);
+    const std::vector<Wanted> wanted = wanted_of(job.options, channels);
+    const bool turns = std::ranges::any_of(wanted, [](const Wanted& one) { return one.measure.is_of_rotation; });
+    const auto with_angles = [](SegmentBlock block) {
+      add_angles(block.segments);
+      return block;
+    };
+    const MeasuredCurve curve{[=] { return turns ? mapped(streamed.segments(), with_angles) : streamed.segments(); },
+                              exact_segments(pipeline.exact(streamed), false),
+                              turns ? exact_segments(pipeline.exact(streamed), true) : nullptr,
                               pipeline.spec().frames,
                               pipeline.request().from,
                               pipeline.request().to,
                               streamed.extent.closed};
-    measure(curve, title, channels_of(pipeline.spec(), input.schema.channels), job.options, report);
+    measure(curve, title, channels, wanted, report);
     const std::string name = title.empty() ? report.keys : fmt::format("{}", fmt::join(title, ", "));
     if (drawing != nullptr) drawing->add(streamed, input.schema, pipeline.spec(), name);
   }

@@ -1,4 +1,4 @@
-// Polynomials over the scalars double and Rational: arithmetic, and Bernstein's form, which bounds them.
+// Polynomials over the scalars double, Rational and RealBall: arithmetic, and Bernstein's form, which bounds them.
 //
 // On [0, 1] a polynomial is within the smallest and the largest of its coefficients in Bernstein's form, and has the
 // first and the last one as its values at 0 and 1; halving the interval brings them together quadratically.
@@ -34,13 +34,18 @@ class Polynomial {
   const S* begin() const { return coefficients_.data(); }
   const S* end() const { return begin() + size_; }
 
+  Polynomial without_last() const {
+    Polynomial result(size_ - 1);
+    std::copy(begin(), end() - 1, result.begin());
+    return result;
+  }
   bool is_zero() const {
     return std::all_of(begin(), end(), [](const S& x) { return x == S(0); });
   }
   friend bool operator==(const Polynomial& a, const Polynomial& b) { return std::ranges::equal(a, b); }
 
  private:
-  static constexpr std::size_t most = 13;  ///< of the sixth power of a speed
+  static constexpr std::size_t most = 37;  ///< of the sixth power of a speed, over the cubic of a warp
 
   std::array<S, most> coefficients_{};
   std::size_t size_;
@@ -102,13 +107,8 @@ S value_at(const Polynomial<S>& a, const S& x) {
 /// The common divisor of the largest degree, by Euclid's algorithm; a constant: there is none.
 template <class S>
 Polynomial<S> common_divisor(Polynomial<S> a, Polynomial<S> b) {
-  const auto without_last = [](const Polynomial<S>& x) {
-    Polynomial<S> result(x.size() - 1);
-    std::copy(x.begin(), x.begin() + result.size(), result.begin());
-    return result;
-  };
   const auto trimmed = [&](Polynomial<S> x) {
-    while (x.size() > 1 && x.back() == S(0)) x = without_last(x);
+    while (x.size() > 1 && x.back() == S(0)) x = x.without_last();
     return x;
   };
   a = trimmed(a);
@@ -120,7 +120,7 @@ Polynomial<S> common_divisor(Polynomial<S> a, Polynomial<S> b) {
         S& coefficient = a[a.size() - i];
         coefficient = coefficient - factor * b[b.size() - i];
       }
-      a = trimmed(without_last(a));
+      a = trimmed(a.without_last());
     }
     std::swap(a, b);
   }

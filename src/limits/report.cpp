@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -70,6 +71,10 @@ ResultTexts texts_of(const LimitResult& result) {
   const Extreme& extreme = *result.extreme;
   texts.time = time_text(nearest_time(extreme.time));
   texts.side = extreme.side == spline::Side::left ? "left" : "right";
+  if (extreme.is_unbounded) {
+    texts.part = std::numeric_limits<double>::infinity();
+    return texts;
+  }
   auto [low, high] = decimal_bounds(extreme.low, extreme.high, result.measure.is_size());
   if (result.measure.kind == Measure::Kind::smallest) {
     low = 0 - low;
@@ -103,8 +108,10 @@ std::string text(const LimitResult& result) {
                                  is_size ? "" : extreme_of(result.measure), in_curve(result.curve));
   if (!result.extreme) return line + "nothing in this range\n";
   const std::string side = result.extreme->is_at_key ? fmt::format(" on the {} side", texts.side) : "";
-  line += fmt::format("{} at time {}{}, certainly {} {}", texts.maximum, texts.time, side,
-                      result.measure.kind == Measure::Kind::smallest ? "at least" : "at most", texts.bound);
+  line += result.extreme->is_unbounded
+              ? fmt::format("without a bound at time {}{}, where the curve rests", texts.time, side)
+              : fmt::format("{} at time {}{}, certainly {} {}", texts.maximum, texts.time, side,
+                            result.measure.kind == Measure::Kind::smallest ? "at least" : "at most", texts.bound);
   if (!result.limit) return line + '\n';
   return line + fmt::format("; limit {}{}: {}\n", texts.limit,
                             texts.factor == "null" ? "" : fmt::format(", {} of it", texts.factor),
@@ -153,7 +160,8 @@ std::string in_short(const LimitsReport& report) {
   if (tightest == nullptr) return result;
   const ResultTexts texts = texts_of(*tightest);
   const std::string part = texts.factor == "null" ? "" : fmt::format(", {} of its limit", texts.factor);
-  return fmt::format("{} · {}: {}{}", result, tightest->measure.name, texts.maximum, part);
+  return fmt::format("{} · {}: {}{}", result, tightest->measure.name,
+                     tightest->extreme->is_unbounded ? "without a bound" : texts.maximum, part);
 }
 
 std::string text(const LimitsReport& report) {
