@@ -20,40 +20,54 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 0x1p-40;      ///< relative: of the segments, and of hundreds of operations on them
 constexpr std::size_t most_parts = 2000;  ///< that are bounded with rationals
 
-/// A part of a piece of a segment with a measure on it in Bernstein's form, and how far rounding may move that. A
-/// quotient is between the smallest and the largest of those of the coefficients.
+/// The power of a polynomial in Bernstein's form, times the binomials.
+template <class S>
+Polynomial<S> power_of(const Polynomial<S>& form, int power) {
+  const Polynomial<S> base = with_binomials(form);
+  Polynomial<S> result{S(1)};
+  for (int i = 0; i < power; ++i) result = product(result, base);
+  return result;
+}
+
+/// A part of a piece of a segment with a measure on it in Bernstein's form, and how far rounding may move that.
 struct Candidate {
   std::size_t segment, piece;  ///< their numbers
-  Polynomial<double> over, under;
+  Polynomial<double> over, base = {};
+  int power = 0;
   bool is_certain = true;  ///< the piece is not so short that exact numbers may have none
-  double slack = 0, under_slack = 0;
-  double begin = 0, size = 1;        ///< of the part
-  double upper = infinity, doubt{};  ///< a bound, and how far rounding may move it
+  double slack = 0, base_slack = 0;
+  double begin = 0, size = 1;          ///< of the part
+  double upper = infinity, doubt = 0;  ///< a bound, and how far rounding may move it
 
+  /// A quotient is at most the largest of those of the coefficients, or of them with binomials.
   void set_bound() {
-    upper = -infinity;
-    double least = infinity;
-    for (std::size_t i = 0; i < over.size(); ++i) {
-      const double most = over[i] + slack;
-      const double below = under_at(i) - (most < 0 ? -under_slack : under_slack);
-      upper = std::max(upper, below > 0 ? most / below : infinity);
-      least = std::min(least, below);
+    if (power == 0) {
+      upper = *std::ranges::max_element(over) + slack;
+      doubt = 8 * slack;
+      return;
     }
-    doubt = 8 * (slack + (under_slack == 0 ? 0 : std::abs(upper) * under_slack)) / least;
+    Polynomial<double> least = base;
+    for (double& x : least) x = std::max(0.0, x - base_slack);
+    const Polynomial<double> below = power_of(least, power), above = with_binomials(over);
+    upper = -infinity;
+    double binomial = 1;
+    for (std::size_t i = 0; i < over.size(); ++i) {
+      const double most = above[i] + slack * binomial;
+      upper = std::max(upper, most <= 0 ? 0 : below[i] > 0 ? most / below[i] * (1 + rounding) : infinity);
+      binomial *= static_cast<double>(over.size() - 1 - i) / static_cast<double>(i + 1);
+    }
+    const double smallest = *std::ranges::min_element(least);
+    doubt = 8 * (slack / std::pow(smallest, power) + power * upper * (base_slack / smallest + rounding));
   }
   /// The largest value at its ends, at least.
   double attained() const {
-    const auto least_at = [&](std::size_t i) {
-      const double least = over[i] - slack, above = under_at(i) + (least < 0 ? -under_slack : under_slack);
-      return above > 0 ? least / above : -infinity;
+    const auto at_end = [&](double x, double y) {
+      return power == 0 ? x - slack : std::max(0.0, x - slack) / std::pow(y + base_slack, power) * (1 - rounding);
     };
-    return std::max(least_at(0), least_at(over.size() - 1));
+    return std::max(at_end(over.front(), base.front()), at_end(over.back(), base.back()));
   }
   bool is_narrow(double other) const { return !is_certain || upper - other <= doubt; }
   bool operator<(const Candidate& other) const { return upper < other.upper; }
-
- private:
-  double under_at(std::size_t i) const { return under.size() == 1 ? under[0] : under[i]; }
 };
 
 /// The parts that may hold the maximum of one measure.
@@ -65,12 +79,14 @@ class Search {
     const Measured<double> x = measured(piece, *measure_);
     constexpr double least = 1e-290;      // below it, squares may be 0
     constexpr double shortest = 0x1p-40;  // of pieces that are certain
-    const std::size_t degree = std::max(x.over.size(), x.under.size()) - 1;
-    Candidate one{segment, piece.number, bernstein(x.over, degree), x.under, piece.size > shortest};
-    if (x.under.size() > 1) one.under = bernstein(x.under, degree);
+    const std::size_t base_degree = x.base.size() - 1, of_power = base_degree * static_cast<std::size_t>(x.power);
+    Candidate one{segment, piece.number, bernstein(x.over, std::max(x.over.size() - 1, of_power))};
+    one.is_certain = piece.size > shortest;
+    one.base = bernstein(x.base, base_degree);
+    one.power = x.power;
     one.slack = x.scale == 0 ? 0 : rounding * x.scale + least;
-    one.under_slack = rounding * x.under_scale;
-    if (!std::isfinite(x.scale) || !std::isfinite(x.under_scale)) {
+    one.base_slack = rounding * x.base_scale;
+    if (!std::isfinite(x.scale)) {
       candidates_.push_back(std::move(one));  // doubles do not bound it
       return;
     }
@@ -89,19 +105,20 @@ class Search {
       Candidate top = queue.top();
       queue.pop();
       if (!(top.upper >= attained_)) break;
-      constexpr double smallest = 0x1p-30;
-      if (!std::isfinite(top.slack) || top.size <= smallest || top.is_narrow(attained_)) {
+      constexpr double smallest = 0x1p-30, smallest_without_bound = 0x1p-10;
+      const bool is_small = top.size <= (std::isfinite(top.upper) ? smallest : smallest_without_bound);
+      if (!std::isfinite(top.slack) || is_small || top.is_narrow(attained_)) {
         final.push_back(std::move(top));
         continue;
       }
       const auto [left, right] = halves(top.over);
-      const auto [under_left, under_right] = halves(top.under);
+      const auto [base_left, base_right] = halves(top.base);
       for (const bool second : {false, true}) {
         Candidate half = top;
         half.size = top.size / 2;
         if (second) half.begin += half.size;
         half.over = second ? right : left;
-        half.under = second ? under_right : under_left;
+        half.base = second ? base_right : base_left;
         add(std::move(half));
       }
       for (Candidate& half : candidates_) queue.push(std::move(half));
@@ -125,19 +142,6 @@ class Search {
   double attained_ = -infinity;
 };
 
-/// x on [begin, begin + size], as a polynomial on [0, 1].
-template <class S>
-Polynomial<S> part_of(const Polynomial<S>& x, const Rational& begin, const Rational& size) {
-  Polynomial<S> part = shifted(x, scalar_of<S>(begin));
-  const S factor = scalar_of<S>(size);
-  S power(1);
-  for (S& coefficient : part) {
-    coefficient *= power;
-    power *= factor;
-  }
-  return part;
-}
-
 Rational at_least(const Rational& x) { return x; }
 Rational at_least(const RealBall& x) { return x.middle().rational() - Middle<Real>::number(x.radius()).rational(); }
 Rational at_most(const Rational& x) { return x; }
@@ -145,32 +149,30 @@ Rational at_most(const RealBall& x) { return x.middle().rational() + Middle<Real
 double rough(const Rational& x) { return nearest_double(x); }
 double rough(const RealBall& x) { return x.rough(); }
 
-/// A measure on [0, 1], as exact numbers: a polynomial, or where it is a quotient, balls, which have fewer digits.
+/// The part of a measure on [begin, begin + size].
 template <class S>
-struct ExactMeasure {
-  Polynomial<S> over, under;
+Measured<S> part_of(const Measured<S>& x, const Rational& begin, const Rational& size) {
+  const S first = scalar_of<S>(begin), width = scalar_of<S>(size);
+  return {part_of(x.over, first, width), x.scale, part_of(x.base, first, width), x.base_scale, x.power};
+}
 
-  bool is_polynomial() const { return under.size() == 1; }
-  S at(const S& place) const {
-    return is_polynomial() ? value_at(over, place) : S(value_at(over, place) / value_at(under, place));
-  }
-
-  ExactMeasure part(const Rational& begin, const Rational& size) const {
-    return {part_of(over, begin, size), part_of(under, begin, size)};
-  }
-  /// A bound: the largest coefficient of Bernstein's form; nothing where that has none.
-  std::optional<Rational> bound() const {
-    const std::size_t degree = std::max(over.size(), under.size()) - 1;
-    const Polynomial<S> above = bernstein(over, degree), below = bernstein(under, degree);
-    std::optional<Rational> most;
-    for (std::size_t i = 0; i <= degree; ++i) {
-      if (!is_polynomial() && !(at_least(below[i]) > 0)) return std::nullopt;
-      const Rational quotient = is_polynomial() ? at_most(above[i]) : at_most(above[i] / below[i]);
-      most = most ? std::max(*most, quotient) : quotient;
+/// A bound on [0, 1]: the largest coefficient of Bernstein's form; nothing where it has none.
+template <class S>
+std::optional<Rational> bound_of(const Measured<S>& x) {
+  const std::size_t base_degree = x.base.size() - 1, of_power = base_degree * static_cast<std::size_t>(x.power);
+  Polynomial<S> above = bernstein(x.over, std::max(x.over.size() - 1, of_power));
+  if (x.power > 0) {
+    above = with_binomials(above);
+    const Polynomial<S> below = power_of(bernstein(x.base, base_degree), x.power);
+    for (std::size_t i = 0; i < above.size(); ++i) {
+      if (!(at_least(below[i]) > 0)) return std::nullopt;
+      above[i] = above[i] / below[i];
     }
-    return most;
   }
-};
+  Rational most = at_most(above[0]);
+  for (const S& coefficient : above) most = std::max(most, at_most(coefficient));
+  return most;
+}
 
 /// The simplest fraction between two numbers.
 Rational simplest_within(const Rational& low, const Rational& high) {
@@ -184,7 +186,7 @@ std::optional<Rational> simple_maximum(const Polynomial<Rational>& x, const Rati
   const Rational simplest = simplest_within(low, high), size = denominator(simplest);
   if (size * size * (high - low) > Rational(0x1p-20)) return std::nullopt;  // as simple as that of any such interval
   const Polynomial<Rational> rate = derivative(x);
-  if (!(*ExactMeasure<Rational>{derivative(rate), {1}}.bound() < 0)) return std::nullopt;
+  if (!(*bound_of(Measured<Rational>{derivative(rate)}) < 0)) return std::nullopt;
   const Polynomial<Rational> root = common_divisor(sum(x, {simplest}, Rational(-1)), rate);
   return value_at(root, Rational(0)) * value_at(root, Rational(1)) <= 0 ? std::optional(simplest) : std::nullopt;
 }
@@ -197,9 +199,9 @@ class ExactSearch {
   std::size_t best_candidate = 0;
 
   template <class S>
-  void add(const ExactMeasure<S>& x, const Candidate& part, std::size_t number) {
+  void add(const Measured<S>& x, const Candidate& part, std::size_t number) {
     candidate_ = number;
-    bound(x.part(Rational(part.begin), Rational(part.size)), Rational(part.begin), Rational(part.size), 0);
+    bound(part_of(x, Rational(part.begin), Rational(part.size)), Rational(part.begin), Rational(part.size), 0);
   }
 
  private:
@@ -214,13 +216,13 @@ class ExactSearch {
   /// the size of what changes on the part, whatever they have on the piece. Where the derivative is nearly 0 at an end,
   /// the coefficients of Bernstein's form are nearly the value there at most.
   template <class S>
-  void bound(const ExactMeasure<S>& x, const Rational& begin, const Rational& size, int depth) {
+  void bound(const Measured<S>& x, const Rational& begin, const Rational& size, int depth) {
     static const Rational close = Rational(0x1p-80), half = Rational(1) / 2;
     const Rational at = likely_place(x, begin, size);
     const S value = x.at(scalar_of<S>(at));
     attain(at_least(value), begin + at * size);
-    const std::optional<Rational> after = at < 1 ? x.part(at, 1 - at).bound() : at_most(value);
-    const std::optional<Rational> before = at > 0 ? x.part(0, at).bound() : at_most(value);
+    const std::optional<Rational> after = at < 1 ? bound_of(part_of(x, at, 1 - at)) : at_most(value);
+    const std::optional<Rational> before = at > 0 ? bound_of(part_of(x, 0, at)) : at_most(value);
     constexpr int deepest = 120;
     if (before && after) {
       const Rational most = std::max(*before, *after);
@@ -235,7 +237,7 @@ class ExactSearch {
     }
     if (depth == deepest) throw Undecided();
     const auto bound_half = [&](const Rational& first) {
-      bound(x.part(first, half), begin + first * size, size * half, depth + 1);
+      bound(part_of(x, first, half), begin + first * size, size * half, depth + 1);
     };
     const bool is_first = at < half;  // the half that has the largest value, probably
     bound_half(is_first ? Rational(0) : half);
@@ -245,15 +247,15 @@ class ExactSearch {
   /// Where the largest value on [0, 1] probably is: the root of the derivative. Of a polynomial, where it is one at the
   /// simplest fraction of the piece near it, or better by a step of Newton's method.
   template <class S>
-  static Rational likely_place(const ExactMeasure<S>& x, const Rational& begin, const Rational& size) {
+  static Rational likely_place(const Measured<S>& x, const Rational& begin, const Rational& size) {
+    using spline::is_exactly_zero;
     const auto largest_of = [](const Polynomial<S>& of, std::size_t first) {
       using spline::rough_max;
       S largest(0);
       for (std::size_t i = first; i < of.size(); ++i) largest = rough_max(largest, S(abs(of[i])));
       return largest;
     };
-    const S largest = largest_of(x.over, x.is_polynomial() ? 1 : 0), largest_under = largest_of(x.under, 0);
-    using spline::is_exactly_zero;
+    const S largest = largest_of(x.over, x.power == 0 ? 1 : 0), largest_base = largest_of(x.base, 0);
     if (is_exactly_zero(largest)) return 0;
     const auto in_units = [](const Polynomial<S>& of, const S& unit) {
       Polynomial<double> result(of.size());
@@ -261,10 +263,10 @@ class ExactSearch {
       return result;
     };
     const Polynomial<S> exact = derivative(x.over);
-    const Polynomial<double> slope = in_units(exact, largest), under = in_units(x.under, largest_under);
-    const Polynomial<double> over = x.is_polynomial() ? Polynomial<double>() : in_units(x.over, largest);
+    const Polynomial<double> rate = in_units(exact, largest), base = in_units(x.base, largest_base);
+    const Polynomial<double> over = x.power == 0 ? Polynomial<double>() : in_units(x.over, largest);
     const auto grows = [&](double u) {
-      return value_at(slope, u) * value_at(under, u) - value_at(over, u) * value_at(derivative(under), u) > 0;
+      return value_at(rate, u) * value_at(base, u) > x.power * value_at(over, u) * value_at(derivative(base), u);
     };
     if (!grows(0)) return 0;
     if (grows(1)) return 1;
@@ -408,26 +410,23 @@ std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const 
   };
   constexpr int bits = 400;
   const RealPrecision precision(bits);
+  const bool is_quotient = measure.kind == Measure::Kind::curvature || measure.kind == Measure::Kind::angular_speed;
   ExactSearch search;
-  Measured<Rational> of_best;
   for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i) {
     const auto piece = piece_of(parts[i]);
     if (!piece) continue;
-    const Measured<Rational> x = measured(*piece, measure);
-    if (x.under.size() == 1) {
-      search.add(ExactMeasure<Rational>{x.over, x.under}, parts[i], i);
-    } else {
-      const auto rest = measure.kind == Measure::Kind::curvature ? sharp_rest(*piece, measure) : std::nullopt;
+    if (is_quotient) {
+      const auto x = measured_direction<RealBall>(*piece, measure, as_balls);
+      const auto rest = x.power == 3 ? sharp_rest(*piece, measure) : std::nullopt;
       if (rest) return extreme_at({.is_unbounded = true}, parts[i], *rest);
-      search.add(ExactMeasure<RealBall>{as_balls(x.over), as_balls(x.under)}, parts[i], i);
+      search.add(x, parts[i], i);
+    } else {
+      search.add(measured(*piece, measure), parts[i], i);
     }
-    if (search.best_candidate == i) of_best = x;
   }
   if (!search.best) return std::nullopt;
   Extreme& best = *search.best;
-  if (of_best.under.size() > 1) {
-    best.low = value_at(of_best.over, search.place) / value_at(of_best.under, search.place);
-  }
+  if (is_quotient) best.low = measured(*piece_of(parts[search.best_candidate]), measure).at(search.place);
   if (parts.size() > most_parts) {
     if (!std::isfinite(parts.back().upper)) throw Undecided();
     best.high = std::max(best.high, Rational(parts.back().upper));

@@ -42,10 +42,7 @@ struct Piece {
   Polynomial<S> parameter;                 ///< the local parameter of the segment
   std::vector<Polynomial<S>> cubics = {};  ///< one per channel, over the local parameter
 
-  /// A polynomial over the local parameter as one over the piece.
-  Polynomial<S> over_piece(const Polynomial<S>& x) const {
-    return parameter == Polynomial<S>{S(0), S(1)} ? x : composed(x, parameter);
-  }
+  bool is_whole() const { return parameter == Polynomial<S>{S(0), S(1)}; }
 };
 
 /// The local parameter over a part of the duration of a segment, as a polynomial of the fraction of this part.
@@ -94,14 +91,23 @@ std::vector<Piece<S>> pieces_of(const spline::Segments<S>& segments, std::size_t
   return pieces;
 }
 
-/// A measure over a piece, as a quotient of polynomials: the square of a size, the negative of a number whose smallest
-/// value counts.
+/// A measure over a piece: the square of a size, the negative of a number whose smallest value counts. It is `over`, or
+/// divided by the power `power` of `base`.
 template <class S>
 struct Measured {
   Polynomial<S> over;
-  S scale{0};                 ///< the sum of the sizes of its terms, which bounds its rounding; 0: it is 0 without any
-  Polynomial<S> under{S(1)};  ///< at least 0, which is where a curve rests
-  S under_scale{0};           ///< 0: it has no rounding
+  S scale{0};                ///< the sum of the sizes of its terms, which bounds its rounding; 0: it is 0 without any
+  Polynomial<S> base{S(1)};  ///< at least 0, which is where a curve rests
+  S base_scale{0};
+  int power = 0;
+
+  S at(const S& place) const {
+    S value = value_at(over, place);
+    if (power == 0) return value;
+    const S below = value_at(base, place);
+    for (int i = 0; i < power; ++i) value = value / below;
+    return value;
+  }
 };
 
 template <class S>
@@ -119,7 +125,7 @@ S size_of(const Polynomial<S>& x) {
 /// The derivative of a channel, and the sum of the sizes of its terms.
 template <class S>
 std::pair<Polynomial<S>, S> rate_of(const Piece<S>& piece, std::size_t channel, int order) {
-  Polynomial<S> x = piece.over_piece(piece.cubics[channel]);
+  Polynomial<S> x = piece.is_whole() ? piece.cubics[channel] : composed(piece.cubics[channel], piece.parameter);
   S rate(1), cleared(0);
   for (int i = 0; i < order; ++i) rate = rate / piece.duration;
   // Coefficients that are far smaller than others have the rounding of these, 2^-90 of them.
@@ -133,75 +139,73 @@ std::pair<Polynomial<S>, S> rate_of(const Piece<S>& piece, std::size_t channel, 
   return {x, sizes};
 }
 
-/// How fast the direction of v changes, with a the derivative of v: |v ^ a|^2 / |v|^4; per length instead of per local
-/// parameter |v ^ a|^2 / |v|^6. Doubles are powers of `unit`, so that they do not overflow.
-template <class S>
-Measured<S> change_of_direction(const std::vector<Polynomial<S>>& v, bool per_length, const S& unit) {
-  std::vector<Polynomial<S>> a;
-  std::vector<S> v_size, a_size;
-  Measured<S> result;
-  Polynomial<S> square;  // |v|^2
-  S square_size(0);
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    a.push_back(derivative(v[i]));
-    v_size.push_back(size_of(v[i]));
-    a_size.push_back(size_of(a[i]));
-    if constexpr (std::is_same_v<S, double>) {  // as for rate_of()
-      if (a_size[i] > 0) a_size[i] += 0x1p-50 * v_size[i];
-    }
-    square = sum(square, product(v[i], v[i]));
-    square_size = square_size + v_size[i] * v_size[i];
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto minor = sum(product(v[i], a[j]), product(v[j], a[i]), S(-1)).without_last();  // which is 0
-      const S size = v_size[i] * a_size[j] + v_size[j] * a_size[i];
-      result.over = sum(result.over, product(minor, minor));
-      result.scale = result.scale + size * size;
-    }
-  }
-  if (result.scale == S(0) || (!std::is_same_v<S, double> && result.over.is_zero())) return {};
-  result.under = product(square, square);
-  result.under_scale = square_size * square_size;
-  if (!per_length) return result;
-  result.under = product(result.under, square);
-  result.under_scale = result.under_scale * square_size;
-  for (S& coefficient : result.over) coefficient = coefficient * unit * unit;
-  result.scale = result.scale * unit * unit;
-  return result;
-}
-
-template <class S>
-Measured<S> measured_direction(const Piece<S>& piece, const Measure& measure) {
+/// How fast the direction of v changes, where a is its derivative: the square is |v ^ a|^2 / |v|^4, and per length of a
+/// curve with the velocity v |v ^ a|^2 / |v|^6. `convert`: from polynomials of the piece to those of the result; the
+/// first ones show where nothing changes.
+template <class To, class S, class Convert>
+Measured<To> measured_direction(const Piece<S>& piece, const Measure& measure, const Convert& convert) {
   const bool is_curvature = measure.kind == Measure::Kind::curvature;
-  std::vector<Polynomial<S>> v;
-  S largest(0), unit(1), reach(1);
+  std::vector<Polynomial<S>> v, a;
+  S unit(1);  // of doubles, whose powers do not overflow
   for (const std::size_t channel : measure.channels) {
     v.push_back(is_curvature ? derivative(piece.cubics[channel]) : piece.cubics[channel]);
-    for (const S& coefficient : v.back()) largest = std::max(largest, size_of(coefficient));
   }
   if constexpr (std::is_same_v<S, double>) {
+    double largest = 0;
+    for (const Polynomial<double>& x : v) largest = std::max(largest, size_of(x));
     if (largest > 0 && std::isfinite(largest)) unit = std::ldexp(1.0, -std::ilogb(largest));
-    for (Polynomial<double>& x : v) {
-      for (double& coefficient : x) coefficient *= unit;
-    }
-    reach = std::max(1.0, size_of(piece.parameter));  // by which terms may grow
   }
-  Measured<S> result = change_of_direction(v, is_curvature, unit);
-  for (std::size_t i = 1; i < result.over.size(); ++i) result.scale = result.scale * reach;
-  for (std::size_t i = 1; i < result.under.size(); ++i) result.under_scale = result.under_scale * reach;
-  result.over = piece.over_piece(result.over);
-  result.under = piece.over_piece(result.under);
-  if (is_curvature) return result;
-  Polynomial<S> rate = derivative(piece.parameter);
-  for (S& coefficient : rate) coefficient = coefficient * S(2) / piece.duration;
-  result.over = product(result.over, product(rate, rate));
-  result.scale = result.scale * size_of(rate) * size_of(rate);
+  const Polynomial<To> parameter = convert(piece.parameter);
+  const auto over_piece = [&](const Polynomial<To>& x) { return piece.is_whole() ? x : composed(x, parameter); };
+  Measured<To> result{{To(0)}, To(0), {To(0)}, To(0), is_curvature ? 3 : 2};
+  std::vector<S> v_size, a_size;
+  bool changes = false;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    for (S& coefficient : v[i]) coefficient = coefficient * unit;
+    a.push_back(derivative(v[i]));
+    const Polynomial<To> x = convert(v[i]);
+    result.base = sum(result.base, product(x, x));
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto minor = sum(product(v[i], a[j]), product(v[j], a[i]), S(-1)).without_last();  // which is 0
+      const Polynomial<To> y = convert(minor);
+      result.over = sum(result.over, product(y, y));
+      changes = changes || !minor.is_zero();
+    }
+    if constexpr (std::is_same_v<S, double>) {
+      v_size.push_back(size_of(v[i]));
+      a_size.push_back(size_of(a[i]));
+      if (a_size[i] > 0) a_size[i] += 0x1p-50 * v_size[i];  // as for rate_of()
+      result.base_scale += v_size[i] * v_size[i];
+      for (std::size_t j = 0; j < i; ++j) {
+        const double size = v_size[i] * a_size[j] + v_size[j] * a_size[i];
+        result.scale += size * size;
+        changes = changes || size > 0;
+      }
+    }
+  }
+  if (!changes) return {};
+  if constexpr (std::is_same_v<S, double>) {  // by which terms may grow
+    const double reach = std::max(1.0, size_of(parameter));
+    for (std::size_t i = 1; i < result.over.size(); ++i) result.scale *= reach;
+    for (std::size_t i = 1; i < result.base.size(); ++i) result.base_scale *= reach;
+  }
+  result.over = over_piece(result.over);
+  result.base = over_piece(result.base);
+  Polynomial<To> factor = convert(Polynomial<S>{unit});
+  if (!is_curvature) {
+    Polynomial<S> turn = derivative(piece.parameter);
+    for (S& coefficient : turn) coefficient = coefficient * S(2) / piece.duration;
+    factor = convert(turn);
+  }
+  result.over = product(result.over, product(factor, factor));
+  if constexpr (std::is_same_v<S, double>) result.scale *= size_of(factor) * size_of(factor);
   return result;
 }
 
 template <class S>
 Measured<S> measured(const Piece<S>& piece, const Measure& measure) {
   if (measure.kind == Measure::Kind::curvature || measure.kind == Measure::Kind::angular_speed) {
-    return measured_direction(piece, measure);
+    return measured_direction<S>(piece, measure, [](const Polynomial<S>& x) { return x; });
   }
   Measured<S> result;
   for (const std::size_t channel : measure.channels) {

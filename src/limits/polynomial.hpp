@@ -45,7 +45,7 @@ class Polynomial {
   friend bool operator==(const Polynomial& a, const Polynomial& b) { return std::ranges::equal(a, b); }
 
  private:
-  static constexpr std::size_t most = 37;  ///< of the sixth power of a speed, over the cubic of a warp
+  static constexpr std::size_t most = 37;  ///< of the sixth power of a speed over the cubic of a warp
 
   std::array<S, most> coefficients_{};
   std::size_t size_;
@@ -87,6 +87,18 @@ Polynomial<S> shifted(Polynomial<S> a, const S& shift) {
     for (std::size_t i = a.size() - 1; i-- > done;) a[i] = a[i] + shift * a[i + 1];
   }
   return a;
+}
+
+/// a on [begin, begin + size], as a polynomial on [0, 1].
+template <class S>
+Polynomial<S> part_of(const Polynomial<S>& a, const S& begin, const S& size) {
+  Polynomial<S> part = shifted(a, begin);
+  S power(1);
+  for (S& coefficient : part) {
+    coefficient = coefficient * power;
+    power = power * size;
+  }
+  return part;
 }
 
 template <class S>
@@ -143,6 +155,17 @@ Polynomial<S> bernstein(const Polynomial<S>& a, std::size_t degree) {
     of_n = of_n * whole(degree - i) / whole(i + 1);
   }
   return result;
+}
+
+/// The coefficients of Bernstein's form times the binomials. Their products are those of the product.
+template <class S>
+Polynomial<S> with_binomials(Polynomial<S> b) {
+  S binomial(1);
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    b[i] = b[i] * binomial;
+    binomial = binomial * S(static_cast<int>(b.size() - 1 - i)) / S(static_cast<int>(i + 1));
+  }
+  return b;
 }
 
 /// Bernstein's forms on [0, 1/2] and [1/2, 1].

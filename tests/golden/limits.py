@@ -272,7 +272,10 @@ def sparse_parts(keys, rule, ends, velocity):
 
 
 def run(command, text, codes=(0,)):
-    done = subprocess.run([program, *command], input=text, capture_output=True, text=True, timeout=60)
+    try:
+        done = subprocess.run([program, *command], input=text, capture_output=True, text=True, timeout=60)
+    except subprocess.TimeoutExpired:
+        sys.exit(f"{' '.join(command)}: takes more than a minute\n{text}")
     if done.returncode not in codes:
         sys.exit(f"{' '.join(command)}: {done.stderr}\n{text}")
     return done.stdout
@@ -311,8 +314,8 @@ for number in range(curves):
     options += ["-g", "g"] if len(groups) > 1 else []
     options += [f"--period={period!r}"] if period else \
         ["--ends", ",".join(e + (f"={with_velocity}" if e == "velocity" else "") for e in ends)]
-    names = ["speed", "acceleration", "jerk", "position_x", "velocity_x", "acceleration_x", "jerk_x"]
-    wanted = rng.sample(names, 2 if eased else 4)
+    names = ["speed", "acceleration", "jerk", "curvature", "position_x", "velocity_x", "acceleration_x", "jerk_x"]
+    wanted = rng.sample([n for n in names if channels > 1 or n != "curvature"], 2 if eased else 4)
     command = [*options, "--limits=" + ",".join(wanted), "-f", "json", "-"]
     report = json.loads(run(command, text), parse_float=str, parse_int=str)
     exact = {title: sparse_parts(of, rule, ends, velocity) if sparse else
