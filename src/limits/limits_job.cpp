@@ -185,6 +185,7 @@ spline::Segments<Rational> rational(const spline::Segments<RealBall>& from) {
 /// Segments with a further channel for each rotation: the angle that it turns at a constant rate.
 template <class S>
 void add_angles(spline::Segments<S>& segments) {
+  if (segments.size() == 0) return;
   const spline::Segments<S> before = segments;
   const std::size_t rotations = segments.rotations.size() / segments.size();
   segments.channels += rotations;
