@@ -41,22 +41,25 @@ struct Candidate {
 
   /// A quotient is at most the largest of those of the coefficients, or of them with binomials.
   void set_bound() {
+    upper = infinity;
+    doubt = 0;
     if (power == 0) {
       upper = *std::ranges::max_element(over) + slack;
       doubt = 8 * slack;
       return;
     }
     Polynomial<double> least = base;
-    for (double& x : least) x = std::max(0.0, x - base_slack);
+    for (double& x : least) x -= base_slack;
+    const double smallest = *std::ranges::min_element(least);
+    if (!(smallest > 0)) return;  // it may be 0 there
     const Polynomial<double> below = power_of(least, power), above = with_binomials(over);
     upper = -infinity;
     double binomial = 1;
     for (std::size_t i = 0; i < over.size(); ++i) {
       const double most = above[i] + slack * binomial;
-      upper = std::max(upper, most <= 0 ? 0 : below[i] > 0 ? most / below[i] * (1 + rounding) : infinity);
+      upper = std::max(upper, std::max(0.0, most) / below[i] * (1 + rounding));
       binomial *= static_cast<double>(over.size() - 1 - i) / static_cast<double>(i + 1);
     }
-    const double smallest = *std::ranges::min_element(least);
     doubt = 8 * (slack / std::pow(smallest, power) + power * upper * (base_slack / smallest + rounding));
   }
   /// The largest value at its ends, at least.
