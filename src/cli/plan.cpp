@@ -21,7 +21,6 @@
 #include "sample/curve_spec.hpp"
 #include "sample/table.hpp"
 #include "schema/pose_formats.hpp"
-#include "text/file_ending.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 

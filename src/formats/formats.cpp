@@ -5,7 +5,7 @@
 #include <array>
 
 #include "schema/pose_formats.hpp"
-#include "text/file_ending.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 

@@ -15,7 +15,7 @@
 #include "read/input_format.hpp"
 #include "read/input_options.hpp"
 #include "schema/schema.hpp"
-#include "text/file_ending.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

@@ -7,7 +7,7 @@
 #include <ranges>
 #include <string>
 
-#include "text/file_ending.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -27,6 +27,7 @@ struct OtherFile {
   Signature signature = {};                      ///< without bytes: it is not recognized
   std::string_view name = {};
   std::string_view remedy = {};
+  std::string_view word = {};  ///< in the place of WORD in the remedy
 };
 
 constexpr std::string_view
@@ -35,10 +36,7 @@ constexpr std::string_view
     by_echo = "print them as a table, as in rostopic echo -p TOPIC or ros2 topic echo --csv TOPIC",
     by_fbx = "export it as ASCII, or convert it with the FBX Converter of Autodesk",
     by_max = "export the scene from 3ds Max as ASE, 3DS or ASCII FBX",
-    by_gpsbabel = "convert it, as in gpsbabel -t -i garmin_fit -f FILE -o unicsv -F - | tcbsample",
-    by_gpx = "convert it, as in gpsbabel -t -i gpx -f FILE -o unicsv -F - | tcbsample",
-    by_igc = "convert it, as in gpsbabel -t -i igc -f FILE -o unicsv -F - | tcbsample",
-    by_nmea = "convert it, as in gpsbabel -t -i nmea -f FILE -o unicsv -F - | tcbsample",
+    by_gpsbabel = "convert it, as in gpsbabel -t -i WORD -f FILE -o unicsv -F - | tcbsample",
     by_maya = "export the scene from Maya as ASCII FBX",
     by_mcap = "convert it, as in mcap cat FILE --topics TOPIC --json | tcbsample -i jsonl",
     by_rosbag = "convert it, as in rostopic echo -b FILE -p TOPIC | tcbsample",
@@ -60,21 +58,9 @@ constexpr std::string_view
         "scipy.io.loadmat(sys.argv[1])[sys.argv[2]])' FILE VARIABLE | tcbsample",
     by_lz4 = "decompress it, as in lz4cat FILE | tcbsample", by_xz = "decompress it, as in xzcat FILE | tcbsample",
     by_bzip2 = "decompress it, as in bzcat FILE | tcbsample",
-    by_excel =
-        "convert it, as in python3 -c 'import pandas, sys; pandas.read_excel(sys.argv[1]).to_csv(sys.stdout, "
-        "index=False)' FILE | tcbsample",
-    by_parquet =
-        "convert it, as in python3 -c 'import pandas, sys; pandas.read_parquet(sys.argv[1]).to_csv(sys.stdout, "
-        "index=False)' FILE | tcbsample",
-    by_feather =
-        "convert it, as in python3 -c 'import pandas, sys; pandas.read_feather(sys.argv[1]).to_csv(sys.stdout, "
-        "index=False)' FILE | tcbsample",
-    by_orc =
-        "convert it, as in python3 -c 'import pandas, sys; pandas.read_orc(sys.argv[1]).to_csv(sys.stdout, "
-        "index=False)' FILE | tcbsample",
-    by_pickle =
-        "convert it, as in python3 -c 'import pandas, sys; pandas.read_pickle(sys.argv[1]).to_csv(sys.stdout, "
-        "index=False)' FILE | tcbsample";
+    by_pandas =
+        "convert it, as in python3 -c 'import pandas, sys; pandas.WORD(sys.argv[1]).to_csv(sys.stdout, index=False)' "
+        "FILE | tcbsample";
 
 constexpr std::string_view zip = "PK\x03\x04", compound = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"sv;
 /// The names of the streams of a compound file, which are in UTF-16.
@@ -91,21 +77,21 @@ constexpr OtherFile other_files[] = {
     {{".rar"}, {"Rar!\x1A\x07"}, "a RAR archive", "take a file out of it, as in unrar p -inul FILE NAME | tcbsample"},
     {{".tar", ".tgz"}, {"ustar", 257}, "a tar archive", by_tar},
     {{".npz"}, {zip, 0, {".npy"}}, "a NumPy archive (.npz)", by_npz},
-    {{".xlsx", ".xlsm"}, {zip, 0, {"[Content_Types].xml"}}, "an Excel workbook (.xlsx)", by_excel},
-    {{}, {zip, 0, {"_rels/"}}, "an Excel workbook (.xlsx)", by_excel},
-    {{}, {zip, 0, {"xl/"}}, "an Excel workbook (.xlsx)", by_excel},
-    {{".ods"}, {zip, 0, {"mimetype"}}, "a LibreOffice document (.ods)", by_excel},
+    {{".xlsx", ".xlsm"}, {zip, 0, {"[Content_Types].xml"}}, "an Excel workbook (.xlsx)", by_pandas, "read_excel"},
+    {{}, {zip, 0, {"_rels/"}}, "an Excel workbook (.xlsx)", by_pandas, "read_excel"},
+    {{}, {zip, 0, {"xl/"}}, "an Excel workbook (.xlsx)", by_pandas, "read_excel"},
+    {{".ods"}, {zip, 0, {"mimetype"}}, "a LibreOffice document (.ods)", by_pandas, "read_excel"},
     {{".usdz"}, {zip, 0, {".usd"}}, "a USD scene (.usdz)", export_keys},
     {{".zip"}, {zip}, "a ZIP archive", by_zip},
     {{".br", ".z"}},
     // Tables.
-    {{".parquet"}, {"PAR1"}, "a Parquet table", by_parquet},
-    {{".arrow", ".feather"}, {"ARROW1"}, "an Arrow or Feather table", by_feather},
-    {{}, {"FEA1"}, "a Feather table", by_feather},
-    {{".orc"}, {"ORC"}, "an ORC table", by_orc},
+    {{".parquet"}, {"PAR1"}, "a Parquet table", by_pandas, "read_parquet"},
+    {{".arrow", ".feather"}, {"ARROW1"}, "an Arrow or Feather table", by_pandas, "read_feather"},
+    {{}, {"FEA1"}, "a Feather table", by_pandas, "read_feather"},
+    {{".orc"}, {"ORC"}, "an ORC table", by_pandas, "read_orc"},
     {{".avro"}, {"Obj\x01"}, "an Avro table", export_keys},
-    {{".pkl", ".pickle"}, {"\x80\x04\x95"}, "a pickled object of Python", by_pickle},
-    {{}, {"\x80\x05\x95"}, "a pickled object of Python", by_pickle},
+    {{".pkl", ".pickle"}, {"\x80\x04\x95"}, "a pickled object of Python", by_pandas, "read_pickle"},
+    {{}, {"\x80\x05\x95"}, "a pickled object of Python", by_pandas, "read_pickle"},
     {{".db", ".sqlite"}, {"SQLite format 3"}, "an SQLite database", by_sqlite},
     {{".h5", ".hdf5"}, {"\x89HDF"}, "an HDF5 file", by_hdf5},
     {{".nc"}, {"CDF\x01"}, "a NetCDF file", by_netcdf},
@@ -114,8 +100,8 @@ constexpr OtherFile other_files[] = {
     {{".numbers"}},
     // Scenes and motions.
     {{}, {compound, 0, {class_directory}}, "a 3ds Max scene (.max)", by_max},
-    {{".xls"}, {compound, 0, {workbook}}, "an Excel workbook (.xls)", by_excel},
-    {{}, {compound, 0, {book}}, "an Excel workbook (.xls)", by_excel},
+    {{".xls"}, {compound, 0, {workbook}}, "an Excel workbook (.xls)", by_pandas, "read_excel"},
+    {{}, {compound, 0, {book}}, "an Excel workbook (.xls)", by_pandas, "read_excel"},
     {{},
      {"\xD0\xCF\x11\xE0"},
      "a compound file of Microsoft, such as a workbook (.xls) or a 3ds Max scene (.max)",
@@ -142,17 +128,17 @@ constexpr OtherFile other_files[] = {
     {{".mcap"}, {"\x89MCAP"}, "an MCAP recording", by_mcap},
     {{".bag"}, {"#ROSBAG"}, "a ROS bag", by_rosbag},
     {{}, {"ULog\x01"}, "a ULog of PX4", "convert it, as in ulog2csv FILE, which writes a .csv file for each topic"},
-    {{}, {".FIT", 8}, "a FIT recording of Garmin", by_gpsbabel},
-    {{}, {"<", 0, {"<gpx"}}, "a GPX track", by_gpx},
+    {{}, {".FIT", 8}, "a FIT recording of Garmin", by_gpsbabel, "garmin_fit"},
+    {{}, {"<", 0, {"<gpx"}}, "a GPX track", by_gpsbabel, "gpx"},
     {{},
      {"TDSm"},
      "a TDMS recording of LabVIEW",
      "convert it, as in python3 -c 'import nptdms, sys; "
      "nptdms.TdmsFile.read(sys.argv[1]).as_dataframe().to_csv(sys.stdout)' FILE | tcbsample"},
     {{}, {"header:", 0, {"stamp:"}}, "a text of ROS messages", by_echo},
-    {{}, {"A", 0, {"\nHFDTE"}}, "a flight record (.igc)", by_igc},
-    {{}, {"$G", 0, {"GGA,"}}, "a text of NMEA 0183", by_nmea},
-    {{}, {"$G", 0, {"RMC,"}}, "a text of NMEA 0183", by_nmea},
+    {{}, {"A", 0, {"\nHFDTE"}}, "a flight record (.igc)", by_gpsbabel, "igc"},
+    {{}, {"$G", 0, {"GGA,"}}, "a text of NMEA 0183", by_gpsbabel, "nmea"},
+    {{}, {"$G", 0, {"RMC,"}}, "a text of NMEA 0183", by_gpsbabel, "nmea"},
     {{},
      {"# Image list with two lines of data per image"},
      "a list of images of COLMAP",
@@ -190,7 +176,9 @@ bool fits(const Signature& signature, std::string_view beginning) {
 std::optional<Error> other_file(std::string_view beginning) {
   const auto found = std::ranges::find_if(other_files, [&](const auto& row) { return fits(row.signature, beginning); });
   if (found == std::ranges::end(other_files)) return std::nullopt;
-  return data_error("this is {}; expected text with a key in each row, or JSON; {}", found->name, found->remedy);
+  std::string remedy(found->remedy);
+  if (const std::size_t at = remedy.find("WORD"); at != std::string::npos) remedy.replace(at, 4, found->word);
+  return data_error("this is {}; expected text with a key in each row, or JSON; {}", found->name, remedy);
 }
 
 bool may_begin_other_file(std::string_view beginning) {

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "error.hpp"
-#include "text/file_ending.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -30,7 +30,18 @@ struct Buffers {
   std::size_t size = 0;  ///< of `out` that is filled
 };
 
-Bytef* bytes_of(const char* text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text)); }
+/// Calls a function of zlib for the bytes of buffers.
+int call(int (*function)(z_stream*, int), z_stream& stream, Buffers& buffers, int flush) {
+  const auto bytes_of = [](const char* text) { return reinterpret_cast<Bytef*>(const_cast<char*>(text)); };
+  stream.next_in = bytes_of(buffers.in.data());
+  stream.avail_in = static_cast<uInt>(buffers.in.size());
+  stream.next_out = bytes_of(buffers.out.data() + buffers.size);
+  stream.avail_out = static_cast<uInt>(buffers.out.size() - buffers.size);
+  const int result = function(&stream, flush);
+  buffers.in.remove_prefix(buffers.in.size() - stream.avail_in);
+  buffers.size = buffers.out.size() - stream.avail_out;
+  return result;
+}
 
 /// Members of a gzip file, one after another; zeros after the last are padding.
 class Gunzip {
@@ -54,13 +65,7 @@ class Gunzip {
       if (buffers.in.empty()) return true;
       inflateReset(&stream_);
     }
-    stream_.next_in = bytes_of(buffers.in.data());
-    stream_.avail_in = static_cast<uInt>(buffers.in.size());
-    stream_.next_out = bytes_of(buffers.out.data() + buffers.size);
-    stream_.avail_out = static_cast<uInt>(buffers.out.size() - buffers.size);
-    const int result = inflate(&stream_, Z_NO_FLUSH);
-    buffers.in.remove_prefix(buffers.in.size() - stream_.avail_in);
-    buffers.size = buffers.out.size() - stream_.avail_out;
+    const int result = call(inflate, stream_, buffers, Z_NO_FLUSH);
     ended_ = result == Z_STREAM_END;
     if (result == Z_MEM_ERROR) throw std::bad_alloc();
     return result == Z_OK || result == Z_STREAM_END || result == Z_BUF_ERROR;
@@ -203,13 +208,7 @@ class Gzip : public Compressor::State {
   ~Gzip() override { deflateEnd(&stream_); }
 
   bool step(Buffers& buffers, bool last) override {
-    stream_.next_in = bytes_of(buffers.in.data());
-    stream_.avail_in = static_cast<uInt>(buffers.in.size());
-    stream_.next_out = bytes_of(buffers.out.data() + buffers.size);
-    stream_.avail_out = static_cast<uInt>(buffers.out.size() - buffers.size);
-    const int result = deflate(&stream_, last ? Z_FINISH : Z_NO_FLUSH);
-    buffers.in.remove_prefix(buffers.in.size() - stream_.avail_in);
-    buffers.size = buffers.out.size() - stream_.avail_out;
+    const int result = call(deflate, stream_, buffers, last ? Z_FINISH : Z_NO_FLUSH);
     return stream_.avail_out == 0 || !buffers.in.empty() || (last && result != Z_STREAM_END);
   }
 

@@ -11,7 +11,6 @@
 #include "io/input_file.hpp"
 #include "io/system.hpp"
 #include "option_names.hpp"
-#include "text/file_ending.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
@@ -151,10 +150,6 @@ std::optional<Identity> identity_of(const std::string& path, int stream) {
   const auto status = path == "-" ? system::status_of(stream) : system::status_of(path);
   return status && status->is_regular ? std::optional(status->identity) : std::nullopt;
 }
-std::optional<Identity> identity_of_input(const std::string& path) { return identity_of(path, system::standard_input); }
-std::optional<Identity> identity_of_output(const std::string& path) {
-  return identity_of(path, system::standard_output);
-}
 
 Error output_over_input(const std::string& output) {
   if (output != "-")
@@ -166,7 +161,7 @@ Error output_over_input(const std::string& output) {
 void require_not_over_inputs(const std::vector<InputFile>& files, const std::vector<Identity>& sorted_identities,
                              const OutputPaths& outputs) {
   const auto check = [&](const std::string& output, const std::string& input) {
-    const auto there = identity_of_output(output);
+    const auto there = identity_of(output, system::standard_output);
     if (there && std::ranges::binary_search(sorted_identities, *there)) {
       throw output_over_input(output).in(shown_name(input));
     }
@@ -194,7 +189,7 @@ std::vector<Identity> look_up(std::vector<InputFile>& files, const InputListOpti
   std::vector<std::string> others = options.other_inputs;
   if (!options.list.empty()) others.push_back(options.list);
   for (const std::string& path : others) {
-    if (const auto identity = identity_of_input(path)) identities.push_back(*identity);
+    if (const auto identity = identity_of(path, system::standard_input)) identities.push_back(*identity);
   }
   std::ranges::sort(identities);
   return identities;
@@ -224,9 +219,10 @@ std::string output_path(const InputFile& file, const OutputPaths& outputs) {
 }
 
 void require_no_input_replaced(const std::string& output, const std::vector<std::string>& inputs) {
-  const auto there = identity_of_output(output);
+  const auto there = identity_of(output, system::standard_output);
   for (const std::string& input : inputs) {
-    if (there && identity_of_input(input) == there) throw output_over_input(output).in(shown_name(input));
+    if (there && identity_of(input, system::standard_input) == there)
+      throw output_over_input(output).in(shown_name(input));
   }
 }
 

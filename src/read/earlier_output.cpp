@@ -49,12 +49,10 @@ std::string text_of(const JsonTape& tape, std::size_t object, std::string_view n
   return found && tape.kind(*found) == Kind::string ? std::string(tape.text(*found)) : "";
 }
 
-/// Calls f for each element of a member that is an array.
-template <class F>
-void for_each_of(const JsonTape& tape, std::size_t object, std::string_view name, const F& f) {
+/// The elements of a member; none if it is no array.
+std::vector<std::uint32_t> elements_of(const JsonTape& tape, std::size_t object, std::string_view name) {
   const auto found = tape.member(object, name);
-  if (!found || tape.kind(*found) != Kind::array) return;
-  tape.for_each_element(*found, [&](std::size_t value) { return f(value), true; });
+  return found && tape.kind(*found) == Kind::array ? tape.elements(*found) : std::vector<std::uint32_t>{};
 }
 
 std::optional<EarlierOutput> provenance_of(const JsonTape& tape) {
@@ -63,13 +61,13 @@ std::optional<EarlierOutput> provenance_of(const JsonTape& tape) {
   if (!meta || tape.kind(*meta) != Kind::object) return std::nullopt;
   EarlierOutput provenance;
   provenance.program = text_of(tape, *meta, "program");
-  for_each_of(tape, *meta, "options", [&](std::size_t option) {
+  for (const std::size_t option : elements_of(tape, *meta, "options")) {
     if (tape.kind(option) == Kind::string) provenance.options.emplace_back(tape.text(option));
-  });
-  for_each_of(tape, *meta, "inputs", [&](std::size_t input) {
-    if (tape.kind(input) != Kind::object) return;
+  }
+  for (const std::size_t input : elements_of(tape, *meta, "inputs")) {
+    if (tape.kind(input) != Kind::object) continue;
     provenance.inputs.emplace_back(text_of(tape, input, "name"), text_of(tape, input, "sha256"));
-  });
+  }
   return provenance;
 }
 
@@ -77,8 +75,7 @@ std::optional<EarlierOutput> provenance_of(const JsonTape& tape) {
 /// is none.
 EarlierOutput json_provenance(std::string_view text) {
   if (text.find("\"meta\"") == std::string_view::npos) return {};
-  JsonSplitter splitter(
-      [left = std::optional(std::string(text))]() mutable { return std::exchange(left, std::nullopt); });
+  JsonSplitter splitter(each_of(std::deque{std::string(text)}));
   EarlierOutput found;
   try {
     while (const std::optional<JsonPart> part = splitter.next()) {
@@ -118,12 +115,9 @@ std::optional<EarlierOutput> EarlierOutputReader::end() {
 EarlierOutput read_earlier_output(const Source<std::string>& bytes, std::uint64_t max_memory) {
   EarlierOutputReader reader(max_memory);
   while (const std::optional<std::string> more = bytes()) reader.add(*more);
-  std::optional<EarlierOutput> output = reader.end();
-  if (!output) {
-    throw data_error("this file has no provenance; expected an output that was made with {}; give such a file",
-                     option::meta);
-  }
-  return std::move(*output);
+  if (std::optional<EarlierOutput> output = reader.end()) return std::move(*output);
+  throw data_error("this file has no provenance; expected an output that was made with {}; give such a file",
+                   option::meta);
 }
 
 }  // namespace tcb

@@ -16,31 +16,21 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// The index of a column's number among the decimals of a key. Requires: the column holds numbers.
-std::size_t number_of_key(const Columns::Column& column, std::size_t channels) {
-  const auto of_channel = [&](NumberOfKey::Kind kind) {
-    return NumberOfKey::of_channel(kind, column.channel, channels);
-  };
-  switch (column.role) {
-    case Role::time:
-    case Role::nanoseconds: return NumberOfKey::time;
-    case Role::tension: return NumberOfKey::tension;
-    case Role::continuity: return NumberOfKey::continuity;
-    case Role::bias: return NumberOfKey::bias;
-    case Role::ease_in: return NumberOfKey::ease_in;
-    case Role::ease_out: return NumberOfKey::ease_out;
-    case Role::channel_tension: return of_channel(NumberOfKey::tension_of);
-    case Role::channel_continuity: return of_channel(NumberOfKey::continuity_of);
-    case Role::channel_bias: return of_channel(NumberOfKey::bias_of);
-    case Role::velocity:
-    case Role::velocity_in: return of_channel(NumberOfKey::velocity_in_of);
-    case Role::velocity_out: return of_channel(NumberOfKey::velocity_out_of);
-    case Role::end_position: return of_channel(NumberOfKey::end_position_of);
-    case Role::end_velocity: return of_channel(NumberOfKey::end_velocity_of);
-    case Role::duration: return NumberOfKey::duration;
-    default: return of_channel(NumberOfKey::position_of);
-  }
-}
+/// The kind of the number of a role in one channel, and the number of another one.
+constexpr std::array kinds_of_roles{std::pair{Role::position, NumberOfKey::position_of},
+                                    std::pair{Role::channel_tension, NumberOfKey::tension_of},
+                                    std::pair{Role::channel_continuity, NumberOfKey::continuity_of},
+                                    std::pair{Role::channel_bias, NumberOfKey::bias_of},
+                                    std::pair{Role::velocity, NumberOfKey::velocity_in_of},
+                                    std::pair{Role::velocity_in, NumberOfKey::velocity_in_of},
+                                    std::pair{Role::velocity_out, NumberOfKey::velocity_out_of},
+                                    std::pair{Role::end_position, NumberOfKey::end_position_of},
+                                    std::pair{Role::end_velocity, NumberOfKey::end_velocity_of}};
+constexpr std::array numbers_of_roles{
+    std::pair{Role::time, NumberOfKey::time},        std::pair{Role::nanoseconds, NumberOfKey::time},
+    std::pair{Role::tension, NumberOfKey::tension},  std::pair{Role::continuity, NumberOfKey::continuity},
+    std::pair{Role::bias, NumberOfKey::bias},        std::pair{Role::ease_in, NumberOfKey::ease_in},
+    std::pair{Role::ease_out, NumberOfKey::ease_out}};
 
 bool has_any(const Columns& columns, std::initializer_list<Role> roles) {
   return std::ranges::any_of(roles, [&](Role role) { return columns.has(role); });
@@ -50,10 +40,6 @@ bool is_tcb(Role role) {
   constexpr std::array all{Role::tension,         Role::continuity,         Role::bias,
                            Role::channel_tension, Role::channel_continuity, Role::channel_bias};
   return std::ranges::count(all, role) > 0;
-}
-
-bool has_channel_tcbs(const Columns& columns) {
-  return has_any(columns, {Role::channel_tension, Role::channel_continuity, Role::channel_bias});
 }
 
 bool has_channel_roles(const Columns& columns) {
@@ -68,9 +54,6 @@ std::vector<std::size_t> channels_with(const Columns& columns, Role role) {
   }
   return channels;
 }
-
-/// The number of the kinds of numbers of a channel that keys have.
-std::size_t kinds(const Columns& columns) { return has_channel_roles(columns) ? std::size_t{NumberOfKey::kinds} : 1; }
 
 }  // namespace
 
@@ -89,36 +72,36 @@ KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyU
       has_tcb_(has_any(columns, {Role::tension, Role::continuity, Role::bias})),
       has_ease_(has_any(columns, {Role::ease_in, Role::ease_out})),
       has_channel_roles_(has_channel_roles(columns)),
+      has_channel_tcbs_(has_any(columns, {Role::channel_tension, Role::channel_continuity, Role::channel_bias})),
+      are_segments_(columns.are_segments),
       both_sides_(channels_with(columns, Role::velocity)),
-      channel_tcbs_(has_channel_tcbs(columns) ? columns.channels.size() : 0),
       marks_(columns.marks.size()),
-      texts_(columns.texts()),
-      decimals_(rules.keeps_decimals ? NumberOfKey::position + columns.channels.size() * kinds(columns) : 0) {
-  block_.keys.channels = columns.channels.size();
+      texts_(columns.texts()) {
+  const std::size_t channels = columns.channels.size();
+  block_.keys.channels = channels;
   block_.keys.common_tcb = rules.tcb.value_or(spline::Tcb<double>{});
+  first_of_role_.fill(NumberOfKey::duration);
+  for (const auto& [role, kind] : kinds_of_roles) first_of_role_[static_cast<std::size_t>(role)] = index_of(kind, 0);
+  for (const auto& [role, number] : numbers_of_roles) first_of_role_[static_cast<std::size_t>(role)] = number;
+  numbers_.resize(NumberOfKey::position + channels * (has_channel_roles_ ? std::size_t{NumberOfKey::kinds} : 1));
+  if (rules.keeps_decimals) decimals_.resize(numbers_.size());
   for (const Role role : {Role::velocity, Role::velocity_in}) {
     for (const std::size_t channel : channels_with(columns, role)) {
-      block_.keys.given.resize(columns.channels.size());
+      block_.keys.given.resize(channels);
       block_.keys.given[channel] = true;
     }
   }
-  if (columns.are_segments) block_.keys.given.assign(columns.channels.size(), true);
-  if (columns.are_segments) ends_.resize(columns.channels.size());
-  velocities_.resize(block_.keys.given.size());
+  if (are_segments_) block_.keys.given.assign(channels, true);
 }
 
 void KeyBuilder::begin_key() {
-  position_ = block_.size() * block_.keys.channels;
-  block_.keys.positions.resize(position_);
-  block_.keys.positions.resize(position_ + block_.keys.channels, nan);
   time_ = Time(nan);
-  nanoseconds_ = nan;
-  tcb_ = block_.keys.common_tcb;
-  ease_ = {};
-  if (has_channel_roles_) {
-    std::ranges::fill(channel_tcbs_, spline::Tcb<double>{nan, nan, nan});
-    std::ranges::fill(velocities_, spline::Velocity<double>{nan, nan});
-  }
+  std::ranges::fill(numbers_, nan);
+  const auto& [tension, continuity, bias] = block_.keys.common_tcb;
+  numbers_[NumberOfKey::tension] = tension;
+  numbers_[NumberOfKey::continuity] = continuity;
+  numbers_[NumberOfKey::bias] = bias;
+  numbers_[NumberOfKey::ease_in] = numbers_[NumberOfKey::ease_out] = 0;
   std::ranges::fill(marks_, 0);
   for (std::string& text : texts_) text.clear();
   for (std::string& decimal : decimals_) decimal.clear();
@@ -126,15 +109,11 @@ void KeyBuilder::begin_key() {
   faults_ = block_.faults.errors.size();
 }
 
-void KeyBuilder::keep_decimal(const Columns::Column& column, std::string decimal) {
-  decimals_[number_of_key(column, block_.keys.channels)] = std::move(decimal);
-}
-
 bool KeyBuilder::take_decimal(const Columns::Column& column, std::string_view decimal) {
-  if (keeps_decimals()) keep_decimal(column, std::string(decimal));
+  const std::size_t index = index_of(column);
+  if (keeps_decimals()) decimals_[index] = decimal;
   const bool is_ease = column.role == Role::ease_in || column.role == Role::ease_out;
   const bool is_from_0_to_50 = (is_tcb(column.role) || is_ease) && rules_.tcb_scale == TcbScale::max3ds;
-  const std::size_t index = number_of_key(column, block_.keys.channels);
   const Rational factor = index < units_.factors.size() ? units_.factors[index] : Rational(1);
   if (!is_from_0_to_50 && factor == 1) return true;
   const bool is_time = column.role == Role::time;
@@ -146,11 +125,11 @@ bool KeyBuilder::take_decimal(const Columns::Column& column, std::string_view de
   } else {
     number(column) = nearest_double(scaled);
   }
-  if (keeps_decimals()) keep_decimal(column, ratio_text(scaled));
+  if (keeps_decimals()) decimals_[index] = ratio_text(scaled);
   return true;
 }
 
-bool KeyBuilder::set_time_in_words(const Columns::Column& column, std::string_view text) {
+bool KeyBuilder::set_time_in_words(std::string_view text) {
   if (is_date(units_.notation) && !keeps_decimals()) {
     const bool has_zone = units_.notation == TimeNotation::zoned_date;
     const auto usual = read_usual_date(text, units_.dates.order, has_zone);
@@ -168,18 +147,19 @@ bool KeyBuilder::set_time_in_words(const Columns::Column& column, std::string_vi
   if (!seconds) return false;
   constexpr int as_many_as_it_has = 1;
   time_ = counts_frames(units_.notation) ? nearest_time(*seconds) : nearest_time(*seconds, as_many_as_it_has);
-  if (keeps_decimals()) keep_decimal(column, ratio_text(*seconds));
+  if (keeps_decimals()) decimals_[NumberOfKey::time] = ratio_text(*seconds);
   return true;
 }
 
 bool KeyBuilder::add_nanoseconds() {
-  if (std::isnan(time_.hi) || std::isnan(nanoseconds_)) return true;  // one is missing
+  const double nanoseconds = numbers_[NumberOfKey::time];
+  if (std::isnan(time_.hi) || std::isnan(nanoseconds)) return true;  // one is missing
   constexpr std::int64_t nanoseconds_of_second = 1'000'000'000;
   const bool is_part =
-      nanoseconds_ >= 0 && nanoseconds_ < nanoseconds_of_second && std::trunc(nanoseconds_) == nanoseconds_;
+      nanoseconds >= 0 && nanoseconds < nanoseconds_of_second && std::trunc(nanoseconds) == nanoseconds;
   const Rational seconds = exact_time(time_);
   if (!is_part || floor(seconds) != seconds) return false;
-  const Rational time = seconds + Rational(static_cast<std::int64_t>(nanoseconds_)) / nanoseconds_of_second;
+  const Rational time = seconds + Rational(static_cast<std::int64_t>(nanoseconds)) / nanoseconds_of_second;
   constexpr int decimals = 9;
   time_ = nearest_time(time, decimals);
   if (keeps_decimals()) decimals_[NumberOfKey::time] = ratio_text(time);
@@ -188,7 +168,7 @@ bool KeyBuilder::add_nanoseconds() {
 
 bool KeyBuilder::miss(const Columns::Column& column) {
   if (column.role == Role::ignored || column.role == Role::carry) return true;
-  if (!ends_.empty()) return false;           // segments are whole
+  if (are_segments_) return false;            // these are whole
   if (is_velocity(column.role)) return true;  // whether it is needed depends on the keys around
   const bool is_time = column.role == Role::time || column.role == Role::nanoseconds;
   const bool skips_cell = rules_.missing == Missing::skip_cell;
@@ -199,8 +179,9 @@ bool KeyBuilder::miss(const Columns::Column& column) {
 }
 
 bool KeyBuilder::end_key() {
-  if (!ends_.empty() && !std::isfinite((time_ + Time(duration_)).hi)) {
-    add_fault(segment_without_duration(duration_));
+  const double duration = numbers_[NumberOfKey::duration];
+  if (are_segments_ && !std::isnan(duration) && !std::isfinite((time_ + Time(duration)).hi)) {
+    add_fault(segment_without_duration(duration));
   }
   const bool is_faulty = block_.faults.errors.size() > faults_;
   const bool is_gap = is_missing_ && rules_.missing == Missing::break_curve;
@@ -209,23 +190,52 @@ bool KeyBuilder::end_key() {
     return false;
   }
   if (is_gap) block_.breaks.gaps.push_back(block_.size());
-  if (has_channel_roles_) {
-    complete_channels();
-    complete_velocities();
-  }
+  if (has_channel_roles_) complete_channels();
   add_key();
   if (std::exchange(breaks_, false)) block_.breaks.before.push_back(block_.size());
-  if (!ends_.empty()) add_segment_end();
+  if (are_segments_) add_segment_end();
   return true;
 }
 
+/// Gives channels the common tension, continuity and bias where they have none of their own, and a velocity for both
+/// sides to the side after the key.
+void KeyBuilder::complete_channels() {
+  constexpr std::array common{std::pair{NumberOfKey::tension, NumberOfKey::tension_of},
+                              std::pair{NumberOfKey::continuity, NumberOfKey::continuity_of},
+                              std::pair{NumberOfKey::bias, NumberOfKey::bias_of}};
+  for (std::size_t channel = 0; has_channel_tcbs_ && channel < block_.keys.channels; ++channel) {
+    for (const auto& [number, kind] : common) {
+      const std::size_t own = index_of(kind, channel);
+      if (std::isnan(numbers_[own])) copy_number(number, own);
+    }
+  }
+  for (const std::size_t channel : both_sides_) {
+    copy_number(index_of(NumberOfKey::velocity_in_of, channel), index_of(NumberOfKey::velocity_out_of, channel));
+  }
+}
+
+void KeyBuilder::copy_number(std::size_t from, std::size_t to) {
+  numbers_[to] = numbers_[from];
+  if (keeps_decimals()) decimals_[to] = decimals_[from];
+}
+
 void KeyBuilder::add_key() {
-  if (is_timed_) block_.keys.times.push_back(time_);
-  if (channel_tcbs_.empty() && has_tcb_) block_.keys.tcbs.push_back(tcb_);
-  if (has_ease_) block_.keys.eases.push_back(ease_);
-  if (has_channel_roles_) {
-    block_.keys.tcbs.insert(block_.keys.tcbs.end(), channel_tcbs_.begin(), channel_tcbs_.end());
-    block_.keys.velocities.insert(block_.keys.velocities.end(), velocities_.begin(), velocities_.end());
+  Keys& keys = block_.keys;
+  const double* const positions = numbers_.data() + NumberOfKey::position;
+  keys.positions.insert(keys.positions.end(), positions, positions + keys.channels);
+  if (is_timed_) keys.times.push_back(time_);
+  if (has_tcb_ && !has_channel_tcbs_) {
+    keys.tcbs.push_back(
+        {numbers_[NumberOfKey::tension], numbers_[NumberOfKey::continuity], numbers_[NumberOfKey::bias]});
+  }
+  if (has_ease_) keys.eases.push_back({numbers_[NumberOfKey::ease_in], numbers_[NumberOfKey::ease_out]});
+  const auto number = [&](NumberOfKey::Kind kind, std::size_t channel) { return numbers_[index_of(kind, channel)]; };
+  for (std::size_t i = 0; has_channel_tcbs_ && i < keys.channels; ++i) {
+    keys.tcbs.push_back(
+        {number(NumberOfKey::tension_of, i), number(NumberOfKey::continuity_of, i), number(NumberOfKey::bias_of, i)});
+  }
+  for (std::size_t i = 0; i < keys.given.size(); ++i) {
+    keys.velocities.push_back({number(NumberOfKey::velocity_in_of, i), number(NumberOfKey::velocity_out_of, i)});
   }
   block_.marks.insert(block_.marks.end(), marks_.begin(), marks_.end());
   for (const std::string& text : texts_) block_.texts.add(text);
@@ -235,73 +245,18 @@ void KeyBuilder::add_key() {
 /// Adds the key at the end of a segment. The time is a double where that at the start is one.
 void KeyBuilder::add_segment_end() {
   const bool is_double = time_.lo == 0;
-  time_ = time_ + Time(duration_);
+  time_ = time_ + Time(numbers_[NumberOfKey::duration]);
   if (is_double) time_ = Time(time_.hi);
-  const std::size_t channels = ends_.size();
-  const auto move_decimal = [&](NumberOfKey::Kind from, NumberOfKey::Kind to, std::size_t channel) {
-    if (!keeps_decimals()) return;
-    decimals_[NumberOfKey::of_channel(to, channel, channels)] =
-        decimals_[NumberOfKey::of_channel(from, channel, channels)];
-  };
   if (keeps_decimals()) decimals_[NumberOfKey::time].clear();
-  for (std::size_t i = 0; i < channels; ++i) {
-    block_.keys.positions.push_back(ends_[i].position);
-    velocities_[i] = {ends_[i].velocity, nan};
-    move_decimal(NumberOfKey::end_position_of, NumberOfKey::position_of, i);
-    move_decimal(NumberOfKey::end_velocity_of, NumberOfKey::velocity_in_of, i);
+  for (std::size_t i = 0; i < block_.keys.channels; ++i) {
+    copy_number(index_of(NumberOfKey::end_position_of, i), index_of(NumberOfKey::position_of, i));
+    copy_number(index_of(NumberOfKey::end_velocity_of, i), index_of(NumberOfKey::velocity_in_of, i));
+    numbers_[index_of(NumberOfKey::velocity_out_of, i)] = nan;
   }
   add_key();
 }
 
-/// The number of a cell with a role in one channel, or the duration of a segment.
-double& KeyBuilder::number_of_channel(const Columns::Column& column) {
-  switch (column.role) {
-    case Role::channel_tension: return channel_tcbs_[column.channel].tension;
-    case Role::channel_continuity: return channel_tcbs_[column.channel].continuity;
-    case Role::channel_bias: return channel_tcbs_[column.channel].bias;
-    case Role::velocity:
-    case Role::velocity_in: return velocities_[column.channel].in;
-    case Role::velocity_out: return velocities_[column.channel].out;
-    case Role::end_position: return ends_[column.channel].position;
-    case Role::end_velocity: return ends_[column.channel].velocity;
-    default: return duration_;
-  }
-}
-
-/// Gives channels the common tension, continuity and bias where they have none of their own.
-void KeyBuilder::complete_channels() {
-  struct Value {
-    double spline::Tcb<double>::*member;
-    std::size_t common;
-    NumberOfKey::Kind own;
-  };
-  constexpr std::array values{
-      Value{&spline::Tcb<double>::tension, NumberOfKey::tension, NumberOfKey::tension_of},
-      Value{&spline::Tcb<double>::continuity, NumberOfKey::continuity, NumberOfKey::continuity_of},
-      Value{&spline::Tcb<double>::bias, NumberOfKey::bias, NumberOfKey::bias_of}};
-  for (std::size_t i = 0; i < channel_tcbs_.size(); ++i) {
-    for (const auto& [member, common, own] : values) {
-      if (!std::isnan(channel_tcbs_[i].*member)) continue;
-      channel_tcbs_[i].*member = tcb_.*member;
-      if (keeps_decimals()) decimals_[NumberOfKey::of_channel(own, i, channel_tcbs_.size())] = decimals_[common];
-    }
-  }
-}
-
-/// A velocity for both sides is also that after the key.
-void KeyBuilder::complete_velocities() {
-  for (const std::size_t channel : both_sides_) {
-    velocities_[channel].out = velocities_[channel].in;
-    if (!keeps_decimals()) continue;
-    const auto index = [&](NumberOfKey::Kind kind) {
-      return NumberOfKey::of_channel(kind, channel, velocities_.size());
-    };
-    decimals_[index(NumberOfKey::velocity_out_of)] = decimals_[index(NumberOfKey::velocity_in_of)];
-  }
-}
-
 KeyBlock KeyBuilder::finish(std::string path) {
-  block_.keys.positions.resize(block_.size() * block_.keys.channels);  // drops a key that was not ended
   block_.text_positions.path = std::move(path);
   block_.breaks.at_end = breaks_;
   return std::move(block_);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -33,19 +34,7 @@ class KeyBuilder {
 
   /// The number of a cell in the key. Requires: its role is position, one from tension to ease_out, or one in a
   /// channel.
-  double& number(const Columns::Column& column) {
-    switch (column.role) {
-      case Role::tension: return tcb_.tension;
-      case Role::continuity: return tcb_.continuity;
-      case Role::bias: return tcb_.bias;
-      case Role::ease_in: return ease_.in;
-      case Role::ease_out: return ease_.out;
-      case Role::nanoseconds: return nanoseconds_;
-      default:
-        if (column.role != Role::position) return number_of_channel(column);
-        return block_.keys.positions[position_ + column.channel];
-    }
-  }
+  double& number(const Columns::Column& column) { return numbers_[index_of(column)]; }
   /// Numbers are kept as written, or scaled.
   bool takes_decimals() const {
     return keeps_decimals() || rules_.tcb_scale == TcbScale::max3ds || !units_.factors.empty();
@@ -58,7 +47,7 @@ class KeyBuilder {
   bool has_times_as_numbers() const { return units_.notation == TimeNotation::seconds; }
   /// Sets the time from a text in the notation of the input; false for another text, and for a time that does not
   /// exist.
-  bool set_time_in_words(const Columns::Column& column, std::string_view text);
+  bool set_time_in_words(std::string_view text);
   /// A text as in schema/texts.hpp.
   void set_text(const Columns::Column& column, std::string text) { texts_[column.channel] = std::move(text); }
 
@@ -108,39 +97,34 @@ class KeyBuilder {
 
  private:
   bool keeps_decimals() const { return !decimals_.empty(); }
-  void keep_decimal(const Columns::Column& column, std::string decimal);
-  double& number_of_channel(const Columns::Column& column);
+  /// The index of a column's number in the order of NumberOfKey; the nanoseconds are in the place of the time.
+  std::size_t index_of(const Columns::Column& column) const {
+    const std::size_t first = first_of_role_[static_cast<std::size_t>(column.role)];
+    return first < NumberOfKey::position ? first : first + column.channel;
+  }
+  std::size_t index_of(NumberOfKey::Kind kind, std::size_t channel) const {
+    return NumberOfKey::of_channel(kind, channel, block_.keys.channels);
+  }
   bool add_nanoseconds();
+  void copy_number(std::size_t from, std::size_t to);
   void complete_channels();
-  void complete_velocities();
   void add_key();
   void add_segment_end();
-  std::size_t keys_per_record() const { return ends_.empty() ? 1 : 2; }
-
-  /// The end of a segment in one channel.
-  struct SegmentEnd {
-    double position, velocity;
-  };
+  std::size_t keys_per_record() const { return are_segments_ ? 2 : 1; }
 
   const KeyRules rules_;
   const KeyUnits units_;
-  const bool is_timed_, has_nanoseconds_, has_tcb_, has_ease_, has_channel_roles_;
-  const std::vector<std::size_t> both_sides_;  ///< channels with one velocity for both sides
+  const bool is_timed_, has_nanoseconds_, has_tcb_, has_ease_, has_channel_roles_, has_channel_tcbs_, are_segments_;
+  const std::vector<std::size_t> both_sides_;               ///< channels with one velocity for both sides
+  std::array<std::size_t, role_count> first_of_role_ = {};  ///< the index of its number in the first channel
   KeyBlock block_;
   bool breaks_ = false;  ///< there is a break before the next key
   // Of the current key:
-  bool is_missing_ = false;   ///< a value is missing that a key needs
-  std::size_t position_ = 0;  ///< the index of its first position
-  std::size_t faults_ = 0;    ///< the number of faults before it
+  bool is_missing_ = false;  ///< a value is missing that a key needs
+  std::size_t faults_ = 0;   ///< the number of faults before it
   Time time_;
-  double nanoseconds_ = 0;  ///< of the time, besides its seconds
-  spline::Tcb<double> tcb_;
-  spline::Ease<double> ease_;
-  std::vector<spline::Tcb<double>> channel_tcbs_;     ///< NaN where a channel has none; empty where no channel has any
-  std::vector<spline::Velocity<double>> velocities_;  ///< NaN where one is missing; empty where no channel has any
-  double duration_ = 0;                               ///< of a segment
-  std::vector<SegmentEnd> ends_;                      ///< of its channels; empty where records are keys
-  std::vector<std::size_t> marks_;                    ///< as in KeyBlock
+  std::vector<double> numbers_;     ///< in the order of NumberOfKey; NaN where one is missing
+  std::vector<std::size_t> marks_;  ///< as in KeyBlock
   std::vector<std::string> texts_;
   std::vector<std::string> decimals_;  ///< in the order of NumberOfKey; empty if they are not kept
 };

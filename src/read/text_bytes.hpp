@@ -1,13 +1,26 @@
-// Text bytes: the bytes of an input up to a NUL.
+// Text bytes: the bytes of an input up to a NUL, and whole records of it.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "error.hpp"
 #include "stream/source.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
+
+/// Whole records of an input, as text.
+struct Chunk {
+  std::string text;
+  std::uint64_t line = 1;    ///< of the first character, from 1
+  std::uint64_t column = 1;  ///< of the first character, from 1
+  std::uint64_t first = 0;   ///< number of the first record, in formats that count them
+  std::string path = {};     ///< of the list that holds the records, in formats that have one
+};
 
 /// A source of text, which ends with an error at a NUL.
 class TextBytes {
@@ -16,7 +29,20 @@ class TextBytes {
 
   /// Appends the next bytes to a text that begins at `position`; false at the end of the input.
   /// Throws: Error (data) at a NUL, once the text before it was read.
-  bool append_to(std::string& text, LinePosition position);
+  bool append_to(std::string& text, LinePosition position) {
+    if (at_nul_) {
+      const LinePosition nul = position_after(text, position);
+      throw data_error(
+          "this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t UTF-8")
+          .at({"", nul.line, nul.column});
+    }
+    const std::optional<std::string> more = bytes_();
+    if (!more) return false;
+    const std::size_t nul = more->find('\0');
+    at_nul_ = nul != std::string::npos;
+    text.append(*more, 0, nul);
+    return true;
+  }
 
  private:
   Source<std::string> bytes_;

@@ -1,6 +1,7 @@
 // Columns: the meaning of the cells of all records of an input.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -32,6 +33,11 @@ struct ColumnOptions {
   std::vector<RoleRequest> roles = {};
   bool timeless = false;                    ///< no column is the time, unless by its name
   std::optional<SampleNames> samples = {};  ///< the records are samples of a curve, not keys
+
+  bool has(Role role) const { return std::ranges::count(roles, role, &RoleRequest::role) > 0; }
+  bool has(std::string_view column) const {
+    return std::ranges::any_of(roles, [&](const auto& role) { return std::ranges::count(role.columns, column) > 0; });
+  }
 };
 
 /// A column as options request it: by its name, or by its number from 1 if it has none or one that a list would divide.

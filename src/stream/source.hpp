@@ -1,6 +1,7 @@
 // Sources: streams that are pulled item by item.
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -17,6 +18,17 @@ template <class T>
 Source<T> preceded_by(T item, Source<T> source) {
   return [first = std::optional<T>(std::move(item)), source = std::move(source)]() mutable {
     return first ? std::exchange(first, std::nullopt) : source();
+  };
+}
+
+/// The items of a list.
+template <class T>
+Source<T> each_of(std::deque<T> items) {
+  return [items = std::move(items)]() mutable -> std::optional<T> {
+    if (items.empty()) return std::nullopt;
+    std::optional<T> item(std::move(items.front()));
+    items.pop_front();
+    return item;
   };
 }
 

@@ -93,6 +93,10 @@ std::string in_shell(std::string_view word) {
 std::string listed(std::span<const std::string> names) { return joined(names); }
 std::string listed(std::span<const std::string_view> names) { return joined(names); }
 
+std::string how_many(std::size_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -110,5 +114,41 @@ std::string in_lower_case(std::string_view text) {
 }
 
 bool same_in_any_case(std::string_view a, std::string_view b) { return std::ranges::equal(a, b, {}, lower, lower); }
+
+bool matches(std::string_view name, std::string_view pattern) {
+  std::size_t star = std::string_view::npos, retry = 0, at = 0, next = 0;  // retry: what follows the last *
+  while (at < name.size()) {
+    if (next < pattern.size() && pattern[next] == '*') {
+      star = next++;
+      retry = at;
+    } else if (next < pattern.size() && (pattern[next] == '?' || pattern[next] == name[at])) {
+      ++at;
+      ++next;
+    } else if (star != std::string_view::npos) {
+      next = star + 1;
+      at = ++retry;
+    } else {
+      return false;
+    }
+  }
+  while (next < pattern.size() && pattern[next] == '*') ++next;
+  return next == pattern.size();
+}
+
+bool has_ending(std::string_view path, std::string_view ending) {
+  if (path.size() <= ending.size() || path[path.size() - ending.size() - 1] == '/') return false;
+  return std::ranges::equal(path.substr(path.size() - ending.size()), ending, {}, lower);
+}
+
+std::string_view compression_ending(std::string_view path) {
+  for (const std::string_view ending : {".gz", ".zst"}) {
+    if (has_ending(path, ending)) return ending;
+  }
+  return "";
+}
+
+std::string_view without_compression(std::string_view path) {
+  return path.substr(0, path.size() - compression_ending(path).size());
+}
 
 }  // namespace tcb

@@ -1,8 +1,9 @@
-// Names: those of values; the known one nearest to one that is misspelt; comparison in any case; texts split at a
-// separator.
+// Names: those of values; the known one nearest to one that is misspelt; comparison in any case, and with patterns;
+// texts split at a separator; endings of names of files.
 #pragma once
 
 #include <charconv>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,6 +39,9 @@ std::string listed(std::span<const std::string_view> names);
 /// A word of a command as a shell takes it: with quotes unless it needs none.
 std::string in_shell(std::string_view word);
 
+/// "1 cell", "2 cells".
+std::string how_many(std::size_t count, std::string_view noun);
+
 /// A letter of ASCII in lower case; any other character as it is.
 constexpr char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; }
 
@@ -59,5 +63,17 @@ bool same_in_any_case(std::string_view a, std::string_view b);
 
 /// The parts of a text between separators, one at least.
 std::vector<std::string_view> split(std::string_view text, char separator);
+
+/// Whether a name is one of a pattern's, in which * is any text and ? any character.
+bool matches(std::string_view name, std::string_view pattern);
+
+/// Whether the last name of a path ends in `ending`, which is in lower case, and is longer than that.
+bool has_ending(std::string_view path, std::string_view ending);
+
+/// The ending of compressed files that a path has, .gz or .zst in lower case; empty: it has none.
+std::string_view compression_ending(std::string_view path);
+
+/// The path without that ending.
+std::string_view without_compression(std::string_view path);
 
 }  // namespace tcb

@@ -45,19 +45,20 @@ std::size_t character_size(std::string_view text) {
   return overlong || surrogate || beyond ? 0 : size;
 }
 
-/// The characters in the first bytes of a text, with invalid bytes and those of control characters as \xNN.
+/// The characters in the first bytes of a text, with the bytes of control characters and maybe of invalid ones as \xNN.
 struct ShownText {
   std::string text;
   bool is_cut = false;  ///< it has more characters
 };
-ShownText shown_text(std::string_view text, std::size_t most_bytes) {
+ShownText shown_text(std::string_view text, std::size_t most_bytes, bool escapes_invalid) {
   ShownText shown;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t size = character_size(text.substr(at));
     const std::string_view character = text.substr(at, std::max<std::size_t>(size, 1));
     at += character.size();
     if (at > most_bytes) return {std::move(shown.text), true};
-    shown.text += size == 0 || is_control(character) ? escaped(character) : std::string(character);
+    const bool is_escaped = is_control(character) || (size == 0 && escapes_invalid);
+    shown.text += is_escaped ? escaped(character) : std::string(character);
   }
   return shown;
 }
@@ -102,20 +103,12 @@ std::size_t find_invalid_utf8(std::string_view text) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
-  const ShownText shown = shown_text(text, longest);
+  const ShownText shown = shown_text(text, longest, true);
   return "\"" + shown.text + (shown.is_cut ? "…\"" : "\"");
 }
 
-std::string printable(std::string_view text) { return shown_text(text, text.size()).text; }
+std::string printable(std::string_view text) { return shown_text(text, text.size(), true).text; }
 
-std::string in_one_line(std::string_view text) {
-  std::string out;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::string_view character = text.substr(at, std::max<std::size_t>(character_size(text.substr(at)), 1));
-    at += character.size();
-    out += is_control(character) ? escaped(character) : std::string(character);
-  }
-  return out;
-}
+std::string in_one_line(std::string_view text) { return shown_text(text, text.size(), false).text; }
 
 }  // namespace tcb

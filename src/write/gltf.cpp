@@ -424,8 +424,7 @@ class GltfScene : public RowKeeper {
       Rotation q = turned(*node.euler, angles, {}).q;
       const std::size_t size = target.values.size();
       if (size > 0 && dot(q, before(target.values, size)) < 0) q = -q;
-      for (const double number : {q.x, q.y, q.z, q.w}) add_number(target, number);
-      return;
+      return add_rotation(target, q);
     }
     for (Target& target : node.targets) {
       for (const std::size_t channel : target.channels) add_number(target, row[1 + channel]);
@@ -444,18 +443,15 @@ class GltfScene : public RowKeeper {
     }
     for (const TurningPiece& part : parts) add_time(part.start());
     add_time(parts.back().end());
-    const auto add = [&](const Rotation& q) {
-      for (const double number : {q.x, q.y, q.z, q.w}) add_number(target, number);
-    };
     const auto tangent = [&](std::size_t i, double place) {
       const double duration = static_cast<double>(node.times[i + 1]) - static_cast<double>(node.times[i]);
       return parts[i].at(place).velocity * (1 / duration);
     };
     for (std::size_t key = 0; key <= parts.size(); ++key) {
       const bool is_last = key == parts.size();
-      add(key == 0 ? Rotation{} : tangent(key - 1, 1));
-      add(is_last ? parts.back().at(1).q : parts[key].at(0).q);
-      add(is_last ? Rotation{} : tangent(key, 0));
+      add_rotation(target, key == 0 ? Rotation{} : tangent(key - 1, 1));
+      add_rotation(target, is_last ? parts.back().at(1).q : parts[key].at(0).q);
+      add_rotation(target, is_last ? Rotation{} : tangent(key, 0));
     }
   }
 
@@ -492,6 +488,10 @@ class GltfScene : public RowKeeper {
           "{} is beyond the range of single precision; expected less than 3.4e38 in size; scale the keys down", number);
     }
     target.values.push_back(static_cast<float>(number));
+  }
+
+  static void add_rotation(Target& target, const Rotation& q) {
+    for (const double number : {q.x, q.y, q.z, q.w}) add_number(target, number);
   }
 
   bool are_pieces_;

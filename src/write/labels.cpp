@@ -5,17 +5,6 @@
 #include <iterator>
 
 namespace tcb {
-namespace {
-
-/// The first `count` cells from `begin` on; none if there are none at all.
-template <class T>
-std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t count) {
-  if (cells.empty()) return {};
-  const auto first = cells.begin() + static_cast<std::ptrdiff_t>(begin);
-  return {first, first + static_cast<std::ptrdiff_t>(count)};
-}
-
-}  // namespace
 
 Source<KeyBlock> Labels::observe(const std::shared_ptr<Labels>& labels, Source<KeyBlock> blocks) {
   return mapped(std::move(blocks), [labels](KeyBlock block) {
@@ -61,29 +50,6 @@ std::vector<std::string_view> Labels::of(std::uint64_t key) const {
 
 void Labels::forget_before(std::uint64_t key) {
   while (blocks_.size() > 2 && blocks_[2].first_key <= key) blocks_.erase(blocks_.begin() + 1);
-}
-
-std::string print_labelled(
-    const LabelledBlock& block, const Evaluate& evaluate, std::span<const std::size_t> chosen,
-    const std::function<void(std::string& out, const Table& row, const std::string& row_end, bool first)>& print) {
-  std::vector<std::size_t> with_key(chosen.begin(), chosen.end());
-  with_key.push_back(field_of("key"));
-  std::string out;
-  bool first = block.samples.first;
-  for (std::size_t i = 0; i < block.samples.parts.size(); ++i) {
-    const SampleBlock::Part& part = block.samples.parts[i];
-    const Table table = evaluate({block.samples.owner, {part}, false}, with_key);
-    const std::size_t width = table.cells.size() / (part.last - part.first);
-    for (std::size_t row = 0; row < table.cells.size(); row += width) {
-      const Cell& key = table.cells[row + width - 1];
-      const bool at_end = !is_empty(key) && key.hi == static_cast<double>(part.segment.end_key) &&
-                          key.hi != static_cast<double>(part.segment.number);
-      print(out, {range(table.cells, row, width - 1), range(table.texts, row, width - 1)},
-            at_end ? block.ends[i].second : block.ends[i].first, first);
-      first = false;
-    }
-  }
-  return out;
 }
 
 }  // namespace tcb

@@ -56,10 +56,4 @@ class Labels {
   std::deque<BlockLabels> blocks_;
 };
 
-/// Prints the rows of a block one by one: `print` appends a row with the text after it to `out`.
-/// A pure function.
-std::string print_labelled(
-    const LabelledBlock& block, const Evaluate& evaluate, std::span<const std::size_t> chosen,
-    const std::function<void(std::string& out, const Table& row, const std::string& row_end, bool first)>& print);
-
 }  // namespace tcb

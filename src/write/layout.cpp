@@ -180,8 +180,9 @@ std::string json_list(const std::vector<std::string>& texts) {
   return "[" + list + "]";
 }
 
-void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
-                 const std::vector<Cell>& cells, bool first) {
+/// Rows without texts in place of numbers.
+static void append_numbers(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+                           const std::vector<Cell>& cells, bool first) {
   const std::size_t begin = out.size();
   const bool shortest = layout.notation.kind == Notation::Kind::shortest && layout.decimal == '.';
   std::vector<std::pair<std::string_view, CellKind>> row;  // the text before each cell, and its kind
@@ -204,7 +205,7 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
 
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first) {
-  if (texts.empty()) return append_rows(out, layout, columns, cells, first);
+  if (texts.empty()) return append_numbers(out, layout, columns, cells, first);
   std::string number(longest_number_in(layout.notation) + spare_room, '\0');
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const std::size_t column = i % columns.size();

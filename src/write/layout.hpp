@@ -28,12 +28,8 @@ struct Layout {
   char decimal = '.';      ///< their decimal mark
 };
 
-/// Appends rows to text. Shapes: cells holds a whole number of rows, columns.size() cells each.
-/// `first`: there is no row before these.
-void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
-                 const std::vector<Cell>& cells, bool first);
-
-/// Appends rows to text. texts[i] is printed in place of the number of cell i, unless it is empty.
+/// Appends rows to text. Shapes: cells holds a whole number of rows, columns.size() cells each. texts[i] is printed in
+/// place of the number of cell i, unless it is empty; texts may be empty. `first`: there is no row before these.
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first);
 

@@ -61,12 +61,7 @@ Source<std::string> verified(const Source<std::string>& bytes, const std::string
   if (const std::string digest = sha256.digest(); digest != expected)
     throw data_error("its SHA-256 is {}; expected {}, as recorded in {}; give the recorded file", digest, expected,
                      from);
-  return [parts = std::move(parts)]() mutable -> std::optional<std::string> {
-    if (parts.empty()) return std::nullopt;
-    std::string next = std::move(parts.front());
-    parts.pop_front();
-    return next;
-  };
+  return each_of(std::move(parts));
 }
 
 }  // namespace

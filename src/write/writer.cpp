@@ -50,6 +50,14 @@ std::string with_crlf(std::string_view text) {
   return result;
 }
 
+/// The first `count` cells from `begin` on; none if there are none at all.
+template <class T>
+std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t count) {
+  if (cells.empty()) return {};
+  const auto first = cells.begin() + static_cast<std::ptrdiff_t>(begin);
+  return {first, first + static_cast<std::ptrdiff_t>(count)};
+}
+
 Error text_in_binary_format(std::string_view column, std::string_view format) {
   return data_error(
       "column {} holds text, but {} holds only numbers; expected a format with text; give another one, such as csv, to "
@@ -306,15 +314,14 @@ Table Writer::from_zero(Table rows) const {
 }
 
 void Writer::append(std::string& out, const Layout& layout, const Table& table, bool first) const {
-  const bool is_first = first && !any_rows_;
-  if (zero_ && order_.empty()) {
-    const Table rows = from_zero(table);
-    return append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), is_first);
+  std::optional<Table> changed;
+  if (!order_.empty()) {
+    if (keeper_ != nullptr) keeper_->observe(table, cells_);
+    changed = ordered(table);
   }
-  if (order_.empty()) return append_rows(out, layout, columns_.numbers, table.cells, texts(table), is_first);
-  if (keeper_ != nullptr) keeper_->observe(table, cells_);
-  const Table rows = zero_ ? from_zero(ordered(table)) : ordered(table);
-  append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), is_first);
+  if (zero_) changed = from_zero(changed ? *std::move(changed) : table);
+  const Table& rows = changed ? *changed : table;
+  append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), first && !any_rows_);
 }
 
 std::string Writer::print(const Table& table, bool first) const {
@@ -324,12 +331,25 @@ std::string Writer::print(const Table& table, bool first) const {
 }
 
 std::string Writer::print(const LabelledBlock& block, const Evaluate& evaluate) const {
-  const auto print_row = [this, layout = rows_](std::string& out, const Table& row, const std::string& row_end,
-                                                bool first) mutable {
-    layout.row_end = row_end;
-    append(out, layout, row, first);
-  };
-  return print_labelled(block, evaluate, options_.fields, print_row);
+  std::vector<std::size_t> fields = options_.fields;
+  fields.push_back(field_of("key"));
+  Layout layout = rows_;
+  std::string text;
+  bool first = block.samples.first;
+  for (std::size_t i = 0; i < block.samples.parts.size(); ++i) {
+    const SampleBlock::Part& part = block.samples.parts[i];
+    const Table table = evaluate({block.samples.owner, {part}, false}, fields);
+    const std::size_t width = table.cells.size() / (part.last - part.first);
+    for (std::size_t row = 0; row < table.cells.size(); row += width) {
+      const Cell& key = table.cells[row + width - 1];
+      const bool is_at_end = !is_empty(key) && key.hi == static_cast<double>(part.segment.end_key) &&
+                             key.hi != static_cast<double>(part.segment.number);
+      layout.row_end = is_at_end ? block.ends[i].second : block.ends[i].first;
+      append(text, layout, {range(table.cells, row, width - 1), range(table.texts, row, width - 1)}, first);
+      first = false;
+    }
+  }
+  return text;
 }
 
 void Writer::write(const Source<std::string>& rows) {

@@ -1,4 +1,4 @@
-// Suggestions: names within a third of their letters, and nothing farther.
+// Names: suggestions within a third of their letters, and nothing farther; patterns; endings.
 #include "text/suggest.hpp"
 
 #include <gtest/gtest.h>
@@ -61,6 +61,42 @@ TEST(InShell, words_with_other_characters_are_quoted) {
   EXPECT_EQ(in_shell("time=timestamp [ns]"), "'time=timestamp [ns]'");
   EXPECT_EQ(in_shell("it's"), "'it'\\''s'");
   EXPECT_EQ(in_shell(""), "''");
+}
+
+TEST(Glob, matches_whole_names) {
+  EXPECT_TRUE(matches("Ship/position", "Ship/position"));
+  EXPECT_FALSE(matches("Ship/position", "Ship"));
+  EXPECT_FALSE(matches("Ship", "Ship/position"));
+  EXPECT_TRUE(matches("", ""));
+  EXPECT_FALSE(matches("a", ""));
+}
+
+TEST(Glob, a_star_is_any_text_and_a_question_mark_any_character) {
+  EXPECT_TRUE(matches("Ship/position", "*"));
+  EXPECT_TRUE(matches("", "**"));
+  EXPECT_TRUE(matches("Ship/position", "Sh?p/*"));
+  EXPECT_TRUE(matches("Ship/position", "*/pos*on"));
+  EXPECT_FALSE(matches("Ship/position", "*/pos*x"));
+  EXPECT_TRUE(matches("aXbXc", "a*Xc"));
+  EXPECT_FALSE(matches("Ship", "Ship?"));
+}
+
+TEST(FileEnding, is_in_upper_or_lower_case) {
+  EXPECT_TRUE(has_ending("a/keys.CSV", ".csv"));
+  EXPECT_FALSE(has_ending("a/keyscsv", ".csv"));
+}
+
+TEST(FileEnding, is_not_the_whole_name) {
+  EXPECT_FALSE(has_ending(".csv", ".csv"));
+  EXPECT_FALSE(has_ending("a/.csv", ".csv"));
+}
+
+TEST(FileEnding, of_compressed_files_is_removed) {
+  EXPECT_EQ(compression_ending("keys.csv.GZ"), ".gz");
+  EXPECT_EQ(without_compression("keys.csv.GZ"), "keys.csv");
+  EXPECT_EQ(without_compression("keys.zst"), "keys");
+  EXPECT_EQ(compression_ending("keys.csv"), "");
+  EXPECT_EQ(without_compression("a/.gz"), "a/.gz");
 }
 
 }  // namespace

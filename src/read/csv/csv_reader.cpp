@@ -9,8 +9,6 @@
 #include "io/encoding.hpp"
 #include "numbers/parse_number.hpp"
 #include "option_names.hpp"
-#include "read/csv/delimiter.hpp"
-#include "read/csv/invalid_number.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/csv/tokenizer.hpp"
 #include "read/input_format.hpp"
@@ -49,12 +47,9 @@ class RecordReader {
       : head_(head),
         tokenizer_(chunk, head.dialect),
         decimals_(head.marks),
-        keys_(head.columns, head.rules, head.units) {
-    const auto time = std::ranges::find(head.columns.cells, Role::time, &Columns::Column::role);
-    time_cell_ = static_cast<std::size_t>(time - head.columns.cells.begin());
-    const auto clock = std::ranges::find(head.columns.cells, Role::clock, &Columns::Column::role);
-    clock_cell_ = static_cast<std::size_t>(clock - head.columns.cells.begin());
-  }
+        keys_(head.columns, head.rules, head.units),
+        time_cell_(cell_of(head.columns, Role::time)),
+        clock_cell_(cell_of(head.columns, Role::clock)) {}
 
   KeyBlock read() {
     while (!keys_.is_full() && next_record()) {
@@ -108,7 +103,7 @@ class RecordReader {
       case Role::time:
         if (clock_cell_ < cells_.size()) return read_date_and_clock(cell, column);
         if (!keys_.has_times_as_numbers()) {
-          if (!keys_.set_time_in_words(column, bare(cell))) read_no_number(cell, column);
+          if (!keys_.set_time_in_words(bare(cell))) read_no_number(cell, column);
           return;
         }
         [[fallthrough]];
@@ -138,7 +133,7 @@ class RecordReader {
     const std::string_view clock = cells_[clock_cell_];
     if (is_missing_sign(number_text(clock), head_.rules.signs)) return read_no_number(clock, column);
     const std::string text = unquoted(cell) + " " + unquoted(clock);
-    if (keys_.set_time_in_words(column, text)) return;
+    if (keys_.set_time_in_words(text)) return;
     if (is_missing_sign(number_text(cell), head_.rules.signs)) return read_no_number(cell, column);
     add_fault(cell, no_time(head_.columns.time, text));
   }
@@ -246,7 +241,7 @@ class RecordReader {
   Decimals decimals_;
   KeyBuilder keys_;
   std::vector<std::string_view> cells_;
-  std::size_t time_cell_ = 0, clock_cell_ = 0;
+  const std::size_t time_cell_, clock_cell_;
 };
 
 /// Drops lines at the beginning. Throws: Error (data) where there are fewer.

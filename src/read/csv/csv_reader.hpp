@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <string>
 
-#include "read/chunk.hpp"
 #include "read/csv/header.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
+#include "read/text_bytes.hpp"
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
 

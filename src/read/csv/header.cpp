@@ -13,7 +13,6 @@
 #include "io/encoding.hpp"
 #include "numbers/parse_number.hpp"
 #include "option_names.hpp"
-#include "read/csv/invalid_number.hpp"
 #include "read/csv/tokenizer.hpp"
 #include "schema/doubts.hpp"
 #include "schema/usual_names.hpp"
@@ -198,9 +197,7 @@ bool name_quaternion(std::vector<std::string>& names) {
 
 /// Whether the name gives its column a role, or is requested.
 bool has_meaning(const std::string& name, const ColumnOptions& options) {
-  return role_of_name(name) != Role::position || std::ranges::any_of(options.roles, [&](const RoleRequest& role) {
-           return std::ranges::count(role.columns, name) > 0;
-         });
+  return role_of_name(name) != Role::position || options.has(name);
 }
 
 /// Whether a comment names columns: one of its words gives a role, and none is a number. Otherwise it may be any text,
@@ -256,8 +253,7 @@ void require_numbers(const HeadRecords::Record& record, const std::vector<std::s
 /// Notes that there is a row of units, and takes that of the times.
 void take_units(DelimitedHead& head, const std::vector<std::string>& units, const UnitOptions& options) {
   head.columns.doubts.push_back(fmt::format("the line below the names is taken as units: {}", listed(units)));
-  const auto time = std::ranges::find(head.columns.cells, Role::time, &Columns::Column::role);
-  const auto cell = static_cast<std::size_t>(time - head.columns.cells.begin());
+  const std::size_t cell = cell_of(head.columns, Role::time);
   if (cell >= units.size() || options.time || unit_of_time(head.columns.time)) return;
   const std::string_view unit = without_brackets(units[cell]);
   head.time_unit = unit_of_time(fmt::format("t [{}]", unit));
@@ -315,10 +311,9 @@ void require_delimiter(const HeadRecords& first, const Dialect& dialect) {
 /// The text of the time, without quotes: a date with its time of day where these are two cells; empty where there is
 /// none.
 std::string first_time(const std::vector<std::string>& cells, const Columns& columns) {
-  const auto text_of = [&](Role role) -> std::string {
-    const auto found = std::ranges::find(columns.cells, role, &Columns::Column::role);
-    const auto index = static_cast<std::size_t>(found - columns.cells.begin());
-    return index < cells.size() ? cells[index] : "";
+  const auto text_of = [&](Role role) {
+    const std::size_t cell = cell_of(columns, role);
+    return cell < cells.size() ? cells[cell] : "";
   };
   const std::string time = text_of(Role::time);
   return columns.has(Role::clock) ? time + " " + text_of(Role::clock) : time;
@@ -341,8 +336,7 @@ HeadRows cells_of(const Chunk& data, const Dialect& dialect) {
 
 /// The mean gap between the times of the first records; nothing unless they are whole numbers that increase.
 std::optional<double> time_gap_of(const HeadRows& rows, const Columns& columns, const NumberMarks& marks) {
-  const auto time = std::ranges::find(columns.cells, Role::time, &Columns::Column::role);
-  const auto cell = static_cast<std::size_t>(time - columns.cells.begin());
+  const std::size_t cell = cell_of(columns, Role::time);
   std::vector<double> times;
   for (const auto& row : rows) {
     const auto number = cell < row.size() ? Decimals(marks).number(row[cell]) : std::nullopt;
@@ -362,9 +356,9 @@ class RolesByCells {
 
   /// The request, with the roles that follow from cells. Throws: Error (data) where an index may be the time.
   ColumnOptions complete() {
-    const bool is_given = has(Role::time) || requested_.timeless;
+    const bool is_given = requested_.has(Role::time) || requested_.timeless;
     if (!is_given) take_date_and_clock();
-    if (!has(Role::time) && !requested_.timeless) take_equal_times();
+    if (!requested_.has(Role::time) && !requested_.timeless) take_equal_times();
     if (!names_.empty()) take_index();
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (names_[i].empty()) names_[i] = fmt::format("column {}", i + 1);
@@ -374,13 +368,8 @@ class RolesByCells {
   std::vector<std::string> notes() { return std::move(notes_); }
 
  private:
-  bool has(Role role) const { return std::ranges::count(requested_.roles, role, &RoleRequest::role) > 0; }
-
   bool is_requested(std::size_t cell) const {
-    return std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
-      return std::ranges::count(role.columns, fmt::format("{}", cell + 1)) > 0 ||
-             (cell < names_.size() && std::ranges::count(role.columns, names_[cell]) > 0);
-    });
+    return requested_.has(fmt::format("{}", cell + 1)) || (cell < names_.size() && requested_.has(names_[cell]));
   }
 
   void request(Role role, std::size_t cell) {
@@ -454,7 +443,7 @@ class RolesByCells {
     if (is_requested(0) || rows_[0].empty() || !is_index_name(names_[0])) return;
     const bool has_dates = notation(0) && is_date(*notation(0));
     if (!has_dates && !counts()) return;
-    bool has_time = has(Role::time);
+    bool has_time = requested_.has(Role::time);
     for (std::size_t cell = 1; cell < names_.size(); ++cell) has_time = has_time || is_time(cell);
     const bool is_nameless = names_[0].empty();
     if (!has_time && !requested_.timeless && (has_dates || !has_times_in_words())) {
@@ -510,10 +499,7 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, cons
   ColumnOptions requested = options.columns;
   for (const std::size_t cell : unread) {
     const std::string column = fmt::format("{}", cell + 1);
-    const bool is_requested = std::ranges::any_of(requested.roles, [&](const RoleRequest& role) {
-      return std::ranges::count(role.columns, column) > 0 ||
-             (cell < names.size() && std::ranges::count(role.columns, names[cell]) > 0);
-    });
+    const bool is_requested = requested.has(column) || (cell < names.size() && requested.has(names[cell]));
     if (!is_requested) requested.roles.push_back({Role::unused, {column}});
   }
   std::vector<std::string> notes;
@@ -601,8 +587,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     if (!units.empty()) take_units(head, units, options.units);
     head.units = units_of_keys(options.units, head.columns, first_time(row.cells, head.columns));
   });
-  const bool chosen = std::ranges::any_of(columns.roles, [](const auto& role) { return role.role == Role::position; });
-  if (!chosen && !columns.samples) require_text(rest[0], head, numeric);
+  if (!columns.has(Role::position) && !columns.samples) require_text(rest[0], head, numeric);
   return head;
 }
 

@@ -1,12 +1,14 @@
 // Header of delimited text: names and roles of the columns, from the first three records.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "read/chunk.hpp"
 #include "read/csv/tokenizer.hpp"
 #include "read/input_options.hpp"
+#include "read/text_bytes.hpp"
 #include "schema/columns.hpp"
 #include "schema/key_rules.hpp"
 #include "schema/units.hpp"
@@ -29,6 +31,12 @@ struct DelimitedHead {
   std::vector<bool> begin_empty = {};      ///< for each column, whether its first two cells are empty
   bool is_of_format = false;               ///< the format has the columns, not the text
 };
+
+/// The first cell with a role; beyond all of them where there is none.
+inline std::size_t cell_of(const Columns& columns, Role role) {
+  const auto found = std::ranges::find(columns.cells, role, &Columns::Column::role);
+  return static_cast<std::size_t>(found - columns.cells.begin());
+}
 
 /// A line of a format with fixed columns has another number of cells.
 Error line_unlike_format(std::size_t cells, std::size_t expected);

@@ -1,4 +1,4 @@
-// Tokenizer of delimited text: its syntax, records and their cells.
+// Tokenizer of delimited text: its syntax, records and their cells, and why a cell is not a number.
 //
 // Source: RFC 4180 for quotes: a cell that begins with a quote ends with one, holds delimiters and line
 //   ends as they are, and doubles each quote inside.
@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "error.hpp"
-#include "read/chunk.hpp"
+#include "numbers/parse_number.hpp"
+#include "read/text_bytes.hpp"
 
 namespace tcb {
 
@@ -80,5 +81,18 @@ inline std::string_view bare(std::string_view cell) {
 }
 /// The text of a cell without its quotes.
 std::string unquoted(std::string_view cell);
+
+/// The number of a cell is too large for a double.
+Error number_beyond_doubles(std::string_view column, std::string_view cell);
+
+/// Whether a text is a number with marks between thousands, such as 1,234.5, 1.234,5 or 1 234.
+bool has_thousands_separators(std::string_view text);
+
+/// A number without the unit after it, as in 2.35 m; any other text as it is.
+std::string_view without_unit_of_number(std::string_view cell);
+
+/// Why a cell of a column is not a number, which was expected. `marks` are those of the input.
+/// Requires: it is not a sign of a missing number.
+Error why_not_number(std::string_view column, std::string_view cell, const NumberMarks& marks);
 
 }  // namespace tcb

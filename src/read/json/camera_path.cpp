@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <unordered_set>
 #include <utility>
@@ -90,58 +89,33 @@ class CameraValues {
     return tape_.written(*value) == "true";
   }
 
-  /// The members besides the cameras and their rate, as they are to be written again.
+  /// The members besides the cameras and their rate, which are to be written again.
   std::string members_besides_cameras() const {
     std::string all;
     std::unordered_set<std::string_view> names;
-    tape_.for_each_member(0, [&](std::size_t name, std::size_t value) {
+    for (const std::size_t name : tape_.inside(0)) {
       const std::string_view text = tape_.text(name);
       if (!names.insert(text).second) {
         throw at(name, data_error("the object has this member twice; expected it once; remove one"));
       }
-      const bool is_made = text == "camera_path" || text == "fps" || text == "seconds";
-      if (!is_made) write_member(all, name, value);
-      return true;
-    });
+      if (text == "camera_path" || text == "fps" || text == "seconds") continue;
+      all += fmt::format("{}{}:", all.empty() ? "" : ",", tape_.written(name));
+      append(all, name + 1);
+    }
     return "{" + all + "}";
   }
 
-  void write_member(std::string& text, std::size_t name, std::size_t value) const {
-    if (!text.empty() && text.back() != '{') text += ',';
-    text += nlohmann::json(std::string(tape_.text(name))).dump() + ":";
-    write(text, value);
-  }
-
-  void write(std::string& text, std::size_t value) const {
-    switch (tape_.kind(value)) {
-      case Kind::object:
-        text += '{';
-        tape_.for_each_member(
-            value, [&](std::size_t name, std::size_t member) { return write_member(text, name, member), true; });
-        text += '}';
-        return;
-      case Kind::array:
-        text += '[';
-        tape_.for_each_element(value, [&](std::size_t element) {
-          if (text.back() != '[') text += ',';
-          return write(text, element), true;
-        });
-        text += ']';
-        return;
-      case Kind::string: text += nlohmann::json(std::string(tape_.text(value))).dump(); return;
-      case Kind::number: text += number_in_json(tape_.written(value)); return;
-      case Kind::null: text += "null"; return;
-      default: text += tape_.written(value);
+  /// Appends a value as it is written, but for NaN, which JSON does not have.
+  void append(std::string& text, std::size_t value) const {
+    const std::string_view written = tape_.written(value);
+    std::size_t from = 0;
+    for (std::size_t i = value; i < tape_[value].next; ++i) {
+      if (tape_.kind(i) != Kind::null) continue;
+      const std::size_t begin = tape_[i].begin - tape_[value].begin;
+      text.append(written.substr(from, begin - from)).append("null");
+      from = begin + tape_.written(i).size();
     }
-  }
-
-  /// A whole number as it is; others as nlohmann-json writes them.
-  static std::string number_in_json(std::string_view decimal) {
-    const std::string text = json_number_text(decimal);
-    const bool is_whole = decimal.find_first_of(".eE") == std::string_view::npos && decimal != "-0";
-    return is_whole && text == decimal ? text
-           : decimal == "-0"           ? "0"
-                                       : nlohmann::json(parse_number(decimal).value_or(0)).dump();
+    text += written.substr(from);
   }
 
   const JsonTape& tape_;
@@ -193,13 +167,12 @@ class KeyframeReader {
     own_fov_ = own_transition_ = render_time_ = std::nullopt;
     has_own_transition_ = is_faulty_ = false;
     std::unordered_set<std::string_view> names;
-    tape_.for_each_member(value, [&](std::size_t name, std::size_t member) {
+    for (const std::size_t name : tape_.inside(value)) {
       if (!names.insert(tape_.text(name)).second) {
         add_fault(name, data_error("the key has this member twice; expected it once; remove one"));
       }
-      read_member(tape_.text(name), member);
-      return true;
-    });
+      read_member(tape_.text(name), name + 1);
+    }
     if (!names.contains("matrix")) {
       is_faulty_ = true;
       keys_.add_fault(
@@ -244,7 +217,7 @@ class KeyframeReader {
                                   option::input_format, option::records, option::parameter, option::columns));
     }
     if (tape_.kind(value) != Kind::array) return add_fault(value, array_expected());
-    tape_.for_each_element(value, [&](std::size_t element) {
+    for (const std::size_t element : tape_.inside(value)) {
       const Kind kind = tape_.kind(element);
       if (kind == Kind::number) {
         if (matrix_.size() < matrix_size) matrix_.push_back(values_.number_of(element));
@@ -253,12 +226,10 @@ class KeyframeReader {
                            : kind == Kind::null       ? array_expected()
                                                       : not_a_number(values_.text_of(element)));
       }
-      return true;
-    });
+    }
     const std::size_t size = tape_.count(value);
     if (size == matrix_size) return;
-    add_fault(value, data_error("the matrix has {} number{}; expected 16, row by row; correct it", size,
-                                size == 1 ? "" : "s"));
+    add_fault(value, data_error("the matrix has {}; expected 16, row by row; correct it", how_many(size, "number")));
   }
 
   /// The first fault in the values of a keyframe.
@@ -277,23 +248,19 @@ class KeyframeReader {
     return {transition_, "default_transition_sec"};
   }
 
-  /// The number of a cell by its index among the columns, after the time.
-  WrittenNumber number_in(std::size_t cell) {
-    constexpr std::array<std::size_t, 12> places{3, 7, 11, 0, 1, 2, 4, 5, 6, 8, 9, 10};  // in the matrix
-    if (cell <= places.size()) return matrix_[places[cell - 1]];
-    const bool is_fov = cell == places.size() + 1;
-    const std::optional<WrittenNumber>& number = !is_fov ? render_time_ : own_fov_ ? own_fov_ : fov_;
-    if (!number) {
-      const std::string_view name = is_fov ? "fov" : "render_time";
-      refuse(name, data_error("the keyframe has no {}; expected a number in every keyframe; add it", name));
-    }
+  /// A number that every keyframe needs.
+  WrittenNumber required(std::string_view name, const std::optional<WrittenNumber>& number) {
+    if (!number) refuse(name, data_error("the keyframe has no {}; expected a number in every keyframe; add it", name));
     return number.value_or(WrittenNumber{});
   }
 
   void add_numbers() {
     std::vector<WrittenNumber> numbers{{nearest_double(seconds_), ratio_text(seconds_)}};
-    while (matrix_.size() == matrix_size && numbers.size() < columns_.cells.size()) {
-      numbers.push_back(number_in(numbers.size()));
+    if (matrix_.size() == matrix_size) {
+      constexpr std::array<std::size_t, 12> places{3, 7, 11, 0, 1, 2, 4, 5, 6, 8, 9, 10};  // the position comes first
+      for (const std::size_t place : places) numbers.push_back(matrix_[place]);
+      numbers.push_back(required("fov", own_fov_ ? own_fov_ : fov_));
+      if (numbers.size() < columns_.cells.size()) numbers.push_back(required("render_time", render_time_));
     }
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const Columns::Column& column = columns_.cells[i];
@@ -352,31 +319,26 @@ std::optional<ViewerFrames> frames_of(const CameraValues& path, const Rational& 
   return ViewerFrames{exact_number(*rate), seconds, whole, duration / Rational(whole)};
 }
 
-/// Whether the beginning of a text is that of a camera path: the first list in an object is "keyframes", and the first
-/// one of these has a matrix. Nothing: that depends on the text that follows.
-std::optional<bool> begins_camera_path(std::string_view beginning) {
+/// A text fits if the first list in an object is "keyframes", and the first one of these has a matrix.
+std::optional<int> fit_of_camera_path(std::string_view beginning) {
   constexpr std::string_view blanks = " \t\r\n";
+  constexpr int fits = 3, fits_not = 0;
   const std::size_t first = beginning.find_first_not_of(blanks);
   if (first == std::string_view::npos) return std::nullopt;
-  if (beginning[first] != '{') return false;
+  if (beginning[first] != '{') return fits_not;
   const std::size_t nested = beginning.find_first_of("[{}", first + 1);
   if (nested == std::string_view::npos) return std::nullopt;
   const std::string_view members = beginning.substr(0, nested);
   const std::size_t name = members.rfind('"', members.find_last_not_of(" \t\r\n:"));
   const bool is_list = beginning[nested] == '[' && name != std::string_view::npos &&
                        members.substr(0, name + 1).ends_with("\"keyframes\"");
-  if (!is_list) return false;
+  if (!is_list) return fits_not;
   const std::size_t keyframe = beginning.find_first_not_of(blanks, nested + 1);
   if (keyframe == std::string_view::npos) return std::nullopt;
-  if (beginning[keyframe] != '{') return true;
+  if (beginning[keyframe] != '{') return fits;
   const std::size_t end = beginning.find_first_of("{}", keyframe + 1);
-  if (beginning.substr(keyframe, end - keyframe).find("\"matrix\"") != std::string_view::npos) return true;
-  return end == std::string_view::npos ? std::nullopt : std::optional(false);
-}
-
-std::optional<int> fit_of_camera_path(std::string_view beginning) {
-  const std::optional<bool> begins = begins_camera_path(beginning);
-  return begins ? std::optional(*begins ? 3 : 0) : std::nullopt;
+  if (beginning.substr(keyframe, end - keyframe).find("\"matrix\"") != std::string_view::npos) return fits;
+  return end == std::string_view::npos ? std::nullopt : std::optional(fits_not);
 }
 
 /// The options with the rotation of camera paths and their unit of times, unless others are requested.
@@ -407,16 +369,15 @@ Records open_camera_path(const Format&, Source<std::string> bytes, InputOptions 
   bool has_render_times = false;
   for (const std::uint32_t keyframe : keyframes) {
     if (tape.kind(keyframe) != Kind::object) throw not_a_record(tape, keyframe, false);
-    tape.for_each_member(keyframe, [&](std::size_t name, std::size_t value) {
-      has_render_times |= tape.text(name) == "render_time" && tape.kind(value) == Kind::number;
-      return true;
-    });
+    for (const std::size_t name : tape.inside(keyframe)) {
+      has_render_times |= tape.text(name) == "render_time" && tape.kind(name + 1) == Kind::number;
+    }
   }
   if (has_render_times) names.emplace_back("render_time");
   if (keyframes.empty()) throw no_keyframes().at(position);
   constexpr double usual_transition = 0.5;  // of the viewer, where a file has none
   const CameraValues path(tape);
-  const WrittenNumber tension = path.number_around("smoothness_value").value_or(WrittenNumber{0, "0"});
+  const WrittenNumber tension = path.number_around("smoothness_value").value_or(WrittenNumber{});
   const auto transition = path.number_around("default_transition_sec").value_or(WrittenNumber{usual_transition, "0.5"});
   const std::optional<WrittenNumber> fov = path.number_around("default_fov");
   const bool is_cycle = path.is_cycle();
@@ -437,9 +398,7 @@ Records open_camera_path(const Format&, Source<std::string> bytes, InputOptions 
   if (is_cycle) info.settings.period = {{period}, {"is_cycle", position}};
   info.settings.metric = metric_of(records.columns, position);
   records.facts.shape = JsonShape::object;
-  records.keys.blocks = [block = std::optional(keys.finish(std::string(keyframe_list)))]() mutable {
-    return std::exchange(block, std::nullopt);
-  };
+  records.keys.blocks = each_of(std::deque{keys.finish(std::string(keyframe_list))});
   return records;
 }
 

@@ -48,10 +48,6 @@ struct Found {
   bool is_of_positions() const { return is_position || is_rotation; }
 };
 
-std::string how_many(std::size_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 /// Whether a member is an array [T,C,B]: of the key, or of one channel as "tcb.x".
 bool holds_tcb(std::string_view name) { return name == "tcb" || name.starts_with("tcb."); }
 
@@ -104,8 +100,9 @@ class FirstRecord {
         add(std::string(cell.name), {std::string(cell.name)}, cell);
         continue;
       }
-      for (const JsonCell& inner : members_of(tape_, cell.value)) {
-        add(fmt::format("{}.{}", cell.name, inner.name), {std::string(cell.name), std::string(inner.name)}, inner);
+      for (const std::size_t name : tape_.inside(cell.value)) {
+        const std::string inner(tape_.text(name));
+        add(fmt::format("{}.{}", cell.name, inner), {std::string(cell.name), inner}, {inner, name + 1, name});
       }
     }
     find_missing_numbers();
@@ -133,26 +130,17 @@ class FirstRecord {
           .about(member.path)
           .at(tape_.position(member.place));
     }
-    if (cell.value == JsonCell::missing) {
-      count(member, false);
-    } else if (tape_.kind(cell.value) == Kind::array) {
-      add_elements(member);
-    } else if (tape_.kind(cell.value) == Kind::object) {
-      add_nested(member, cell.value, false);
-    } else {
-      add_scalar(member, cell.value, false);
-    }
+    if (cell.value == JsonCell::missing) return count(member, false);
+    if (tape_.kind(cell.value) != Kind::array) return add_value(member, cell.value, false);
+    for (const std::size_t element : tape_.inside(cell.value)) add_value(member, element, true);
   }
 
-  void add_elements(Found& member) {
-    tape_.for_each_element(member.node, [&](std::size_t element) {
-      if (tape_[element].is_nested()) {
-        add_nested(member, element, true);
-      } else {
-        add_scalar(member, element, true);
-      }
-      return true;
-    });
+  void add_value(Found& member, std::size_t value, bool in_array) {
+    if (tape_[value].is_nested()) {
+      add_nested(member, value, in_array);
+    } else {
+      add_scalar(member, value, in_array);
+    }
   }
 
   void add_nested(Found& member, std::size_t value, bool in_array) {
@@ -216,14 +204,16 @@ class FirstRecord {
     if (std::ranges::none_of(members_, &Found::text)) return;
     constexpr std::size_t most_records = 1000;
     std::unordered_set<std::string_view> numbers, missing, texts;
+    JsonCells cells;
     for (std::size_t record = 0; record < std::min(records_.size(), most_records); ++record) {
-      records_.for_each_cell(record, [&](const JsonCell& cell) {
+      records_.get_cells(record, cells);
+      for (const JsonCell& cell : cells) {
         const Kind kind = tape_.kind(cell.value);
         if (kind == Kind::number) numbers.insert(cell.name);
         if (kind == Kind::boolean) texts.insert(cell.name);
-        if (kind != Kind::string || tape_.text(cell.value).empty()) return;
+        if (kind != Kind::string || tape_.text(cell.value).empty()) continue;
         (is_missing_sign(tape_.text(cell.value), signs_) ? missing : texts).insert(cell.name);
-      });
+      }
     }
     for (Found& member : members_) {
       const bool has_numbers =
@@ -343,25 +333,15 @@ void take_cells(std::vector<std::string_view>& row, const JsonTape& tape, const 
     return kind == Kind::string ? tape.text(scalar) : kind == Kind::null ? "" : tape.written(scalar);
   };
   std::size_t index = 0;
-  switch (tape.kind(value)) {
-    case Kind::object:
-      tape.for_each_member(value, [&](std::size_t inner, std::size_t of_inner) {
-        take_cells(row, tape, member->inner, tape.text(inner), of_inner);
-        return true;
-      });
-      break;
-    case Kind::array:
-      tape.for_each_element(value, [&](std::size_t element) {
-        if (member->is_nested()) {
-          take_cells(row, tape, member->inner, fmt::format("[{}]", index++), element);
-        } else if (index < member->cells && !tape[element].is_nested()) {
-          row[member->cell + index++] = text(element);
-        }
-        return true;
-      });
-      break;
-    default:
-      if (member->cells > 0) row[member->cell] = text(value);
+  if (!tape[value].is_nested() && member->cells > 0) row[member->cell] = text(value);
+  for (const std::size_t inner : tape.inside(value)) {
+    if (tape.kind(inner) == Kind::name) {
+      take_cells(row, tape, member->inner, tape.text(inner), inner + 1);
+    } else if (member->is_nested()) {
+      take_cells(row, tape, member->inner, fmt::format("[{}]", index++), inner);
+    } else if (index < member->cells && !tape[inner].is_nested()) {
+      row[member->cell + index++] = text(inner);
+    }
   }
 }
 
@@ -392,7 +372,7 @@ class FirstKey {
     if (requested_.samples) {
       result.columns = find_sample_columns(header, numeric, *requested_.samples, requested_.timeless);
     } else {
-      if (!options_.rotation.none && !is_requested(Role::position)) require_quaternion();
+      if (!options_.rotation.none && !requested_.has(Role::position)) require_quaternion();
       require_no_lost_arrays();
       result.columns = find_columns(header, numeric, requests(), requested_.timeless);
       std::ranges::for_each(members_, [&](const Found& member) { require_shape(member); });
@@ -421,7 +401,6 @@ class FirstKey {
   bool has_any(const F& f) const {
     return std::ranges::any_of(members_, [&](const Found& member) { return std::invoke(f, member); });
   }
-  bool is_requested(Role role) const { return std::ranges::count(requested_.roles, role, &RoleRequest::role) > 0; }
   /// Whether a request names a column, in any case of its letters.
   bool is_requested(const std::string& name) const {
     return std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
@@ -447,17 +426,12 @@ class FirstKey {
       inner.numbers = inner.text ? 0 : 1;
       members.push_back(std::move(inner));
     };
-    if (tape_.kind(outer.node) == Kind::object) {
-      for (const JsonCell& cell : members_of(tape_, outer.node)) {
-        add(fmt::format(".{}", cell.name), std::string(cell.name), cell.value, cell.place);
-      }
-      return;
+    std::size_t index = 0;
+    for (const std::size_t inner : tape_.inside(outer.node)) {
+      const bool is_name = tape_.kind(inner) == Kind::name;
+      const std::string step = is_name ? std::string(tape_.text(inner)) : fmt::format("[{}]", index++);
+      add(is_name ? "." + step : step, step, tape_.value_of(inner), inner);
     }
-    tape_.for_each_element(outer.node, [&, index = 0](std::size_t element) mutable {
-      const std::string step = fmt::format("[{}]", index++);
-      add(step, step, element, element);
-      return true;
-    });
   }
 
   /// Makes the numbers in objects members of their own: those that are requested, and, where the key has no other
@@ -467,8 +441,8 @@ class FirstKey {
     const auto may_be_positions = [](const Found& m) {
       return is_plain_number(m) || (m.is_number_array() && !has_role(m.name));
     };
-    const bool lacks_position = !is_requested(Role::position) && !has_any(may_be_positions);
-    const bool lacks_time = !requested_.timeless && !is_requested(Role::time) && !has_any(is_one_time);
+    const bool lacks_position = !requested_.has(Role::position) && !has_any(may_be_positions);
+    const bool lacks_time = !requested_.timeless && !requested_.has(Role::time) && !has_any(is_one_time);
     const bool has_position_array = has_any([](const Found& m) { return m.name == "position" && m.array; });
     const bool has_position_object = has_any([](const Found& m) { return m.name == "position" && m.nested; });
     if (requested_.roles.empty() && !lacks_position && !lacks_time && !has_position_object) return;
@@ -477,7 +451,7 @@ class FirstKey {
       if ((!members_[i].nested && !members_[i].array) || members_[i].node == JsonCell::missing) continue;
       if (holds_tcb(members_[i].name) || is_of_rotation(members_[i])) continue;
       const bool is_position = members_[i].nested && !members_[i].array && members_[i].name == "position" &&
-                               !is_requested(Role::position) && !has_position_array && members_[i].deep_numbers;
+                               !requested_.has(Role::position) && !has_position_array && members_[i].deep_numbers;
       std::vector<Found> inside;
       add_inside(inside, members_[i]);
       for (Found& inner : inside) {
@@ -524,7 +498,7 @@ class FirstKey {
     if (arrays.empty()) {
       const auto position = std::ranges::find(members_, "position", &Found::name);
       const bool has_position = position != members_.end() && position->array && !position->nested;
-      const bool is_known = is_requested(Role::position) || has_position || requested_.samples;
+      const bool is_known = requested_.has(Role::position) || has_position || requested_.samples;
       const std::string lone = is_known ? "" : lone_array();
       arrays = {lone.empty() ? "position" : lone};
       has_rotation = !options_.rotation.none && has_quaternion(members_);
@@ -677,8 +651,7 @@ class FirstKey {
   void require_shape(const Found& member) const {
     const bool is_array = holds_tcb(member.name);
     if (member.is_spread || !has_role(member.name) || (is_array == member.array && !member.text)) return;
-    const bool is_named = std::ranges::any_of(
-        requested_.roles, [&](const RoleRequest& role) { return std::ranges::count(role.columns, member.name) > 0; });
+    const bool is_named = requested_.has(member.name);
     if (is_named || (!is_array && member.numbers == 1 && !member.array)) return;  // it may be null
     throw at(member, is_array ? data_error("this is not an array; expected [T,C,B]; correct it")
                               : data_error("this is not a number; expected one; correct it"));
@@ -687,8 +660,8 @@ class FirstKey {
   /// Throws: Error (data) where an array or an object is not used and may be the position, for single numbers are, or
   /// the time.
   void require_no_lost_arrays() const {
-    const bool has_position = is_requested(Role::position) || has_any(&Found::is_of_positions);
-    const bool has_time = requested_.timeless || is_requested(Role::time) ||
+    const bool has_position = requested_.has(Role::position) || has_any(&Found::is_of_positions);
+    const bool has_time = requested_.timeless || requested_.has(Role::time) ||
                           has_any([](const Found& m) { return m.numbers == 1 && !m.array && has_time_name(m); });
     for (const Found& member : members_) {
       const bool is_array = member.array && !member.nested;
@@ -725,10 +698,11 @@ class FirstKey {
   std::vector<std::string> doubts(const JsonColumns& columns, const std::vector<std::string>& header) const {
     constexpr std::size_t most = 50;
     std::vector<std::vector<std::string_view>> rows(std::min(records_.size(), most));
+    JsonCells cells;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       rows[i].resize(header.size());
-      records_.for_each_cell(
-          i, [&](const JsonCell& cell) { take_cells(rows[i], tape_, columns.members, cell.name, cell.value); });
+      records_.get_cells(i, cells);
+      for (const JsonCell& cell : cells) take_cells(rows[i], tape_, columns.members, cell.name, cell.value);
     }
     std::vector<bool> numeric;
     std::vector<std::string> meant;

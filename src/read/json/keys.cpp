@@ -61,7 +61,8 @@ class KeyReader {
     begin_key();
     const LinePosition position = lines.to(tape_.part().chunk.text, tape_[place].begin);
     std::size_t expected = 0;
-    table.for_each_cell(row, [&](const JsonCell& cell) { read_member(cell, expected); });
+    table.get_cells(row, cells_);
+    for (const JsonCell& cell : cells_) read_member(cell, expected);
     if (const std::size_t cells = table.columns(); cells > 0 && tape_.count(place) != cells) {
       add_fault(row_of_other_size(number_, tape_.count(place), cells).at(tape_.position(place)));
     }
@@ -102,25 +103,16 @@ class KeyReader {
       return member.name == name && member.is_nested() == (kind == Kind::object);
     };
     if (expected < members.size() && is_it(members[expected])) return &members[expected++];
-    constexpr std::size_t few = 16;
-    auto found = members.end();
-    if (members.size() <= few) {
-      found = std::ranges::find_if(members, is_it);
-      if (found == members.end()) found = std::ranges::find(members, name, &Member::name);
-    } else {
-      auto& places = places_[&members];
-      if (places.empty()) {
-        for (std::size_t i = 0; i < members.size(); ++i) places.emplace(members[i].name, i);
-      }
-      const auto [first, last] = places.equal_range(name);
-      for (auto at = first; at != last; ++at) {
-        const auto member = members.begin() + static_cast<std::ptrdiff_t>(at->second);
-        if (found == members.end() || is_it(*member)) found = member;
-      }
+    auto& by_name = by_name_[&members];
+    if (by_name.empty()) {
+      for (const Member& member : members) by_name.emplace(member.name, &member);
     }
-    if (found == members.end()) return nullptr;
-    expected = static_cast<std::size_t>(found - members.begin()) + 1;
-    return &*found;
+    const auto [first, last] = by_name.equal_range(name);
+    if (first == last) return nullptr;
+    const auto found = std::find_if(first, last, [&](const auto& named) { return is_it(*named.second); });
+    const Member* const member = (found == last ? first : found)->second;
+    expected = static_cast<std::size_t>(member - members.data()) + 1;
+    return member;
   }
 
   void read_member(const JsonCell& cell, std::size_t& expected) {
@@ -130,10 +122,7 @@ class KeyReader {
     const bool is_spread = (cell.name == "tcb" || cell.name == "rotation") && tape_.kind(cell.value) == Kind::object;
     if (member != nullptr && (!is_spread || member->is_nested())) return read_value(*member, cell.value);
     if (!is_spread) return refuse_unknown(cell.value);
-    tape_.for_each_member(cell.value, [&](std::size_t, std::size_t value) {
-      refuse_unknown(value);
-      return true;
-    });
+    for (const std::size_t name : tape_.inside(cell.value)) refuse_unknown(name + 1);
   }
 
   /// Numbers that the first key does not have are faults.
@@ -168,43 +157,39 @@ class KeyReader {
 
   void read_array(const Member& member, std::size_t array) {
     std::size_t index = 0;
-    tape_.for_each_element(array, [&](std::size_t value) {
-      if (index++ >= member.cells) return true;
+    for (const std::size_t value : tape_.inside(array)) {
+      if (index++ >= member.cells) continue;
       const Column& column = columns_.columns.cells[member.cell + index - 1];
       if (!tape_[value].is_nested()) {
         read_cell(column, value);
       } else if (column.role != Role::ignored) {
         add_shape_fault(member, value);
       }
-      return true;
-    });
+    }
     if (index == member.cells) return;
-    add_value_fault(array, data_error("the array has {} element{}; expected {}, as in the first key; correct it", index,
-                                      index == 1 ? "" : "s", member.cells));
+    add_value_fault(array, data_error("the array has {}; expected {}, as in the first key; correct it",
+                                      how_many(index, "element"), member.cells));
   }
 
   /// The members of an object, or the elements of an array, that have columns.
   void read_inner(const Member& member, std::size_t value) {
     const Kind kind = tape_.kind(value);
     if (kind == Kind::null) return;  // what a key needs is missing
-    std::size_t expected = 0;
-    const auto read = [&](std::string_view name, std::size_t inner, bool is_known_only) {
-      const Member* const found = find(member.inner, name, tape_.kind(inner), expected);
+    const bool is_object = kind == Kind::object;
+    if (!is_object && (kind != Kind::array || !member.inner[0].name.starts_with('['))) {
+      return refuse_unknown(value);  // what a key needs is missing
+    }
+    std::size_t expected = 0, index = 0;
+    for (const std::size_t inner : tape_.inside(value)) {
+      const std::string step = is_object ? "" : fmt::format("[{}]", index++);
+      const std::size_t of_inner = tape_.value_of(inner);
+      const Member* const found =
+          find(member.inner, is_object ? tape_.text(inner) : step, tape_.kind(of_inner), expected);
       if (found != nullptr) {
-        read_value(*found, inner);
-      } else if (!is_known_only) {
-        refuse_unknown(inner);
+        read_value(*found, of_inner);
+      } else if (is_object && member.is_whole) {
+        refuse_unknown(of_inner);
       }
-      return true;
-    };
-    if (kind == Kind::object) {
-      tape_.for_each_member(
-          value, [&](std::size_t name, std::size_t inner) { return read(tape_.text(name), inner, !member.is_whole); });
-    } else if (kind == Kind::array && member.inner[0].name.starts_with('[')) {
-      std::size_t index = 0;
-      tape_.for_each_element(value, [&](std::size_t inner) { return read(fmt::format("[{}]", index++), inner, true); });
-    } else {
-      refuse_unknown(value);  // what a key needs is missing
     }
   }
 
@@ -215,7 +200,7 @@ class KeyReader {
     if (column.role == Role::ignored) return kind == Kind::null ? void() : keys_.set_mark(column, text);
     if (is_text(column)) return read_text(column, text, value);
     const bool is_time = column.role == Role::time && is_quoted;
-    if (is_time && keys_.set_time_in_words(column, text)) return;
+    if (is_time && keys_.set_time_in_words(text)) return;
     const bool is_sign =
         is_quoted ? is_missing_sign(text, signs_) : !signs_.empty() && std::ranges::count(signs_, text);
     if (kind == Kind::null || is_sign)
@@ -328,7 +313,8 @@ class KeyReader {
   std::uint64_t number_;             ///< of the current or the next record
   std::vector<unsigned char> seen_;  ///< 1 for the members of the current key; bits would take longer
   std::vector<const Member*> required_;
-  std::unordered_map<const Members*, std::unordered_multimap<std::string_view, std::size_t>> places_;
+  std::unordered_map<const Members*, std::unordered_multimap<std::string_view, const Member*>> by_name_;
+  JsonCells cells_;                 ///< of the current key
   const JsonCell* cell_ = nullptr;  ///< the current member
   bool is_provenance_ = false;      ///< the object has "meta", and is no key if it has no member of a key
   unsigned tcb_given_ = 0;          ///< a bit for each of the three
@@ -350,7 +336,7 @@ Error not_a_record(const JsonTape& tape, std::size_t value, bool is_row) {
 
 KeyBlock parse_table(const JsonTable& table, std::size_t first, std::size_t last, const JsonColumns& columns,
                      LineCounter& lines) {
-  KeyReader reader(table.tape(), columns, table.path(), first);
+  KeyReader reader(table.tape(), columns, table.path(), table.first() + first);
   try {
     for (std::size_t row = first; row < last && !reader.is_full(); ++row) reader.read(table, row, lines);
   } catch (const Error& error) {
@@ -380,17 +366,8 @@ KeyBlock parse_json(const JsonPart& part, const JsonColumns& columns) {
   try {
     const JsonTape tape(part);
     const JsonTable list(tape, tape.elements(0), columns.row_names, chunk.path, chunk.first);
-    KeyReader reader(tape, columns, chunk.path, chunk.first);
-    try {
-      if (list.size() == 0) {
-        throw data_error("no key before or after a comma; expected an object; remove the comma")
-            .at(tape.position_at(1));
-      }
-      for (std::size_t row = 0; row < list.size() && !reader.is_full(); ++row) reader.read(list, row, lines);
-    } catch (const Error& error) {
-      return reader.finish_unreadable(error);
-    }
-    return reader.finish();
+    if (list.size() > 0) return parse_table(list, 0, list.size(), columns, lines);
+    throw data_error("no key before or after a comma; expected an object; remove the comma").at(tape.position_at(1));
   } catch (const Error& error) {
     KeyBuilder keys(columns.columns, columns.rules, columns.units);
     keys.add_fault(error);

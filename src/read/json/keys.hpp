@@ -1,8 +1,13 @@
-// JSON keys: records on a tape become keys.
+// JSON keys: records on a tape become keys, and the members around them settings of the curve, names of channels, and
+// an id.
 #pragma once
+
+#include <string>
+#include <vector>
 
 #include "read/json/columns.hpp"
 #include "read/json/tables.hpp"
+#include "schema/curve_settings.hpp"
 #include "schema/key_block.hpp"
 
 namespace tcb {
@@ -17,5 +22,20 @@ Error not_a_record(const JsonTape& tape, std::size_t value, bool is_row);
 /// The keys of rows [first, last) of a table, as parse_json(). `lines` counts to the row before.
 KeyBlock parse_table(const JsonTable& table, std::size_t first, std::size_t last, const JsonColumns& columns,
                      LineCounter& lines);
+
+/// The members of an object around keys.
+struct JsonCurveInfo {
+  CurveInfo curve_info;
+  std::vector<std::string> channels;  ///< names of the numbers of "position"
+  std::vector<std::string> unused;    ///< members with numbers that are no settings
+  std::string path;                   ///< of the object, empty for the outermost one
+  TextPosition position;              ///< where it begins
+};
+
+/// Throws: Error (data) at a member that is wrong, or whose name is a near miss.
+JsonCurveInfo read_curve_info(const JsonPart& part);
+
+/// The names of channels in an object whose text ends with the opening bracket of its keys, if it has any.
+std::vector<std::string> channels_before_keys(const Chunk& text);
 
 }  // namespace tcb

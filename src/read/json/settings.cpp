@@ -1,5 +1,5 @@
 // Settings in JSON: the members around keys, which are settings of the curve, channel names and an id.
-#include "read/json/settings.hpp"
+#include "read/json/keys.hpp"
 
 #include <algorithm>
 #include <array>
@@ -31,12 +31,11 @@ class SettingsReader {
     found.path = part.chunk.path;
     found.position = {"", part.chunk.line, part.chunk.column};
     if (tape_.kind(0) != Kind::object) throw data_error("found no keys; expected at least two; add them");
-    tape_.for_each_member(0, [&](std::size_t name, std::size_t value) {
+    for (const std::size_t name : tape_.inside(0)) {
       name_ = name;
       member_ = tape_.text(name);
-      read(value);
-      return true;
-    });
+      read(name + 1);
+    }
   }
   JsonCurveInfo found;
 
@@ -49,10 +48,10 @@ class SettingsReader {
       throw at(name_, data_error("the object has this member twice; expected it once; remove one"));
     }
     text_.clear();
-    if (tape_.kind(value) != Kind::array) {
-      take(value, false);
+    if (tape_.kind(value) == Kind::array) {
+      for (const std::size_t element : tape_.inside(value)) take(element, true);
     } else {
-      tape_.for_each_element(value, [&](std::size_t element) { return take(element, true), true; });
+      take(value, false);
     }
     const auto& places = found.curve_info.places;
     if (!places.empty() && places.back().first == member_)

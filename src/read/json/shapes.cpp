@@ -14,7 +14,6 @@
 #include "read/input_format.hpp"
 #include "read/json/columns.hpp"
 #include "read/json/keys.hpp"
-#include "read/json/settings.hpp"
 #include "read/json/splitter.hpp"
 #include "read/json/tables.hpp"
 #include "stream/ordered_map.hpp"
@@ -113,7 +112,6 @@ struct Curve {
   std::deque<KeyBlock> blocks;
   JsonCurveInfo members;
   JsonColumns columns;
-  std::string path;
 };
 
 TextPosition position_of_channels(const JsonCurveInfo& members) {
@@ -147,22 +145,12 @@ std::optional<Curve> read_curve(const Source<Parsed>& parts, std::uint64_t max_m
     }
     const bool unreadable = part->keys.faults.unreadable;
     memory.add(bytes_of(part->keys));
-    curve.path = part->keys.text_positions.path;
     curve.blocks.push_back(std::move(part->keys));
     if (!unreadable) continue;
     curve.columns = *columns;
     return curve;
   }
   return std::nullopt;
-}
-
-Source<KeyBlock> blocks_of(std::deque<KeyBlock> blocks) {
-  return [blocks = std::move(blocks)]() mutable -> std::optional<KeyBlock> {
-    if (blocks.empty()) return std::nullopt;
-    KeyBlock block = std::move(blocks.front());
-    blocks.pop_front();
-    return block;
-  };
 }
 
 std::string columns_in_words(const Columns& columns) {
@@ -209,17 +197,17 @@ std::deque<KeyBlock> marked(Curve curve) {
 /// The keys of all curves, each held until the members around them are known.
 Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first, std::uint64_t max_memory) {
   const Columns columns = first.columns.columns;
-  return [parts = std::move(parts), left = marked(std::move(first)), columns,
+  return [parts = std::move(parts), blocks = each_of(marked(std::move(first))), columns,
           max_memory]() mutable -> std::optional<KeyBlock> {
-    while (left.empty()) {
+    for (;;) {
+      if (std::optional<KeyBlock> block = blocks()) return block;
       std::optional<Curve> curve = read_curve(parts, max_memory);
       if (!curve || is_around_curves(*curve)) return std::nullopt;
-      if (!curve->blocks.empty()) require_same_columns(columns, curve->columns.columns, curve->path);
-      left = marked(std::move(*curve));
+      if (!curve->blocks.empty()) {
+        require_same_columns(columns, curve->columns.columns, curve->blocks.back().text_positions.path);
+      }
+      blocks = each_of(marked(std::move(*curve)));
     }
-    KeyBlock block = std::move(left.front());
-    left.pop_front();
-    return block;
   };
 }
 
@@ -260,7 +248,7 @@ Records open_objects(Source<Task> source, JsonShape shape, const InputOptions& o
   ignored.insert(ignored.end(), curve->members.unused.begin(), curve->members.unused.end());
   if (shape == JsonShape::object) {
     records.keys.curve_info = std::move(curve->members.curve_info);
-    records.keys.blocks = blocks_of(std::move(curve->blocks));
+    records.keys.blocks = each_of(std::move(curve->blocks));
     return records;
   }
   require_no_groups(records.columns);
@@ -338,10 +326,7 @@ std::optional<Records> open_one_key(const Chunk& text, const InputOptions& optio
   part.chunk.path = "keys";
   try {
     const auto columns = std::make_shared<const JsonColumns>(columns_of(part, false, options, {}));
-    Source<Task> task = [task = std::optional(Task{std::move(part), columns})]() mutable {
-      return std::exchange(task, std::nullopt);
-    };
-    return open_list(std::move(task), JsonShape::lines, options.threads);
+    return open_list(each_of(std::deque{Task{std::move(part), columns}}), JsonShape::lines, options.threads);
   } catch (const Error& error) {
     reason = error;
     return std::nullopt;

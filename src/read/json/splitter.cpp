@@ -5,15 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
+
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
 constexpr std::size_t longest_json_record = 64UL * 1024 * 1024;
-
-Error text_ends_early() {
-  return data_error("not JSON: the text ends too early; expected the rest of the last value; complete it");
-}
 
 /// The characters that determine where records end.
 constexpr std::array<bool, 256> is_structure = [] {
@@ -22,59 +21,38 @@ constexpr std::array<bool, 256> is_structure = [] {
   return found;
 }();
 
-bool holds_blanks_only(std::string_view text) { return std::ranges::all_of(text, is_json_blank); }
-
-/// The closing quote of the string that `at` is in, or `end`. `escaped`: a backslash precedes `at`; on return at `end`,
-/// whether one precedes what follows.
-const char* find_closing_quote(const char* at, const char* end, bool& escaped) {
-  if (at != end && escaped) {
-    escaped = false;
-    ++at;
-  }
-  while (at != end && *at != '"') {
-    while (at != end && *at != '"' && *at != '\\') ++at;
-    if (at == end || *at == '"') break;
-    escaped = at + 1 == end;
-    at += escaped ? 1 : 2;
-  }
-  return at;
-}
-
 }  // namespace
 
-std::size_t end_of_json_value(std::string_view text, std::size_t at) {
-  for (std::size_t depth = 0; at < text.size(); ++at) {
-    const char c = text[at];
-    if (c == '"') {
-      bool escaped = false;
-      const char* const quote = find_closing_quote(text.data() + at + 1, text.data() + text.size(), escaped);
-      at = static_cast<std::size_t>(quote - text.data());
-    } else if (c == '{' || c == '[') {
-      ++depth;
-    } else if (c == '}' || c == ']') {
-      if (depth <= 1) return at + 1;
-      --depth;
-    } else if (c == '\n' && depth == 0) {
-      return at;
-    }
+/// Reads on; false at the end of the input, and where whole records are to be cut off first.
+bool JsonSplitter::read_more() {
+  if (boundary_ || is_input_read_) return false;
+  const bool is_in_records = stage_ == Stage::list || stage_ == Stage::values;
+  if (is_in_records && text_.size() > longest_json_record) {
+    throw here(data_error("a key is longer than 64 MiB; expected a shorter one; remove what it does not need"));
   }
-  return text.size();
+  if (!is_in_records) MemoryUse(max_memory_).add(text_.size());
+  is_input_read_ = !bytes_.append_to(text_, {line_, column_});
+  return !is_input_read_;
 }
 
-/// False if the text ends in the string.
+/// Goes from `at` to a character that is no blank, and returns it; NUL at the end of the input.
+char JsonSplitter::skip_blanks(std::size_t& at) {
+  do {
+    at = std::min(text_.find_first_not_of(" \t\r\n", at), text_.size());
+  } while (at == text_.size() && read_more());
+  return at < text_.size() ? text_[at] : '\0';
+}
+
+/// Goes from a quote to the one that closes the string; false if the text ends before it.
 bool JsonSplitter::skip_string() {
-  const char* const begin = text_.data();
-  const char* const end = begin + text_.size();
-  const char* const quote = find_closing_quote(begin + at_, end, escaped_);
-  in_string_ = quote == end;
-  at_ = static_cast<std::size_t>(quote - begin) + (in_string_ ? 0 : 1);
-  return !in_string_;
-}
-
-/// False if the text ends in the blanks.
-bool JsonSplitter::skip_blanks() {
-  while (!at_end() && is_json_blank(text_[at_])) ++at_;
-  return !at_end();
+  ++at_;
+  do {
+    const char* at = text_.data() + at_;
+    const char* const last = text_.data() + text_.size() - 1;
+    while (at <= last && *at != '"' && (*at != '\\' || at < last)) at += *at == '\\' ? 2 : 1;
+    at_ = static_cast<std::size_t>(at - text_.data());
+  } while (text_[at_] != '"' && read_more());
+  return text_[at_] == '"';
 }
 
 /// Skips from an opening brace to just before the closing one, where no other brace and no backslash is between.
@@ -98,17 +76,8 @@ Chunk JsonSplitter::take(std::size_t end) {
   Chunk chunk{std::exchange(text_, std::move(rest)), line_, column_};
   column_ = column_after(chunk.text, column_);
   line_ += count_lines(chunk.text);
-  at_ -= std::min(at_, end);
+  at_ = 0;
   return chunk;
-}
-
-bool JsonSplitter::read_more() {
-  const bool is_record = stage_ == Stage::list || stage_ == Stage::values;
-  if (is_record && text_.size() > longest_json_record) {
-    throw here(data_error("a key is longer than 64 MiB; expected a shorter one; remove what it does not need"));
-  }
-  if (!is_record) MemoryUse(max_memory_).add(text_.size());
-  return bytes_.append_to(text_, {line_, column_});
 }
 
 /// "curves[2]" and the path within it, or the latter alone.
@@ -117,58 +86,27 @@ std::string JsonSplitter::path(std::string_view list) const {
   return fmt::format("curves[{}]{}{}", curve_, list.empty() ? "" : ".", list);
 }
 
-bool JsonSplitter::scan_start() {
-  if (!skip_blanks()) return false;
-  const char first = text_[at_];
+void JsonSplitter::start() {
+  stage_ = Stage::rest;
+  const char first = skip_blanks(at_);
   if (first == '{') {
     stage_ = Stage::object;
-    return true;
-  }
-  if (first != '[') {
+  } else if (first == '[') {
+    std::size_t inner = at_ + 1;
+    const char second = skip_blanks(inner);
+    const char third = second == '[' ? skip_blanks(++inner) : second;
+    const bool is_nested = second == '[' && (third == '[' || third == '{');  // rows hold no nested values
+    if (third != '\0' && !is_nested) begin_list(second == '[' ? JsonShape::table : JsonShape::list);
+  } else if (first != '\0') {
     shape_ = JsonShape::lines;
     stage_ = Stage::values;
-    return true;
   }
-  const std::size_t second = text_.find_first_not_of(" \t\r\n", at_ + 1);
-  if (second == std::string::npos) return false;
-  if (text_[second] == '[') {
-    const std::size_t third = text_.find_first_not_of(" \t\r\n", second + 1);
-    if (third == std::string::npos) return false;
-    if (text_[third] == '[' || text_[third] == '{') {  // rows hold no nested values
-      shape_ = JsonShape::any;
-      stage_ = Stage::rest;
-      return true;
-    }
-  }
-  begin_list_of(text_[second] == '[' ? JsonShape::table : JsonShape::list);
-  return true;
 }
 
-/// Whether the array that begins here is that of the keys or of the curves.
-bool JsonSplitter::begins_list(bool& needs_more) const {
-  const std::string_view name = std::string_view(text_).substr(name_begin_, name_end_ - name_begin_);
-  if (!shape_ && name == "curves") return true;
-  if (has_list_ || (name != "keys" && name != "rows")) return false;
-  const std::size_t next = text_.find_first_not_of(" \t\r\n", at_ + 1);
-  needs_more = next == std::string::npos;
-  return !needs_more && std::string_view("[-0123456789").find(text_[next]) == std::string_view::npos;
-}
-
-void JsonSplitter::begin_list() {
-  const bool is_curves = !shape_ && text_[name_begin_] == 'c';
-  begin_list_of(is_curves ? JsonShape::curves : JsonShape::object);
-}
-
-/// The keys or the curves begin at the current bracket.
-void JsonSplitter::begin_list_of(JsonShape shape) {
+/// The keys begin at the current bracket.
+void JsonSplitter::begin_list(JsonShape shape) {
   if (!shape_) shape_ = shape;
-  Chunk before = take(at_ + (shape == JsonShape::curves ? 1 : 0));
-  depth_ = name_begin_ = name_end_ = 0;
-  if (shape == JsonShape::curves) {
-    before_curves_ = std::move(before);
-    stage_ = Stage::between_curves;
-    return;
-  }
+  Chunk before = take(at_);
   if (shape == JsonShape::object) before_ = std::move(before);
   at_ = 1;
   stage_ = Stage::list;
@@ -177,154 +115,54 @@ void JsonSplitter::begin_list_of(JsonShape shape) {
   records_ = records_cut_ = 0;
 }
 
-/// The text begins with the closing bracket of the curves.
-void JsonSplitter::end_curves() {
-  before_ = std::move(before_curves_);
-  before_.text.pop_back();  // the opening bracket, which cut_object() adds
-  has_list_ = true;
-  shape_ = JsonShape::object;  // from here on
-  stage_ = Stage::object;
-  depth_ = 2;
+/// Whether the array that begins here is that of the keys, not one of numbers or rows.
+bool JsonSplitter::begins_keys() {
+  if (has_list_ || (name() != "keys" && name() != "rows")) return false;
+  std::size_t next = at_ + 1;
+  const char first = skip_blanks(next);
+  return first != '\0' && first != '[' && first != '-' && !is_digit(first);
 }
 
-/// Scans an object for its keys or curves, and to its end.
-bool JsonSplitter::scan_object() {
-  while (!at_end()) {
-    if (in_string_) {
-      if (!skip_string()) return false;
-      if (depth_ == 1) name_end_ = at_ - 1;
-      continue;
+/// Scans an object to its keys or curves, or to its end.
+std::optional<JsonPart> JsonSplitter::scan_object() {
+  for (;; ++at_) {
+    while (at_ == text_.size()) {
+      if (!read_more()) return take_rest();
     }
     const char c = text_[at_];
-    bool needs_more = false;
     if (c == '"') {
-      in_string_ = true;
-      if (depth_ == 1) name_begin_ = name_end_ = at_ + 1;
-    } else if (c == '[' && depth_ == 1 && begins_list(needs_more)) {
-      begin_list();
-      return true;
-    } else if (needs_more) {
-      return false;
+      const std::size_t begin = at_ + 1;
+      if (!skip_string()) return take_rest();
+      if (depth_ == 1) std::tie(name_begin_, name_end_) = std::pair(begin, at_);
+    } else if (c == '[' && depth_ == 1 && !shape_ && name() == "curves") {
+      shape_ = JsonShape::curves;
+      before_curves_ = take(at_ + 1);
+      depth_ = name_begin_ = name_end_ = 0;
+      stage_ = Stage::curves;
+      return std::nullopt;
+    } else if (c == '[' && depth_ == 1 && begins_keys()) {
+      begin_list(JsonShape::object);
+      return std::nullopt;
     } else if (c == '{' || c == '[') {
       ++depth_;
     } else if ((c == '}' || c == ']') && --depth_ == 0) {
       ++at_;
-      if (shape_ == JsonShape::curves) {
-        boundary_ = at_;
-      } else {
-        stage_ = shape_ ? Stage::rest : Stage::after_first_object;
-      }
-      return true;
+      return end_object();
     }
-    ++at_;
   }
-  return false;
 }
 
-/// The first object has no keys: it is one of several values, or the whole text.
-bool JsonSplitter::scan_after_first_object() {
-  if (!skip_blanks()) return false;
+/// An object ends: a curve, the one around keys or curves, or one of several values, or the whole text.
+std::optional<JsonPart> JsonSplitter::end_object() {
+  if (shape_ == JsonShape::curves) {
+    stage_ = Stage::curves;
+    return cut_object(at_);
+  }
+  if (shape_ || skip_blanks(at_) == '\0') return take_rest();
   shape_ = JsonShape::lines;
   stage_ = Stage::values;
   ++records_;
-  return true;
-}
-
-/// Scans records to the end of the text, or of the list that they are elements of.
-bool JsonSplitter::scan_records() {
-  const bool is_list = stage_ == Stage::list;
-  const char* const begin = text_.data();
-  const char* const end = begin + text_.size();
-  for (;; ++at_) {
-    const char* now = begin + at_;
-    for (;;) {
-      if (in_string_) {
-        at_ = static_cast<std::size_t>(now - begin);
-        if (!skip_string()) return false;
-        now = begin + at_;
-      }
-      while (now != end && !is_structure[static_cast<unsigned char>(*now)]) ++now;
-      in_string_ = now != end && *now == '"';
-      if (!in_string_) break;
-      ++now;
-    }
-    at_ = static_cast<std::size_t>(now - begin);
-    if (now == end) return false;
-    switch (*now) {
-      case '{':
-        if (depth_ == 0) skip_plain_object();
-        [[fallthrough]];
-      case '[': ++depth_; break;
-      case ',':
-        if (!is_list || depth_ != 0) break;
-        boundary_ = at_;
-        if (++records_ == most_first_records && is_first_cut_) return true;
-        break;
-      case ']':
-        if (is_list && depth_ == 0) {
-          boundary_ = at_;
-          ++records_;
-          is_list_closed_ = true;
-          return true;
-        }
-        [[fallthrough]];
-      case '}':  // one that nothing opened stays in its record, where the parser finds it
-        if (depth_ > 0) --depth_;
-        if (is_list || depth_ != 0) break;
-        boundary_ = at_ + 1;
-        if (++records_ == most_first_records && is_first_cut_) return true;
-        break;
-      default: break;
-    }
-  }
-}
-
-/// Between curves: nothing but commas, up to the next one or the end of their list.
-bool JsonSplitter::scan_between_curves() {
-  const bool more = skip_blanks();
-  (void)take(at_);
-  if (!more) return false;
-  const char c = text_[at_];
-  if (c == '{' && has_comma_) {
-    stage_ = Stage::object;
-    has_list_ = has_comma_ = false;
-    name_begin_ = name_end_ = 0;
-    before_ = {};
-    return true;
-  }
-  if (c == ']' && (curve_ == 0 || !has_comma_)) {
-    end_curves();
-    return true;
-  }
-  if (has_comma_) throw here(data_error("no curve here; expected an object with \"keys\"; correct the text"));
-  if (c != ',') {
-    throw here(data_error("no comma after a curve; expected one, or the end of \"curves\"; correct the text"));
-  }
-  (void)take(1);
-  has_comma_ = true;
-  return true;
-}
-
-/// Continues in the current text; false if more must be read.
-bool JsonSplitter::scan() {
-  switch (stage_) {
-    case Stage::start: return scan_start();
-    case Stage::object: return scan_object();
-    case Stage::after_first_object: return scan_after_first_object();
-    case Stage::list:
-    case Stage::values: return scan_records();
-    case Stage::between_curves: return scan_between_curves();
-    case Stage::after_list:
-      if (skip_blanks()) {
-        (void)take(at_);
-        throw here(data_error("there is text after the array of keys; expected nothing; remove it"));
-      }
-      return false;
-    case Stage::rest:
-    case Stage::unclosed:
-    case Stage::end: break;
-  }
-  return false;
+  return std::nullopt;
 }
 
 /// The object that ends at `end`, without its keys.
@@ -344,75 +182,132 @@ JsonPart JsonSplitter::cut_object(std::size_t end) {
   return part;
 }
 
-JsonPart JsonSplitter::cut_values(std::size_t end) {
-  JsonPart part{JsonPart::Kind::values, take(end)};
-  is_first_cut_ = false;
-  part.chunk.first = std::exchange(records_cut_, records_);
-  part.chunk.path = path("keys");
-  return part;
+/// Skips commas and blanks to the next curve, or to the end of their list, where the object around them continues.
+void JsonSplitter::scan_to_curve() {
+  stage_ = Stage::object;
+  for (bool has_comma = curve_ == 0;; has_comma = true) {
+    const char c = skip_blanks(at_);
+    (void)take(at_);
+    if (c == '{' && has_comma) {
+      has_list_ = false;
+      name_begin_ = name_end_ = 0;
+      before_ = {};
+      return;
+    }
+    if (c == '\0' || (c == ']' && (curve_ == 0 || !has_comma))) {
+      before_ = std::move(before_curves_);
+      before_.text.pop_back();  // the opening bracket, which cut_object() adds
+      has_list_ = true;
+      shape_ = JsonShape::object;  // from here on
+      depth_ = 2;
+      return;
+    }
+    if (has_comma) throw here(data_error("no curve here; expected an object with \"keys\"; correct the text"));
+    if (c != ',') {
+      throw here(data_error("no comma after a curve; expected one, or the end of \"curves\"; correct the text"));
+    }
+    (void)take(1);
+  }
 }
 
-/// The elements before `end`, where a comma or the closing bracket is, in brackets; nothing in an empty list.
-std::optional<JsonPart> JsonSplitter::cut_list(std::size_t end) {
-  JsonPart part{JsonPart::Kind::list, take(end)};
-  const bool is_empty_list = std::exchange(is_first_cut_, false) && is_list_closed_ &&
-                             holds_blanks_only(std::string_view(part.chunk.text).substr(1));
-  part.chunk.text += ']';
+/// Scans records to the last one that the text holds whole, or to the end of their list.
+void JsonSplitter::scan_records() {
+  const bool is_list = stage_ == Stage::list;
+  /// Whether the first part has enough records.
+  const auto end_record = [&](std::size_t end) {
+    boundary_ = end;
+    return ++records_ == most_first_records && is_first_cut_;
+  };
+  for (std::size_t depth = 0;; ++at_) {
+    do {
+      const char* at = text_.data() + at_;
+      const char* const end = text_.data() + text_.size();
+      while (at != end && !is_structure[static_cast<unsigned char>(*at)]) ++at;
+      at_ = static_cast<std::size_t>(at - text_.data());
+    } while (at_ == text_.size() && read_more());
+    if (at_ == text_.size()) return;
+    switch (text_[at_]) {
+      case '"':
+        if (!skip_string()) return;
+        break;
+      case '{':
+        if (depth == 0) skip_plain_object();
+        [[fallthrough]];
+      case '[': ++depth; break;
+      case ',':
+        if (is_list && depth == 0 && end_record(at_)) return;
+        break;
+      case ']':
+        is_list_closed_ = is_list && depth == 0;
+        if (is_list_closed_) return void(end_record(at_));
+        [[fallthrough]];
+      default:  // a brace; one that nothing opened stays in its record, where the parser finds it
+        if (depth > 0) --depth;
+        if (!is_list && depth == 0 && end_record(at_ + 1)) return;
+    }
+  }
+}
+
+/// The whole records of the text; nothing for an empty list.
+std::optional<JsonPart> JsonSplitter::next_records() {
+  const bool is_list = stage_ == Stage::list;
+  scan_records();
+  const bool is_rest = !boundary_;  // the input ends
+  JsonPart part{is_list ? JsonPart::Kind::list : JsonPart::Kind::values,
+                take(std::exchange(boundary_, std::nullopt).value_or(text_.size()))};
+  const bool is_blank = std::all_of(part.chunk.text.begin() + (is_list ? 1 : 0), part.chunk.text.end(), is_json_blank);
+  const bool is_empty = is_blank && (is_rest || (is_first_cut_ && is_list_closed_));
+  if (is_list) part.chunk.text += ']';
   part.chunk.first = std::exchange(records_cut_, records_);
   part.chunk.path = path("keys");
-  if (!is_list_closed_) {
-    if (!text_.empty()) text_[0] = '[';  // in place of the comma
-    at_ = std::min(std::max<std::size_t>(at_, 1), text_.size());
-  } else if (shape_ == JsonShape::list || shape_ == JsonShape::table) {
-    (void)take(1);
-    stage_ = Stage::after_list;
-  } else {
-    stage_ = Stage::object;
+  is_first_cut_ = false;
+  if (is_rest) {
+    stage_ = is_list ? Stage::unclosed : Stage::end;
+  } else if (is_list && !is_list_closed_) {
+    text_[0] = '[';  // in place of the comma
+    at_ = 1;
+  } else if (is_list) {
+    const bool is_outermost = shape_ == JsonShape::list || shape_ == JsonShape::table;
+    if (is_outermost) (void)take(1);
+    stage_ = is_outermost ? Stage::after_list : Stage::object;
     depth_ = 2;
   }
-  return is_empty_list ? std::nullopt : std::optional(std::move(part));
+  return is_empty ? std::nullopt : std::optional(std::move(part));
 }
 
-/// The records up to the last boundary.
-std::optional<JsonPart> JsonSplitter::cut() {
-  const std::size_t end = *std::exchange(boundary_, std::nullopt);
-  if (stage_ == Stage::list) return cut_list(end);
-  if (stage_ == Stage::values) return cut_values(end);
-  JsonPart part = cut_object(end);
-  stage_ = Stage::between_curves;
-  return part;
-}
-
-/// What is left at the end of the input.
-std::optional<JsonPart> JsonSplitter::cut_rest() {
-  if (stage_ == Stage::list) {
-    stage_ = Stage::unclosed;
-    if (!holds_blanks_only(std::string_view(text_).substr(1))) return cut_list(text_.size());
-    (void)take(text_.size());
-    throw here(text_ends_early());
+/// What is left of the input: of an object around keys, or of a text of another shape; nothing if it is blank.
+std::optional<JsonPart> JsonSplitter::take_rest() {
+  while (read_more()) {
   }
-  if (stage_ == Stage::between_curves) end_curves();
-  const Stage stage = std::exchange(stage_, Stage::end);
-  const bool is_object = stage == Stage::object || stage == Stage::rest;
-  if (is_object && shape_ && shape_ != JsonShape::any) return cut_object(text_.size());
-  if (holds_blanks_only(text_)) return std::nullopt;
-  if (stage == Stage::values) return cut_values(text_.size());
+  stage_ = Stage::end;
+  if (shape_) return cut_object(text_.size());
+  if (std::ranges::all_of(text_, is_json_blank)) return std::nullopt;
   shape_ = JsonShape::any;
   return JsonPart{JsonPart::Kind::whole, take(text_.size())};
 }
 
 std::optional<JsonPart> JsonSplitter::next() {
-  if (stage_ == Stage::unclosed) {
-    (void)take(text_.size());
-    throw here(text_ends_early());
+  std::optional<JsonPart> part;
+  while (!part && stage_ != Stage::end) {
+    switch (stage_) {
+      case Stage::start: start(); break;
+      case Stage::object: part = scan_object(); break;
+      case Stage::curves: scan_to_curve(); break;
+      case Stage::list:
+      case Stage::values: part = next_records(); break;
+      case Stage::after_list:
+        stage_ = Stage::end;
+        if (skip_blanks(at_) == '\0') break;
+        (void)take(at_);
+        throw here(data_error("there is text after the array of keys; expected nothing; remove it"));
+      case Stage::unclosed:
+        (void)take(text_.size());
+        throw here(data_error("not JSON: the text ends too early; expected the rest of the last value; complete it"));
+      case Stage::rest:
+      case Stage::end: part = take_rest();
+    }
   }
-  while (stage_ != Stage::end) {
-    const bool more = scan();
-    if (!more && !boundary_ && !read_more()) return cut_rest();
-    if (!boundary_) continue;
-    if (auto part = cut()) return part;
-  }
-  return std::nullopt;
+  return part;
 }
 
 JsonPart JsonSplitter::whole(JsonPart first) {

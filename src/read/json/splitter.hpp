@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "error.hpp"
-#include "read/chunk.hpp"
 #include "read/input.hpp"
 #include "read/memory_use.hpp"
 #include "read/text_bytes.hpp"
@@ -22,9 +21,6 @@
 namespace tcb {
 
 inline bool is_json_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
-
-/// Where the value that begins at `at` ends, by its strings and brackets, or the end of the text.
-std::size_t end_of_json_value(std::string_view text, std::size_t at);
 
 /// At most, of the first part of a list, by which the meaning of their members is found.
 inline constexpr std::uint64_t most_first_records = 100;
@@ -66,30 +62,27 @@ class JsonSplitter {
   const Chunk& before_keys() const { return before_; }
 
  private:
-  enum class Stage { start, object, after_first_object, rest, list, between_curves, values, after_list, unclosed, end };
+  /// What the text continues with.
+  enum class Stage { start, object, curves, list, values, after_list, unclosed, rest, end };
 
-  bool at_end() const { return at_ == text_.size(); }
+  bool read_more();
+  char skip_blanks(std::size_t& at);
   bool skip_string();
-  bool skip_blanks();
   void skip_plain_object();
   Chunk take(std::size_t end);
-  bool read_more();
 
-  bool scan();
-  bool scan_start();
-  bool scan_object();
-  bool scan_after_first_object();
-  bool scan_records();
-  bool scan_between_curves();
-  bool begins_list(bool& needs_more) const;
-  void begin_list();
-  void begin_list_of(JsonShape shape);
-  void end_curves();
-  std::optional<JsonPart> cut();
-  std::optional<JsonPart> cut_list(std::size_t end);
-  JsonPart cut_values(std::size_t end);
+  void start();
+  void begin_list(JsonShape shape);
+  bool begins_keys();
+  std::optional<JsonPart> scan_object();
+  std::optional<JsonPart> end_object();
   JsonPart cut_object(std::size_t end);
-  std::optional<JsonPart> cut_rest();
+  void scan_to_curve();
+  void scan_records();
+  std::optional<JsonPart> next_records();
+  std::optional<JsonPart> take_rest();
+  /// The last string among the members of the current object.
+  std::string_view name() const { return std::string_view(text_).substr(name_begin_, name_end_ - name_begin_); }
   std::string path(std::string_view list) const;
   Error here(const Error& error) const { return error.at({"", line_, column_}); }
 
@@ -98,19 +91,17 @@ class JsonSplitter {
   std::string text_;                     ///< read and not yet cut off
   std::size_t at_ = 0;                   ///< scanned up to here
   std::uint64_t line_ = 1, column_ = 1;  ///< of the first character
-  bool in_string_ = false;               ///< at_ is inside a string,
-  bool escaped_ = false;                 ///< after a backslash
+  bool is_input_read_ = false;           ///< to its end
 
   Stage stage_ = Stage::start;
   std::optional<JsonShape> shape_;               ///< nothing: not known yet
-  std::optional<std::size_t> boundary_;          ///< the end of the last whole record
+  std::optional<std::size_t> boundary_;          ///< the end of the last whole record that was scanned
   std::uint64_t records_ = 0, records_cut_ = 0;  ///< whole records of the list that were scanned, and cut off
-  std::size_t depth_ = 0;                        ///< of open brackets in the current object, list or value
   bool is_first_cut_ = true;                     ///< of the list, or of the values
   bool is_list_closed_ = false;
+  std::size_t depth_ = 0;                      ///< of open brackets in the current object
   bool has_list_ = false;                      ///< the list of the current object was found
-  bool has_comma_ = true;                      ///< a curve may follow
-  std::size_t name_begin_ = 0, name_end_ = 0;  ///< the last string of the current object
+  std::size_t name_begin_ = 0, name_end_ = 0;  ///< of the last string among its members
   std::uint64_t curve_ = 0;                    ///< number of the current curve
   Chunk before_;                               ///< the current object up to its list
   Chunk before_curves_;                        ///< the object around the curves, up to them

@@ -37,24 +37,18 @@ bool is_number(const JsonTape& tape, std::size_t value) {
 
 /// Whether an array or object is not empty, and its values are all of a kind.
 bool has_only(const JsonTape& tape, std::size_t value, Kind kind) {
-  const bool is_object = tape.kind(value) == Kind::object;
-  std::size_t at = value + 1;
-  for (; at < tape[value].next; at = tape[at].next) {
-    if (is_object) ++at;
-    if (tape.kind(at) != kind) return false;
-  }
-  return at > value + 1;
+  const auto all = tape.inside(value);
+  return !all.empty() &&
+         std::ranges::all_of(all, [&](std::size_t inner) { return tape.kind(tape.value_of(inner)) == kind; });
 }
 
-/// The first values of a value to which f applies, through objects, not arrays.
+/// Whether f holds for a member of an object or of one within it; what is in arrays does not count.
 template <class F>
 bool any_inside(const JsonTape& tape, std::size_t object, const F& f) {
-  bool found = false;
-  tape.for_each_member(object, [&](std::size_t name, std::size_t value) {
-    found = f(tape.text(name), value) || (tape.kind(value) == Kind::object && any_inside(tape, value, f));
-    return !found;
+  return std::ranges::any_of(tape.inside(object), [&](std::size_t name) {
+    const std::size_t value = name + 1;
+    return f(tape.text(name), value) || (tape.kind(value) == Kind::object && any_inside(tape, value, f));
   });
-  return found;
 }
 
 bool has_number(const JsonTape& tape, std::size_t object) {
@@ -80,17 +74,8 @@ std::vector<std::string> usual_names(std::size_t columns, bool is_timeless) {
 }
 
 Error row_of_other_size(std::size_t row, std::size_t cells, std::size_t columns) {
-  return data_error("row {} of the table has {} cell{}; expected {}, one for each column; correct it", row, cells,
-                    cells == 1 ? "" : "s", columns);
-}
-
-JsonCells members_of(const JsonTape& tape, std::size_t object) {
-  JsonCells cells;
-  tape.for_each_member(object, [&](std::size_t name, std::size_t value) {
-    cells.push_back({tape.text(name), value, name});
-    return true;
-  });
-  return cells;
+  return data_error("row {} of the table has {}; expected {}, one for each column; correct it", row,
+                    how_many(cells, "cell"), columns);
 }
 
 JsonTable::JsonTable(const JsonTape& tape, std::vector<std::uint32_t> values, std::vector<std::string> columns,
@@ -132,20 +117,18 @@ bool JsonTable::find_layout(std::size_t table, bool is_root, bool is_timeless) {
     return is_index(tape.text(inner + 1)) && has_only(tape, table, Kind::object) ? (read_columns(table), true) : false;
   }
   if (is_index(first) && has_only(tape, table, Kind::array)) return read_index(table), true;
-  const auto is_flat = [&](std::size_t value) {
-    return tape.kind(value) == Kind::array && !holds_kind(tape, value, Kind::object);
-  };
-  bool is_split = false, has_times = false;
-  tape.for_each_member(table, [&](std::size_t name, std::size_t value) {
+  for (const std::size_t name : tape.inside(table)) {
+    const std::size_t value = name + 1;
     const std::string_view text = tape.text(name);
     const bool begins_with_object = value + 1 < tape[value].next && tape.kind(value + 1) == Kind::object;
-    if (tape.kind(value) != Kind::array || begins_with_object) return !is_root;
-    is_split = text == "columns" || text == "index" || text == "data";
-    has_times = is_usual_time(text);
-    return !is_split && !has_times && (!is_root || is_flat(value));
-  });
-  if (is_split) return read_split(table), true;
-  if (has_times) return read_lists(table), true;
+    if (tape.kind(value) == Kind::array && !begins_with_object) {
+      if (text == "columns" || text == "index" || text == "data") return read_split(table), true;
+      if (is_usual_time(text)) return read_lists(table), true;
+      if (is_root && holds_kind(tape, value, Kind::object)) return false;
+    } else if (is_root) {
+      return false;
+    }
+  }
   return false;
 }
 
@@ -169,17 +152,16 @@ void JsonTable::read_split(std::size_t table) {
     throw data_error("the table has no \"data\", or no \"columns\"; expected both, as pandas writes them; complete it")
         .at(tape.position(table));
   }
-  tape.for_each_element(*columns, [&](std::size_t name) {
+  for (const std::size_t name : tape.inside(*columns)) {
     names_.emplace_back(tape.kind(name) == Kind::string ? tape.text(name) : tape.written(name));
-    return true;
-  });
+  }
   rows_ = tape.elements(*data);
   read_rows();
   if (!index) return;
   if (tape.kind(*index) == Kind::array) index_ = tape.elements(*index);
   if (index_.size() != size_) {
-    throw data_error("the index of the table has {} value{}; expected {}, one for each row of \"data\"; correct it",
-                     index_.size(), index_.size() == 1 ? "" : "s", size_)
+    throw data_error("the index of the table has {}; expected {}, one for each row of \"data\"; correct it",
+                     how_many(index_.size(), "value"), size_)
         .at(tape.position(*index));
   }
 }
@@ -196,49 +178,46 @@ void JsonTable::read_schema(std::size_t table) {
   }
   rows_ = tape.elements(data);
   size_ = rows_.size();
-  const JsonCells first = members_of(tape, rows_[0]);
-  has_index_member_ = !first.empty() && first[0].name == "index";
+  has_index_member_ = tape.count(rows_[0]) > 0 && tape.text(rows_[0] + 1) == "index";
   if (!has_index_member_) return;
-  for (const std::uint32_t row : rows_)
+  for (const std::uint32_t row : rows_) {
     index_.push_back(static_cast<std::uint32_t>(tape.member(row, "index").value_or(row)));
+  }
 }
 
 /// An array for each column, as long as the first one.
 void JsonTable::read_lists(std::size_t table) {
   const JsonTape& tape = *tape_;
-  tape.for_each_member(table, [&](std::size_t name, std::size_t values) {
-    if (tape.kind(values) != Kind::array) return true;
+  for (const std::size_t name : tape.inside(table)) {
+    const std::size_t values = name + 1;
+    if (tape.kind(values) != Kind::array) continue;
     const std::size_t count = tape.count(values);
-    if (names_.empty()) size_ = count;
+    if (names_.empty()) cells_.resize(size_ = count);
     names_.emplace_back(tape.text(name));
     if (count != size_) {
-      throw data_error("the column {} has {} value{}; expected {}, as many as {}; correct it", in_quotes(names_.back()),
-                       count, count == 1 ? "" : "s", size_, in_quotes(names_[0]))
+      throw data_error("the column {} has {}; expected {}, as many as {}; correct it", in_quotes(names_.back()),
+                       how_many(count, "value"), size_, in_quotes(names_[0]))
           .at(tape.position(name));
     }
-    tape.for_each_element(values, [&, row = std::uint32_t{0}](std::size_t value) mutable {
-      cells_.push_back({row++, static_cast<std::uint32_t>(names_.size() - 1), static_cast<std::uint32_t>(value)});
-      return true;
-    });
-    return true;
-  });
-  order_cells();
+    std::size_t row = 0;
+    for (const std::size_t value : tape.inside(values)) cells_[row++].push_back({tape.text(name), value, value});
+  }
 }
 
 /// A row for each member, whose name is its index.
 void JsonTable::read_index(std::size_t table) {
   const JsonTape& tape = *tape_;
   std::unordered_set<std::string_view> names;
-  tape.for_each_member(table, [&](std::size_t name, std::size_t value) {
-    index_.push_back(static_cast<std::uint32_t>(name));
-    rows_.push_back(static_cast<std::uint32_t>(value));
-    if (tape.kind(value) != Kind::object) return true;
-    for (const JsonCell& cell : members_of(tape, value)) {
-      const bool is_number = tape.kind(cell.value) == Kind::number || tape.kind(cell.value) == Kind::null;
-      if (names.insert(cell.name).second && rows_.size() > 1 && is_number) names_.emplace_back(cell.name);
+  for (const std::size_t row : tape.inside(table)) {
+    index_.push_back(static_cast<std::uint32_t>(row));
+    rows_.push_back(static_cast<std::uint32_t>(row + 1));
+    if (tape.kind(row + 1) != Kind::object) continue;
+    for (const std::size_t name : tape.inside(row + 1)) {
+      const bool is_number = tape.kind(name + 1) == Kind::number || tape.kind(name + 1) == Kind::null;
+      const std::string_view text = tape.text(name);
+      if (names.insert(text).second && rows_.size() > 1 && is_number) names_.emplace_back(text);
     }
-    return true;
-  });
+  }
   size_ = rows_.size();
   if (tape.kind(rows_[0]) != Kind::array) return;
   names_ = default_channel_names(tape.count(rows_[0]));
@@ -248,29 +227,18 @@ void JsonTable::read_index(std::size_t table) {
 /// Members of each column by the index of their row. The rows come in the order in which they are found.
 void JsonTable::read_columns(std::size_t table) {
   const JsonTape& tape = *tape_;
-  std::unordered_map<std::string_view, std::uint32_t> rows;
-  tape.for_each_member(table, [&](std::size_t column, std::size_t values) {
-    if (tape[values].next == values + 1) return true;
-    tape.for_each_member(values, [&](std::size_t name, std::size_t value) {
-      const auto [row, is_new] = rows.emplace(tape.text(name), static_cast<std::uint32_t>(rows.size()));
+  std::unordered_map<std::string_view, std::size_t> rows;
+  for (const std::size_t column : tape.inside(table)) {
+    if (tape.inside(column + 1).empty()) continue;
+    for (const std::size_t name : tape.inside(column + 1)) {
+      const auto [row, is_new] = rows.emplace(tape.text(name), rows.size());
       if (is_new) index_.push_back(static_cast<std::uint32_t>(name));
-      cells_.push_back({row->second, static_cast<std::uint32_t>(names_.size()), static_cast<std::uint32_t>(value)});
-      return true;
-    });
+      if (is_new) cells_.emplace_back();
+      cells_[row->second].push_back({tape.text(column), name + 1, name + 1});
+    }
     names_.emplace_back(tape.text(column));
-    return true;
-  });
+  }
   size_ = rows.size();
-  order_cells();
-}
-
-/// Orders the cells of columns by their rows.
-void JsonTable::order_cells() {
-  are_cells_ = true;
-  std::ranges::stable_sort(cells_, {}, &Cell::row);
-  row_begins_.resize(size_ + 1);
-  for (const Cell& cell : cells_) ++row_begins_[cell.row + 1];
-  for (std::size_t row = 0; row < size_; ++row) row_begins_[row + 1] += row_begins_[row];
 }
 
 /// The index is the time where no column is, unless it counts the rows from 0, as it does where it is not given.
@@ -278,7 +246,9 @@ void JsonTable::decide_index() {
   if (index_.empty()) return;
   const auto is_time = [](std::string_view name) { return is_usual_time(name); };
   bool has_time = std::ranges::any_of(names_, is_time);
-  for_each_cell(0, [&](const JsonCell& cell) { has_time = has_time || is_time(cell.name); });
+  JsonCells first;
+  get_cells(0, first);
+  for (const JsonCell& cell : first) has_time = has_time || is_time(cell.name);
   bool counts_rows = true;
   for (std::size_t row = 0; row < index_.size() && counts_rows; ++row) {
     const bool is_name = tape_->kind(index_[row]) == Kind::name;
@@ -289,18 +259,31 @@ void JsonTable::decide_index() {
 
 std::string JsonTable::first_path() const { return fmt::format("{}[{}]", path_.empty() ? "keys" : path_, first_); }
 
-JsonCells JsonTable::cells(std::size_t row) const {
-  JsonCells cells;
-  for_each_cell(row, [&](const JsonCell& cell) { cells.push_back(cell); });
-  return cells;
+void JsonTable::get_cells(std::size_t row, JsonCells& cells) const {
+  cells.clear();
+  if (takes_index_) cells.push_back({"time", index_[row], index_[row]});
+  if (!cells_.empty()) {
+    cells.insert(cells.end(), cells_[row].begin(), cells_[row].end());
+    return;
+  }
+  std::size_t column = 0;
+  for (const std::size_t inner : tape_->inside(rows_[row])) {
+    if (!are_rows_) {
+      const std::string_view name = tape_->text(inner);
+      if (!has_index_member_ || name != "index") cells.push_back({name, inner + 1, inner});
+    } else if (column < names_.size()) {
+      cells.push_back({names_[column++], inner, inner});
+    }
+  }
 }
 
 JsonCells JsonTable::first_cells() const {
-  const JsonCells found = cells(0);
+  JsonCells found;
+  get_cells(0, found);
   if (are_rows_) return found;
   std::unordered_set<std::string_view> there;
   for (const JsonCell& cell : found) there.insert(cell.name);
-  std::size_t next = !are_cells_ ? found.size() : takes_index_ ? 1 : 0;
+  std::size_t next = cells_.empty() ? found.size() : takes_index_ ? 1 : 0;
   JsonCells all(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(next));
   for (const std::string& name : names_) {
     if (there.insert(name).second) {
@@ -331,9 +314,8 @@ Fit fit_of_array(const JsonTape& tape, std::size_t array) {
   std::optional<double> before;
   bool rises = true;
   for (const std::uint32_t row : rows) {
-    bool is_row = tape.count(row) == columns;
-    tape.for_each_element(row, [&](std::size_t value) { return is_row = is_row && is_number(tape, value); });
-    if (!is_row) return Fit::none;
+    const auto is_number_there = [&](std::size_t value) { return is_number(tape, value); };
+    if (tape.count(row) != columns || !std::ranges::all_of(tape.inside(row), is_number_there)) return Fit::none;
     const bool is_string = tape.kind(row + 1) == Kind::string;
     const auto number = parse_number(is_string ? tape.text(row + 1) : tape.written(row + 1));
     rises = rises && (!before || *number > *before);
@@ -347,17 +329,17 @@ Fit fit_of_object(const JsonTape& tape, std::size_t object) {
   if (tape.count(object) < 2) return Fit::none;
   bool are_times = true, has_lists = false, has_times = false, are_equal = true;
   std::optional<std::size_t> size;
-  tape.for_each_member(object, [&](std::size_t name, std::size_t value) {
+  for (const std::size_t name : tape.inside(object)) {
+    const std::size_t value = name + 1;
     are_times = are_times && is_index(tape.text(name)) && tape[value].is_nested() && tape[value].next > value + 1;
-    if (tape.kind(value) != Kind::array) return true;
+    if (tape.kind(value) != Kind::array) continue;
     const bool is_flat = !holds_kind(tape, value, Kind::object);
     const std::size_t count = tape.count(value);
     are_equal = are_equal && is_flat && count >= 2 && count == size.value_or(count);
     size = count;
     has_lists = true;
     has_times = has_times || is_usual_time(tape.text(name));
-    return true;
-  });
+  }
   const bool are_rows = has_only(tape, object, Kind::array) || has_only(tape, object, Kind::object);
   if (are_times && are_rows) return Fit::with_times;
   return has_lists && are_equal && has_times ? Fit::with_times : Fit::none;
@@ -383,6 +365,12 @@ struct Place {
   std::string path;
 };
 
+/// A member, by its name, or an element of an object or array.
+Place place_in(const JsonTape& tape, const Place& outer, std::size_t inner, std::size_t index) {
+  if (tape.kind(inner) != Kind::name) return {inner, fmt::format("{}[{}]", outer.path, index)};
+  return {inner + 1, fmt::format("{}{}{}", outer.path, outer.path.empty() ? "" : ".", tape.text(inner))};
+}
+
 /// Finds the values that fit, of which none holds another one. A list of objects without times that hold lists
 /// themselves is none: these are the keys.
 template <class F>
@@ -391,20 +379,10 @@ void find_fits(const JsonTape& tape, const Place& place, const F& found) {
   const bool holds_lists =
       fit == Fit::without_times && tape.kind(place.value) == Kind::array && holds_list(tape, place.value);
   if (fit != Fit::none && !holds_lists) return found(place, fit);
-  if (tape.kind(place.value) == Kind::object) {
-    tape.for_each_member(place.value, [&](std::size_t name, std::size_t value) {
-      const std::string_view dot = place.path.empty() ? "" : ".";
-      if (tape[value].is_nested())
-        find_fits(tape, {value, fmt::format("{}{}{}", place.path, dot, tape.text(name))}, found);
-      return true;
-    });
-  } else if (tape.kind(place.value) == Kind::array) {
-    std::size_t index = 0;
-    tape.for_each_element(place.value, [&](std::size_t value) {
-      const std::size_t number = index++;
-      if (tape[value].is_nested()) find_fits(tape, {value, fmt::format("{}[{}]", place.path, number)}, found);
-      return true;
-    });
+  std::size_t index = 0;
+  for (const std::size_t inner : tape.inside(place.value)) {
+    if (tape[tape.value_of(inner)].is_nested()) find_fits(tape, place_in(tape, place, inner, index), found);
+    ++index;
   }
 }
 
@@ -420,26 +398,15 @@ std::optional<std::string_view> after_step(std::string_view path, std::string_vi
 }
 
 /// Finds the values at the end of a path.
-template <class F>
-void follow(const JsonTape& tape, const Place& place, std::string_view path, const F& found) {
-  if (path.empty()) return found(place);
-  if (tape.kind(place.value) == Kind::object) {
-    tape.for_each_member(place.value, [&](std::size_t name, std::size_t value) {
-      const std::string_view text = tape.text(name);
-      const std::string_view dot = place.path.empty() ? "" : ".";
-      if (const auto rest = after_step(path, text))
-        follow(tape, {value, fmt::format("{}{}{}", place.path, dot, text)}, *rest, found);
-      return true;
-    });
-  } else if (tape.kind(place.value) == Kind::array) {
-    std::size_t index = 0;
-    tape.for_each_element(place.value, [&](std::size_t value) {
-      const std::string step = fmt::format("[{}]", index++);
-      auto rest = after_step(path, step);
-      if (!rest && path.starts_with("[*]")) rest = after_step(path, "[*]");
-      if (rest) follow(tape, {value, place.path + step}, *rest, found);
-      return true;
-    });
+void follow(const JsonTape& tape, const Place& place, std::string_view path, std::vector<Place>& found) {
+  if (path.empty()) return found.push_back(place);
+  std::size_t index = 0;
+  for (const std::size_t inner : tape.inside(place.value)) {
+    const bool is_name = tape.kind(inner) == Kind::name;
+    auto rest = after_step(path, is_name ? std::string(tape.text(inner)) : fmt::format("[{}]", index));
+    if (!rest && !is_name && path.starts_with("[*]")) rest = after_step(path, "[*]");
+    if (rest) follow(tape, place_in(tape, place, inner, index), *rest, found);
+    ++index;
   }
 }
 
@@ -448,32 +415,28 @@ struct OtherJson {
   std::array<std::string_view, 3> members;
   std::string_view name, remedy;
 };
-constexpr std::array other_json{
-    OtherJson{{"frames", "transform_matrix", ""},
-              "a transforms.json of poses without times",
-              "give --records frames --parameter uniform --columns "
-              "position=transform_matrix[0][3]:transform_matrix[1][3]:transform_matrix[2][3]"},
-    OtherJson{{"layers", "ip", "op"}, "a Lottie animation", "export its keyframes as a table"},
-    OtherJson{{"tracks", "times", "values"},
-              "a clip of three.js, whose values are not by key",
-              "write an object of time and position for each key"},
-    OtherJson{{"sheetsById", "", ""},
-              "a project of Theatre.js",
-              "give --records with the path of \"keyframes\", and --columns time=position,position=value"},
-    OtherJson{{"fileType", "mission", "groundStation"},
-              "a plan of QGroundControl, whose items have no times",
-              "give --records mission.items --parameter uniform --columns position=params[4]:params[5]:params[6]"},
-    OtherJson{{"fileType", "mission", ""},
-              "a plan of QGroundControl, whose items have no times",
-              "give --records mission.items --parameter uniform --columns position=params[4]:params[5]:params[6]"},
-    OtherJson{
-        {"asset", "accessors", "animations"}, "a glTF scene, whose keys are in a buffer", "export them as a table"},
-    OtherJson{{"type", "coordinates", ""},
-              "GeoJSON, whose places have no times",
-              "give --records with the path of \"coordinates\" and --parameter uniform --columns position=1:2"},
-    OtherJson{{"img_name", "position", "rotation"},
-              "a cameras.json of Gaussian splatting, whose cameras have no times",
-              "give --parameter uniform --columns position=position"},
+constexpr OtherJson other_json[] = {
+    {{"frames", "transform_matrix"},
+     "a transforms.json of poses without times",
+     "give --records frames --parameter uniform --columns "
+     "position=transform_matrix[0][3]:transform_matrix[1][3]:transform_matrix[2][3]"},
+    {{"layers", "ip", "op"}, "a Lottie animation", "export its keyframes as a table"},
+    {{"tracks", "times", "values"},
+     "a clip of three.js, whose values are not by key",
+     "write an object of time and position for each key"},
+    {{"sheetsById"},
+     "a project of Theatre.js",
+     "give --records with the path of \"keyframes\", and --columns time=position,position=value"},
+    {{"fileType", "mission"},
+     "a plan of QGroundControl, whose items have no times",
+     "give --records mission.items --parameter uniform --columns position=params[4]:params[5]:params[6]"},
+    {{"asset", "accessors", "animations"}, "a glTF scene, whose keys are in a buffer", "export them as a table"},
+    {{"type", "coordinates"},
+     "GeoJSON, whose places have no times",
+     "give --records with the path of \"coordinates\" and --parameter uniform --columns position=1:2"},
+    {{"img_name", "position", "rotation"},
+     "a cameras.json of Gaussian splatting, whose cameras have no times",
+     "give --parameter uniform --columns position=position"},
 };
 
 std::string listed_paths(const std::vector<Place>& places) {
@@ -492,7 +455,7 @@ void refuse_other_json(const JsonTape& tape) {
   const auto* const other = std::ranges::find_if(other_json, [&](const OtherJson& known) {
     return std::ranges::all_of(known.members, [&](auto name) { return name.empty() || names.contains(name); });
   });
-  if (other == other_json.end()) return;
+  if (other == std::ranges::end(other_json)) return;
   throw data_error("this is {}; expected a list of keys; {}", other->name, other->remedy).at({"", 1, 1});
 }
 
@@ -509,7 +472,7 @@ std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& opt
             [&](const Place& place, Fit fit) { (fit == Fit::with_times ? with_times : others).push_back(place); });
   const std::vector<Place>& fitting = with_times.empty() ? others : with_times;
   if (!path.empty()) {
-    follow(tape, {0, ""}, path, [&](const Place& place) { requested.push_back(place); });
+    follow(tape, {0, ""}, path, requested);
     if (requested.empty()) {
       throw usage_error("{} {}: there is no such value; expected the path of a list of records{}{}; correct it",
                         option::records, path, fitting.empty() ? "" : ", such as ", listed_paths(fitting));

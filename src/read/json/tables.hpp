@@ -28,9 +28,6 @@ struct JsonCell {
 };
 using JsonCells = std::vector<JsonCell>;
 
-/// The members of an object.
-JsonCells members_of(const JsonTape& tape, std::size_t object);
-
 /// A row has another number of cells than there are columns.
 Error row_of_other_size(std::size_t row, std::size_t cells, std::size_t columns);
 
@@ -50,50 +47,27 @@ class JsonTable {
   const JsonTape& tape() const { return *tape_; }
   /// As in "trajectory.points"; empty for the whole text.
   const std::string& path() const { return path_; }
+  std::size_t first() const { return first_; }  ///< the number of the first record
   std::size_t size() const { return size_; }
   bool has_times_in_index() const { return takes_index_; }
 
   /// The number of cells of a record that is a row; 0 of others.
   std::size_t columns() const { return are_rows_ ? names_.size() : 0; }
   /// Where a record begins, on the tape.
-  std::size_t place(std::size_t row) const { return are_cells_ ? cells_[row_begins_[row]].value : rows_[row]; }
+  std::size_t place(std::size_t row) const { return cells_.empty() ? rows_[row] : cells_[row].front().value; }
   /// Whether the value in the place of a record is one.
   bool is_record(std::size_t row) const {
-    return are_cells_ || tape_->kind(rows_[row]) == (are_rows_ ? JsonNode::Kind::array : JsonNode::Kind::object);
+    return !cells_.empty() || tape_->kind(rows_[row]) == (are_rows_ ? JsonNode::Kind::array : JsonNode::Kind::object);
   }
   /// The path of the first record, as in "keys[0]".
   std::string first_path() const;
 
-  /// Calls f for each cell of a record, also for the time from the index.
-  template <class F>
-  void for_each_cell(std::size_t row, F f) const {
-    if (takes_index_) f(JsonCell{"time", index_[row], index_[row]});
-    if (are_cells_) {
-      for (std::size_t i = row_begins_[row]; i < row_begins_[row + 1]; ++i) {
-        f(JsonCell{names_[cells_[i].column], cells_[i].value, cells_[i].value});
-      }
-    } else if (are_rows_) {
-      tape_->for_each_element(rows_[row], [&, column = std::size_t{0}](std::size_t value) mutable {
-        if (column < names_.size()) f(JsonCell{names_[column], value, value});
-        return ++column < names_.size();
-      });
-    } else {
-      tape_->for_each_member(rows_[row], [&](std::size_t name, std::size_t value) {
-        const std::string_view text = tape_->text(name);
-        if (!has_index_member_ || text != "index") f(JsonCell{text, value, name});
-        return true;
-      });
-    }
-  }
-  JsonCells cells(std::size_t row) const;
+  /// Sets `cells` to those of a record, with the time from the index.
+  void get_cells(std::size_t row, JsonCells& cells) const;
   /// The cells of the first record, and without a value those that only others have.
   JsonCells first_cells() const;
 
  private:
-  struct Cell {
-    std::uint32_t row, column, value;
-  };
-
   bool find_layout(std::size_t table, bool is_root, bool is_timeless);
   void read_rows();
   void read_split(std::size_t table);
@@ -101,21 +75,18 @@ class JsonTable {
   void read_lists(std::size_t table);
   void read_index(std::size_t table);
   void read_columns(std::size_t table);
-  void order_cells();
   void decide_index();
 
   const JsonTape* tape_;
   std::string path_;
-  std::size_t first_ = 0;  ///< the number of the first record
-  std::size_t size_ = 0;
-  bool are_rows_ = false, are_cells_ = false;
-  bool takes_index_ = false;               ///< the index is the time
-  bool has_index_member_ = false;          ///< the index is the member "index" of objects
-  std::vector<std::string> names_;         ///< of columns; of objects, those that the first one does not have
-  std::vector<std::uint32_t> rows_;        ///< objects, or arrays
-  std::vector<std::uint32_t> index_;       ///< a name or a value for each record; empty: none
-  std::vector<Cell> cells_;                ///< in the order of rows
-  std::vector<std::uint32_t> row_begins_;  ///< among the cells; and the end
+  std::size_t first_ = 0, size_ = 0;
+  bool are_rows_ = false;
+  bool takes_index_ = false;          ///< the index is the time
+  bool has_index_member_ = false;     ///< the index is the member "index" of objects
+  std::vector<std::string> names_;    ///< of columns; of objects, those that the first one does not have
+  std::vector<std::uint32_t> rows_;   ///< objects, or arrays
+  std::vector<std::uint32_t> index_;  ///< a name or a value for each record; empty: none
+  std::vector<JsonCells> cells_;      ///< of each record of a table of columns; empty: it has rows
 };
 
 /// The lists of records in a text that can be keys: those at the path that is requested, or all where none is. An

@@ -21,10 +21,17 @@ bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') |
 
 bool is_plain(char c) { return c >= ' ' && static_cast<unsigned char>(c) < 0x80 && c != '"' && c != '\\'; }
 
+/// What a parser has read last: a character, or in the place of one a run of digits.
+struct LastRead {
+  const char *first = nullptr, *last = nullptr;
+  const char* before = nullptr;  ///< the last of what it read before
+  std::size_t count = 0;         ///< of all that it has read
+};
+
 /// The characters of a text as nlohmann-json gets them, which takes a long time for each. It would convert each number,
 /// but numbers are converted where they are used, and a zero in the place of digits has their syntax. A string of
 /// printable ASCII without escapes is an empty one, as its text is as it is written. Blanks after a comma or a colon
-/// are left out. NaN, which JSON does not have, is a zero, too.
+/// are left out. NaN, which JSON does not have, is a zero, too. The NUL after the text ends it.
 class Characters {
  public:
   using iterator_category = std::forward_iterator_tag;
@@ -33,11 +40,13 @@ class Characters {
   using pointer = const char*;
   using reference = char;
 
-  /// Requires: the text ends with a NUL.
-  explicit Characters(const char* at) : at_(at) {}
+  Characters(const char* at, LastRead& read) : at_(at), read_(&read) {}
 
   char operator*() const { return begins_digits() || is_nan() ? '0' : *at_; }
   Characters& operator++() {
+    read_->before = read_->last;
+    read_->first = read_->last = at_;
+    ++read_->count;
     if (in_string_) {
       in_string_ = *at_ != '"' || is_escaped_;
       is_escaped_ = *at_ == '\\' && !is_escaped_;
@@ -50,6 +59,7 @@ class Characters {
       while (is_json_blank(at_[1])) ++at_;
     } else if (begins_digits()) {
       while (is_digit(at_[1])) ++at_;
+      read_->last = at_;
     } else if (is_nan()) {
       at_ += 2;
     }
@@ -58,25 +68,43 @@ class Characters {
   }
   bool operator==(const Characters& other) const { return at_ == other.at_; }
 
-  const char* place() const { return at_; }
+ private:
   /// A zero is given by itself, as another digit may not follow one that begins a number.
   bool begins_digits() const { return *at_ >= '1' && *at_ <= '9' && !in_string_; }
-
- private:
   bool is_nan() const {
     return *at_ == 'N' && !in_string_ && std::strncmp(at_, "NaN", 3) == 0 && !is_word(at_[3]) &&
            (before_ == ',' || before_ == ':' || before_ == '[' || is_json_blank(before_));
   }
 
   const char* at_;
+  LastRead* read_;
   char before_ = ' ';
   bool in_string_ = false, is_escaped_ = false;
 };
 
+/// Where the value that begins at `at` ends, by its strings and brackets, or the end of the text.
+std::size_t end_of_value(std::string_view text, std::size_t at) {
+  std::size_t depth = 0;
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c == '"') {
+      for (++at; at < text.size() && text[at] != '"'; ++at) at += text[at] == '\\' ? 1 : 0;
+    } else if (c == '{' || c == '[') {
+      ++depth;
+    } else if (c == '}' || c == ']') {
+      if (depth <= 1) return at + 1;
+      --depth;
+    } else if (c == '\n' && depth == 0) {
+      return at;
+    }
+  }
+  return text.size();
+}
+
 }  // namespace
 
-/// Receives the events of nlohmann-json, with its names, and finds the text of each again. An event that returns false
-/// ends the parsing.
+/// Receives the events of nlohmann-json, with its names. An event follows the last character of its text, but that of a
+/// number the character after it. One that returns false ends the parsing.
 class JsonTape::Events {
  public:
   using Json = nlohmann::json;
@@ -87,11 +115,11 @@ class JsonTape::Events {
         now_(text_.data() + begin),
         is_list_(tape.part_.kind == JsonPart::Kind::list) {}
 
-  bool null() { return add(Kind::null, 4); }
-  bool boolean(bool value) { return add(Kind::boolean, value ? 4 : 5); }
-  bool number_integer(Json::number_integer_t) { return add_number(); }
-  bool number_unsigned(Json::number_unsigned_t) { return add_number(); }
-  bool number_float(Json::number_float_t, const std::string&) { return add_number(); }
+  bool null() { return add(Kind::null); }
+  bool boolean(bool) { return add(Kind::boolean); }
+  bool number_integer(Json::number_integer_t) { return add_number(false); }
+  bool number_unsigned(Json::number_unsigned_t) { return add_number(false); }
+  bool number_float(Json::number_float_t, const std::string&) { return add_number(true); }
   bool string(const std::string& text) { return add_text(Kind::string, text); }
   bool key(const std::string& text) { return add_text(Kind::name, text); }
   bool binary(const Json::binary_t&) { return false; }
@@ -101,11 +129,14 @@ class JsonTape::Events {
   bool end_array() { return close(); }
   bool parse_error(std::size_t count, const std::string&, const Json::exception&) { refuse_syntax(count); }
 
+  LastRead& read() { return read_; }
   const char* now() const { return now_; }
 
  private:
   /// What was read last.
   enum class Last { nothing, opening, name, value };
+
+  std::uint32_t place(const char* at) const { return static_cast<std::uint32_t>(at - text_.data()); }
 
   /// The first character of the next token.
   const char* begin() {
@@ -113,30 +144,22 @@ class JsonTape::Events {
     return now_;
   }
 
-  bool add(Kind kind, std::size_t size) {
-    const auto first = static_cast<std::uint32_t>(begin() - text_.data());
-    now_ += size;
+  bool add(Kind kind) { return add(kind, read_.first + 1); }
+  bool add(Kind kind, const char* end) {
+    const std::uint32_t first = place(begin());
+    now_ = end;
     if (tape_.nodes_.size() == tape_.nodes_.capacity()) tape_.require_memory();
-    tape_.nodes_.push_back(
-        {first, first + static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(tape_.nodes_.size() + 1), kind});
+    tape_.nodes_.push_back({first, place(end), static_cast<std::uint32_t>(tape_.nodes_.size() + 1), kind});
     last_ = Last::value;
     return true;
   }
 
-  bool add_number() {
-    if (*begin() == 'N') return add(Kind::null, 3);
-    const char* end = now_ + (*now_ == '-' ? 1 : 0);
-    if (*end == '0' && is_digit(end[1])) return add(Kind::number, static_cast<std::size_t>(end + 1 - now_));
-    bool has_exponent = false;
-    for (;; ++end) {
-      while (is_digit(*end)) ++end;
-      const bool is_exponent = *end == 'e' || *end == 'E';
-      if (!is_exponent && *end != '.' && *end != '-' && *end != '+') break;
-      has_exponent = has_exponent || is_exponent;
-    }
-    add(Kind::number, static_cast<std::size_t>(end - now_));
+  bool add_number(bool may_have_exponent) {
+    if (*begin() == 'N') return add(Kind::null, read_.first);
+    add(Kind::number, read_.first);
     constexpr std::size_t longest = 308;  // of a number that is no double only by its exponent
     const std::string_view number = tape_.written(tape_.size() - 1);
+    const bool has_exponent = may_have_exponent && number.find_first_of("eE") != std::string_view::npos;
     if ((has_exponent || number.size() > longest) && !parse_number(number)) {
       throw data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
                        in_quotes(number))
@@ -147,22 +170,10 @@ class JsonTape::Events {
 
   /// A text without escapes is as it is written; `text` is empty for one that is plain.
   bool add_text(Kind kind, const std::string& text) {
-    const char* const first = begin() + 1;
-    const std::size_t left = text_.size() - static_cast<std::size_t>(first - text_.data());
-    std::size_t size = text.size();
-    if (text.empty()) {
-      while (first[size] != '"') ++size;
-    }
-    const bool is_written =
-        text.empty() || (size < left && first[size] == '"' && std::memcmp(first, text.data(), size) == 0);
-    if (!is_written) {
-      for (size = 0; first[size] != '"'; ++size) size += first[size] == '\\' ? 1 : 0;
-    }
-    add(kind, size + 2);
-    if (!is_written) {
-      tape_.nodes_.back().has_escapes = true;
-      tape_.unescaped_.emplace(tape_.nodes_.back().begin, text);
-    }
+    add(kind);
+    JsonNode& node = tape_.nodes_.back();
+    node.has_escapes = !text.empty() && tape_.text(tape_.size() - 1) != text;
+    if (node.has_escapes) tape_.unescaped_.emplace(node.begin, text);
     if (kind == Kind::name) last_ = Last::name;
     return true;
   }
@@ -170,10 +181,10 @@ class JsonTape::Events {
   bool open(Kind kind) {
     if (open_.size() == most_levels) {
       throw data_error("this is nested deeper than {} brackets; expected fewer; remove it", most_levels)
-          .at(tape_.position_at(static_cast<std::size_t>(begin() - text_.data())));
+          .at(tape_.position_at(place(begin())));
     }
     open_.push_back(tape_.nodes_.size());
-    add(kind, 1);
+    add(kind);
     last_ = Last::opening;
     return true;
   }
@@ -181,21 +192,13 @@ class JsonTape::Events {
   bool close() {
     JsonNode& node = tape_.nodes_[open_.back()];
     open_.pop_back();
-    node.end = static_cast<std::uint32_t>(begin() - text_.data()) + 1;
+    now_ = read_.first + 1;
+    node.end = place(now_);
     node.next = static_cast<std::uint32_t>(tape_.nodes_.size());
-    ++now_;
     last_ = Last::value;
     return true;
   }
 
-  /// The place of the last one of the characters that the parser has read.
-  std::size_t last_place(std::size_t count) const {
-    Characters last(parsed_);
-    for (; count > 1 && last.place() < text_.data() + text_.size(); --count) ++last;
-    const char* place = last.place();
-    while (last.begins_digits() && is_digit(place[1])) ++place;
-    return static_cast<std::size_t>(place - text_.data());
-  }
   std::size_t skip(std::size_t at) const { return std::min(text_.find_first_not_of(" \t\r\n", at), text_.size()); }
 
   /// The place of the next token, which a comma or colon may precede unless that is the `last` byte.
@@ -205,10 +208,10 @@ class JsonTape::Events {
     return is_separated ? skip(at + 1) : at;
   }
 
-  /// Throws: Error (data) for the last one of the characters that the parser has read, which breaks the grammar of
+  /// Throws: Error (data) for the last of what the parser has read and not given back, which breaks the grammar of
   /// JSON.
   [[noreturn]] void refuse_syntax(std::size_t count) const {
-    const std::size_t last = last_place(count);
+    const std::size_t last = place(count < read_.count ? read_.before : read_.last);
     const bool is_end = last + (is_list_ ? 1 : 0) >= text_.size();
     bool is_separated = false;
     const std::size_t begin = next_token(last, is_separated);
@@ -255,8 +258,8 @@ class JsonTape::Events {
 
   JsonTape& tape_;
   std::string_view text_;
-  const char* now_;            ///< the end of the last token
-  const char* parsed_ = now_;  ///< where the parsing began
+  LastRead read_;
+  const char* now_;  ///< the end of the last token
   bool is_list_;
   Last last_ = Last::nothing;
   std::vector<std::size_t> open_;  ///< the arrays and objects around the next value
@@ -271,7 +274,8 @@ void JsonTape::parse(std::size_t first, bool is_one) {
   nodes_.resize(first);
   Events events(*this, end_);
   const char* const text = part_.chunk.text.c_str();
-  nlohmann::json::sax_parse(Characters(text + end_), Characters(text + part_.chunk.text.size()), &events,
+  nlohmann::json::sax_parse(Characters(text + end_, events.read()),
+                            Characters(text + part_.chunk.text.size() + 1, events.read()), &events,
                             nlohmann::json::input_format_t::json, is_one);
   end_ = static_cast<std::size_t>(events.now() - text);
 }
@@ -298,63 +302,37 @@ bool JsonTape::read_next(bool keeps_last) {
     parse(first, false);
   } catch (const Error&) {
     nodes_.resize(first);
-    end_ = end_of_json_value(text, begin);
+    end_ = end_of_value(text, begin);
     throw;
   }
   return true;
 }
 
-std::size_t JsonTape::count(std::size_t value) const {
-  std::size_t count = 0;
-  const bool is_object = kind(value) == Kind::object;
-  for (std::size_t at = value + 1; at < nodes_[value].next; ++count) at = nodes_[is_object ? at + 1 : at].next;
-  return count;
-}
-
-std::vector<std::uint32_t> JsonTape::elements(std::size_t array) const {
-  std::vector<std::uint32_t> values;
-  for_each_element(array, [&](std::size_t value) {
-    values.push_back(static_cast<std::uint32_t>(value));
-    return true;
-  });
-  return values;
-}
-
 std::optional<std::size_t> JsonTape::member(std::size_t object, std::string_view name) const {
   std::optional<std::size_t> found;
-  for_each_member(object, [&](std::size_t its_name, std::size_t value) {
-    if (text(its_name) != name) return true;
+  for (const std::size_t other : inside(object)) {
+    if (text(other) != name) continue;
     if (found) {
-      throw data_error("{}: the object has this member twice; expected it once; remove one", name)
-          .at(position(its_name));
+      throw data_error("{}: the object has this member twice; expected it once; remove one", name).at(position(other));
     }
-    found = value;
-    return true;
-  });
+    found = value_of(other);
+  }
   return found;
 }
 
 std::string JsonTape::path(std::size_t within, std::size_t value) const {
   std::string path;
   while (within != value) {
-    std::size_t index = 0, found = within;
-    if (kind(within) == Kind::object) {
-      for_each_member(within, [&](std::size_t name, std::size_t of_member) {
-        if (value != name && value >= nodes_[of_member].next) return true;
-        path += fmt::format(".{}", text(name));
-        found = value == name ? value : of_member;
-        return false;
-      });
-    } else {
-      for_each_element(within, [&](std::size_t element) {
-        if (value >= nodes_[element].next) return ++index, true;
-        path += fmt::format("[{}]", index);
-        found = element;
-        return false;
-      });
-    }
-    if (found == within) return path;
-    within = found;
+    std::size_t index = 0;
+    const auto all = inside(within);
+    const auto inner = std::ranges::find_if(all, [&](std::size_t other) {
+      ++index;
+      return value == other || value < nodes_[value_of(other)].next;
+    });
+    if (inner == all.end()) return path;
+    const bool is_name = kind(*inner) == Kind::name;
+    path += is_name ? fmt::format(".{}", text(*inner)) : fmt::format("[{}]", index - 1);
+    within = value == *inner ? value : value_of(*inner);
   }
   return path;
 }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,33 @@ struct JsonNode {
   bool is_nested() const { return kind == Kind::array || kind == Kind::object; }
 };
 
+/// Goes through the elements of an array, or the names of the members of an object.
+class JsonIterator {
+ public:
+  using value_type = std::size_t;
+  using difference_type = std::ptrdiff_t;
+
+  JsonIterator() = default;
+  JsonIterator(const JsonNode* nodes, std::size_t at, bool is_name) : nodes_(nodes), at_(at), is_name_(is_name) {}
+  std::size_t operator*() const { return at_; }
+  JsonIterator& operator++() { return at_ = nodes_[at_ + (is_name_ ? 1 : 0)].next, *this; }
+  JsonIterator operator++(int) { return std::exchange(*this, ++JsonIterator(*this)); }
+  bool operator==(const JsonIterator& other) const { return at_ == other.at_; }
+
+ private:
+  const JsonNode* nodes_ = nullptr;
+  std::size_t at_ = 0;
+  bool is_name_ = false;
+};
+
+struct JsonRange {
+  JsonIterator first, last;
+
+  JsonIterator begin() const { return first; }
+  JsonIterator end() const { return last; }
+  bool empty() const { return first == last; }
+};
+
 /// The values of a part of a text. A value is the index of its node; what an array or an object holds follows it.
 class JsonTape {
  public:
@@ -46,24 +74,22 @@ class JsonTape {
   Kind kind(std::size_t value) const { return nodes_[value].kind; }
   std::size_t size() const { return nodes_.size(); }
 
-  /// Calls f(name, value) for each member of an object, until it returns false.
-  template <class F>
-  void for_each_member(std::size_t object, F f) const {
-    for (std::size_t name = object + 1; name < nodes_[object].next; name = nodes_[name + 1].next) {
-      if (!f(name, name + 1)) return;
-    }
+  /// The elements of an array, or the names of the members of an object; nothing in another value.
+  JsonRange inside(std::size_t value) const {
+    const bool is_object = kind(value) == Kind::object;
+    return {JsonIterator(nodes_.data(), value + 1, is_object),
+            JsonIterator(nodes_.data(), nodes_[value].next, is_object)};
   }
-  /// Calls f(value) for each element of an array, until it returns false.
-  template <class F>
-  void for_each_element(std::size_t array, F f) const {
-    for (std::size_t value = array + 1; value < nodes_[array].next; value = nodes_[value].next) {
-      if (!f(value)) return;
-    }
-  }
+  /// The value of the member with this name; an element itself.
+  std::size_t value_of(std::size_t inner) const { return kind(inner) == Kind::name ? inner + 1 : inner; }
   /// The number of elements of an array, or of members of an object.
-  std::size_t count(std::size_t value) const;
+  std::size_t count(std::size_t value) const { return static_cast<std::size_t>(std::ranges::distance(inside(value))); }
   /// The values of the elements of an array.
-  std::vector<std::uint32_t> elements(std::size_t array) const;
+  std::vector<std::uint32_t> elements(std::size_t array) const {
+    std::vector<std::uint32_t> values;
+    for (const std::size_t value : inside(array)) values.push_back(static_cast<std::uint32_t>(value));
+    return values;
+  }
   /// The value of the member with a name; nothing if there is none. Throws: Error (data) if there are two.
   std::optional<std::size_t> member(std::size_t object, std::string_view name) const;
 

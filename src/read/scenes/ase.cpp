@@ -15,30 +15,25 @@
 #include <vector>
 
 #include "option_names.hpp"
-#include "read/input_format.hpp"
 #include "read/scenes/text_lines.hpp"
-#include "read/scenes/tracks.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {
 namespace {
 
-/// A line of a key: its first word, the track, and its numbers after the time.
-struct AseKeyLine {
-  std::string_view word, track;
-  std::size_t numbers;  ///< of the value
-  bool is_tcb;
+/// The keys of a track, whose lines begin with *CONTROL_TCB_WORD_KEY, *CONTROL_WORD_KEY or *CONTROL_WORD_SAMPLE.
+struct AseTrack {
+  std::string_view word, name;
+  std::size_t numbers;  ///< of a value
+  std::vector<std::string_view> channels;
 };
-constexpr std::array key_lines{
-    AseKeyLine{"*CONTROL_TCB_POS_KEY", "position", 3, true}, AseKeyLine{"*CONTROL_POS_KEY", "position", 3, false},
-    AseKeyLine{"*CONTROL_POS_SAMPLE", "position", 3, false}, AseKeyLine{"*CONTROL_TCB_ROT_KEY", "rotation", 4, true},
-    AseKeyLine{"*CONTROL_ROT_KEY", "rotation", 4, false},    AseKeyLine{"*CONTROL_ROT_SAMPLE", "rotation", 4, false},
-    AseKeyLine{"*CONTROL_TCB_SCALE_KEY", "scale", 7, true},  AseKeyLine{"*CONTROL_SCALE_KEY", "scale", 7, false},
-    AseKeyLine{"*CONTROL_SCALE_SAMPLE", "scale", 7, false},  AseKeyLine{"*CONTROL_TCB_FLOAT_KEY", "value", 1, true},
-    AseKeyLine{"*CONTROL_FLOAT_KEY", "value", 1, false},     AseKeyLine{"*CONTROL_FLOAT_SAMPLE", "value", 1, false},
-    AseKeyLine{"*CONTROL_TCB_POINT3_KEY", "color", 3, true}, AseKeyLine{"*CONTROL_POINT3_KEY", "color", 3, false},
-    AseKeyLine{"*CONTROL_POINT3_SAMPLE", "color", 3, false},
-};
+const std::array<AseTrack, 5> ase_tracks{{
+    {"POS", "position", 3, {"x", "y", "z"}},
+    {"ROT", "rotation", 4, {"axis_x", "axis_y", "axis_z", "angle"}},
+    {"SCALE", "scale", 7, {"x", "y", "z"}},
+    {"FLOAT", "value", 1, {"value"}},
+    {"POINT3", "color", 3, {"red", "green", "blue"}},
+}};
 
 /// Gives straight spans to the keys of a channel.
 void make_linear(TrackChannel& channel) {
@@ -85,8 +80,8 @@ class AseExport {
           .about(object_);
     } else if (word.starts_with("*CONTROL_") && lines_.words().back() == "{") {
       end_track();  // the keys of a controller follow
-    } else if (const auto line = std::ranges::find(key_lines, word, &AseKeyLine::word); line != key_lines.end()) {
-      read_key(*line);
+    } else if (word.starts_with("*CONTROL_")) {
+      read_key(word.substr(word.find('_') + 1));
     }
   }
 
@@ -104,13 +99,18 @@ class AseExport {
     object_ = name;
   }
 
-  void read_key(const AseKeyLine& line) {
-    if (!track_ || track_->name != line.track || is_tcb_ != line.is_tcb) begin_track(line);
+  void read_key(std::string_view word) {
+    const bool is_tcb = word.starts_with("TCB_"), is_sample = !is_tcb && word.ends_with("_SAMPLE");
+    if (is_tcb) word.remove_prefix(4);
+    if (!is_sample && !word.ends_with("_KEY")) return;
+    const auto kind = std::ranges::find(ase_tracks, word.substr(0, word.rfind('_')), &AseTrack::word);
+    if (kind == ase_tracks.end()) return;
+    if (!track_ || track_->name != kind->name || is_tcb_ != is_tcb) begin_track(*kind, is_tcb, is_sample);
     TrackKey key;
     key.line = lines_.number();
     key.time = written_number(exact_number(lines_.number_in(1)) / exact_number(ticks_) / exact_number(rate_));
-    std::size_t next = 2 + line.numbers;
-    if (line.is_tcb) {
+    std::size_t next = 2 + kind->numbers;
+    if (is_tcb) {
       for (WrittenNumber* const number : {&key.tension, &key.continuity, &key.bias, &key.ease_in, &key.ease_out}) {
         *number = lines_.number_in(next++);
       }
@@ -124,22 +124,18 @@ class AseExport {
     }
   }
 
-  void begin_track(const AseKeyLine& line) {
+  void begin_track(const AseTrack& kind, bool is_tcb, bool is_sample) {
     end_track();
-    static const std::map<std::string_view, std::vector<std::string>> channels{
-        {"rotation", {"axis_x", "axis_y", "axis_z", "angle"}},
-        {"value", {"value"}},
-        {"color", {"red", "green", "blue"}}};
-    const auto found = channels.find(line.track);
-    const auto names = found == channels.end() ? std::vector<std::string>{"x", "y", "z"} : found->second;
-    track_ = Track{object_, std::string(line.track)};
-    is_tcb_ = line.is_tcb;
-    for (const std::string& name : names) track_->channels.push_back({name});
-    track_->is_recording = line.word.ends_with("_SAMPLE");
+    track_ = Track{object_, std::string(kind.name)};
+    is_tcb_ = is_tcb;
+    for (const std::string_view name : kind.channels) track_->channels.push_back({std::string(name)});
+    track_->is_recording = is_sample;
     track_->settings.preset = spline::Preset::max3ds;
-    if (line.track != "rotation") return;
-    track_->rotation = GivenRotation{
-        .notation = {.form = spline::RotationForm::axis_angle}, .relative = true, .columns = names, .in_parent = true};
+    if (kind.name != "rotation") return;
+    track_->rotation = GivenRotation{.notation = {.form = spline::RotationForm::axis_angle},
+                                     .relative = true,
+                                     .columns = {kind.channels.begin(), kind.channels.end()},
+                                     .in_parent = true};
     if (!is_tcb_) track_->settings.rotation_curve = spline::RotationCurve::slerp;
   }
 
@@ -175,17 +171,9 @@ Records open_ase(const Format&, Source<std::string> bytes, InputOptions options)
   return records_of_tracks(AseExport(text, memory).read(), "t", options);
 }
 
-bool begins_ase(std::string_view beginning) { return beginning.starts_with("*3DSMA"); }
-
 }  // namespace
 
-extern const InputFormat ase_input{
-    .open = open_ase,
-    .options = options_of_tracks,
-    .begins = begins_ase,
-    .has_tracks = true,
-    .takes_delimiters = false,
-    .has_own_columns = true,
-};
+extern const InputFormat ase_input =
+    format_of_scenes(open_ase, [](std::string_view beginning) { return beginning.starts_with("*3DSMA"); });
 
 }  // namespace tcb

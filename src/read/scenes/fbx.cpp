@@ -18,10 +18,7 @@
 #include <vector>
 
 #include "option_names.hpp"
-#include "read/input_format.hpp"
-#include "read/scenes/fbx_curve.hpp"
-#include "read/scenes/fbx_nodes.hpp"
-#include "read/scenes/tracks.hpp"
+#include "read/scenes/fbx.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
@@ -158,7 +155,7 @@ struct OpenTrack {
     }
     const WrittenNumber start = std::ranges::find_if(channels, &Channel::has_keys)->curve.keys.front().time;
     for (Channel& channel : channels) {
-      const FbxCurve constant{{FbxKey{start, channel.constant}}};
+      const FbxCurve constant{{FbxKey{{start, channel.constant}}}};
       try {
         track.channels.push_back(channel_of(channel.name, channel.has_keys() ? channel.curve : constant));
       } catch (const Error& error) {
@@ -446,17 +443,9 @@ Records open_fbx(const Format&, Source<std::string> bytes, InputOptions options)
   return records_of_tracks(std::move(tracks), "t", options, true);
 }
 
-bool begins_fbx(std::string_view beginning) { return beginning.starts_with("; FBX"); }
-
 }  // namespace
 
-extern const InputFormat fbx_input{
-    .open = open_fbx,
-    .options = options_of_tracks,
-    .begins = begins_fbx,
-    .has_tracks = true,
-    .takes_delimiters = false,
-    .has_own_columns = true,
-};
+extern const InputFormat fbx_input =
+    format_of_scenes(open_fbx, [](std::string_view beginning) { return beginning.starts_with("; FBX"); });
 
 }  // namespace tcb

@@ -1,5 +1,5 @@
 // FBX curves: the keys of an animation curve of FBX as keys of a channel.
-#include "read/scenes/fbx_curve.hpp"
+#include "read/scenes/fbx.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "read/scenes/tracks.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -257,7 +256,7 @@ FbxCurve read_curve(const FbxNode& curve, const FbxHead& head) {
       if (left < 1) throw fbx_arrays_differ().at({"", curve.line, 0});
     }
     --left;
-    FbxKey key{seconds(times.next_integer(), head), values.next_number()};
+    FbxKey key{{seconds(times.next_integer(), head), values.next_number()}};
     key.line = curve.line;
     set_span(key, bits, &data[first]);
     keys.push_back(std::move(key));
@@ -277,7 +276,7 @@ FbxCurve read_old_curve(const FbxNode& channel, const FbxHead& head) {
   constexpr std::int64_t without_weights = 4003, with_sides = 4004;  // versions
   for (FbxValues values(*list); !values.at_end();) {
     const std::uint64_t line = values.line();
-    FbxKey key{seconds(values.next_integer(), head), values.next_number()};
+    FbxKey key{{seconds(values.next_integer(), head), values.next_number()}};
     key.line = line;
     const std::string_view mode = values.next();
     if (mode == "C") {
@@ -308,15 +307,7 @@ FbxCurve read_old_curve(const FbxNode& channel, const FbxHead& head) {
 }
 
 TrackChannel channel_of(std::string_view name, const FbxCurve& curve) {
-  const std::vector<FbxKey>& keys = curve.keys;
-  TrackChannel channel = channel_of_keys(name, keys, curve.before, curve.after);
-  const bool is_tcb = std::ranges::all_of(keys, [](const FbxKey& key) { return key.span == FbxSpan::tcb; });
-  if (is_tcb || keys.size() < 2) return channel;
-  const Tangents tangents(keys);
-  std::vector<TrackSpan> spans;
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) spans.push_back(tangents.span(i));
-  set_spans(channel, spans);
-  return channel;
+  return channel_of(name, curve, [tangents = Tangents(curve.keys)](std::size_t i) { return tangents.span(i); });
 }
 
 }  // namespace tcb

@@ -1,5 +1,5 @@
 // FBX nodes: the text of an FBX file as a tree.
-#include "read/scenes/fbx_nodes.hpp"
+#include "read/scenes/fbx.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "numbers/parse_number.hpp"
-#include "read/scenes/tracks.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -22,21 +21,22 @@ constexpr std::string_view blanks = " \t\r\n";
 
 class Parser {
  public:
-  Parser(std::string_view text, MemoryUse& memory) : text_(text), memory_(memory) { open_.emplace_back(); }
+  Parser(std::string_view text, MemoryUse& memory) : text_(text), memory_(memory) {}
 
   FbxNode parse() {
-    while (skip_blanks()) {
-      if (text_[at_] == '}') {
-        close();
-      } else {
-        read_node();
-      }
-    }
-    if (open_.size() > 1) throw file_ends_early().at({"", line_, 0});
-    return std::move(open_.back());
+    FbxNode file{.children = read_nodes(0)};
+    if (at_ < text_.size()) throw unexpected_text_in_fbx("}").at({"", line_, 0});
+    return file;
   }
 
  private:
+  /// The nodes before a brace that closes them, or the end.
+  std::vector<FbxNode> read_nodes(std::size_t level) {
+    std::vector<FbxNode> nodes;
+    while (skip_blanks() && text_[at_] != '}') nodes.push_back(read_node(level));
+    return nodes;
+  }
+
   /// Skips blanks and comments; false at the end.
   bool skip_blanks() {
     while (at_ < text_.size()) {
@@ -52,15 +52,7 @@ class Parser {
     return false;
   }
 
-  void close() {
-    if (open_.size() == 1) throw unexpected_text_in_fbx("}").at({"", line_, 0});
-    ++at_;
-    FbxNode node = std::move(open_.back());
-    open_.pop_back();
-    open_.back().children.push_back(std::move(node));
-  }
-
-  void read_node() {
+  FbxNode read_node(std::size_t level) {
     const std::size_t end = text_.find_first_of(":{}\",;\n", at_);
     if (end == std::string_view::npos || text_[end] != ':') {
       throw unexpected_text_in_fbx(text_.substr(at_, std::min<std::size_t>(end - at_, 20))).at({"", line_, 0});
@@ -72,16 +64,15 @@ class Parser {
     const std::size_t last = skip_values();
     node.text = text_.substr(first, last - first);
     constexpr std::size_t most_levels = 64;
-    if (open_.size() > most_levels)
+    if (level >= most_levels)
       throw data_error("nodes are within more than {} others; expected fewer; export the file again", most_levels)
           .at({"", line_, 0});
-    const bool has_children = at_ < text_.size() && text_[at_] == '{';
-    if (has_children) {
-      ++at_;
-      open_.push_back(std::move(node));
-    } else {
-      open_.back().children.push_back(std::move(node));
-    }
+    if (at_ == text_.size() || text_[at_] != '{') return node;
+    ++at_;
+    node.children = read_nodes(level + 1);
+    if (at_ == text_.size()) throw file_ends_early().at({"", line_, 0});
+    ++at_;
+    return node;
   }
 
   /// Goes to the brace or the end of line after a list of values, and returns where the list ends. A list continues
@@ -119,7 +110,6 @@ class Parser {
   MemoryUse& memory_;
   std::size_t at_ = 0;
   std::uint64_t line_ = 1;
-  std::vector<FbxNode> open_;  ///< the current node and those around it
 };
 
 }  // namespace

@@ -21,9 +21,7 @@
 #include <vector>
 
 #include "option_names.hpp"
-#include "read/input_format.hpp"
 #include "read/scenes/text_lines.hpp"
-#include "read/scenes/tracks.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -57,95 +55,74 @@ constexpr std::array<EulerTrack::Turn, 3> heading_pitch_bank{{{0, 1}, {1, 0}, {2
 enum class Span { tcb, hermite, bezier, linear, stepped, bezier2 };
 
 /// A key of an envelope.
-struct EnvelopeKey {
-  WrittenNumber value, time;
+struct EnvelopeKey : TrackKey {
   Span span = Span::tcb;
-  WrittenNumber tension, continuity, bias;
   WrittenNumber incoming, outgoing;  ///< tangents of Hermite and Bezier spans, each per its own segment
-  std::uint64_t line = 0;
+
+  bool is_tcb() const { return span == Span::tcb; }
+  bool has_tangents() const { return span == Span::hermite || span == Span::bezier; }
 };
 
 /// The memory that a key takes at most, as one of an envelope and then of a channel.
 constexpr std::uint64_t memory_of_envelope_key = 2 * sizeof(EnvelopeKey) + memory_of_key;
 
-struct Envelope {
-  std::vector<EnvelopeKey> keys = {};
-  std::size_t before = 0, after = 0;  ///< behaviors
-};
+using Envelope = TrackCurve<EnvelopeKey>;
 
 /// The velocities of the keys of a channel whose spans are not all TCB.
 class Velocities {
  public:
   explicit Velocities(const std::vector<EnvelopeKey>& keys) : keys_(keys) {}
 
-  /// Of the segment before key i, at its end.
-  Rational incoming(std::size_t i) const {
-    const Rational h = duration(i - 1);
-    if (keys_[i].span == Span::linear) return chord(i - 1) / h;
-    return tangent_in(i) / h;
-  }
-  /// Of the segment after key i, at its start.
-  Rational outgoing(std::size_t i) const {
-    const Rational h = duration(i);
-    if (keys_[i + 1].span == Span::linear) return chord(i) / h;
-    return tangent_out(i) / h;
+  /// The span after key i. Throws: Error (data) for one that is no cubic in time.
+  TrackSpan span(std::size_t i) const {
+    for (const EnvelopeKey* const key : {&keys_[i], &keys_[i + 1]}) {
+      if (key->span != Span::bezier2) continue;
+      throw data_error(
+          "the span of the key is a Bezier 2D curve, which is not a cubic in time; expected TCB, Hermite, Bezier 1D, "
+          "linear or stepped; change the key's curve in LightWave")
+          .at({"", key->line, 0});
+    }
+    if (keys_[i + 1].span == Span::stepped) return {TrackSpan::Kind::holds_first};
+    return {TrackSpan::Kind::cubic, outgoing(i), incoming(i + 1)};
   }
 
  private:
+  /// Of the segment before key i, at its end.
+  Rational incoming(std::size_t i) const {
+    const EnvelopeKey& key = keys_[i];
+    if (key.span == Span::linear) return chord(i - 1) / duration(i - 1);
+    if (key.has_tangents()) return exact_number(key.incoming) / duration(i - 1);
+    return by_preset(i, -exact_number(key.continuity));
+  }
+  /// Of the segment after key i, at its start.
+  Rational outgoing(std::size_t i) const {
+    const EnvelopeKey& key = keys_[i];
+    if (keys_[i + 1].span == Span::linear) return chord(i) / duration(i);
+    if (key.has_tangents()) return exact_number(key.outgoing) / duration(i);
+    return key.span == Span::stepped ? Rational(0) : by_preset(i, exact_number(key.continuity));
+  }
+
   Rational duration(std::size_t i) const { return exact_number(keys_[i + 1].time) - exact_number(keys_[i].time); }
   Rational chord(std::size_t i) const { return exact_number(keys_[i + 1].value) - exact_number(keys_[i].value); }
-  static Rational at_end(const Rational& h) { return h / (h + Rational(1, 3600)); }
 
-  Rational tangent_in(std::size_t i) const {
+  /// By the preset lightwave, with the continuity C of an outgoing velocity, and -C of an incoming one. After a linear
+  /// span, the tension, continuity and bias are 0.
+  Rational by_preset(std::size_t i, const Rational& continuity) const {
     const EnvelopeKey& key = keys_[i];
-    const bool is_last = i + 1 == keys_.size();
-    if (key.span == Span::hermite || key.span == Span::bezier) return exact_number(key.incoming);
-    const Rational loose = Rational(1) - exact_number(key.tension), c = exact_number(key.continuity);
-    const Rational own = loose * (1 - c) * (1 + exact_number(key.bias)) * chord(i - 1);
-    if (is_last) return own * at_end(duration(i - 1));
-    const Rational next = loose * (1 + c) * (1 - exact_number(key.bias)) * chord(i);
-    return (own + next) * duration(i - 1) / (duration(i - 1) + duration(i));
-  }
-  Rational tangent_out(std::size_t i) const {
-    const EnvelopeKey& key = keys_[i];
-    if (key.span == Span::hermite || key.span == Span::bezier) return exact_number(key.outgoing);
-    if (key.span == Span::stepped) return Rational(0);
-    const bool is_linear = key.span == Span::linear;
-    const Rational loose = is_linear ? Rational(1) : Rational(1) - exact_number(key.tension);
-    const Rational c = is_linear ? Rational(0) : exact_number(key.continuity);
-    const Rational b = is_linear ? Rational(0) : exact_number(key.bias);
-    const Rational own = loose * (1 - c) * (1 - b) * chord(i);
-    if (i == 0) return own * at_end(duration(i));
-    const Rational before = loose * (1 + c) * (1 + b) * chord(i - 1);
-    return (before + own) * duration(i) / (duration(i - 1) + duration(i));
+    const bool is_linear = key.span == Span::linear, is_first = i == 0, is_last = i + 1 == keys_.size();
+    const Rational loose = is_linear ? Rational(1) : 1 - exact_number(key.tension);
+    const Rational c = is_linear ? Rational(0) : continuity, b = is_linear ? Rational(0) : exact_number(key.bias);
+    Rational sum(0), time(0);
+    if (!is_first) sum += (1 + c) * (1 + b) * chord(i - 1);
+    if (!is_last) sum += (1 - c) * (1 - b) * chord(i);
+    if (!is_first) time += duration(i - 1);
+    if (!is_last) time += duration(i);
+    if (is_first || is_last) time += Rational(1, 3600);
+    return loose * sum / time;
   }
 
   const std::vector<EnvelopeKey>& keys_;
 };
-
-/// The keys of a channel.
-TrackChannel channel_of_envelope(std::string_view name, const Envelope& envelope) {
-  const std::vector<EnvelopeKey>& keys = envelope.keys;
-  TrackChannel channel = channel_of_keys(name, keys, behaviors[envelope.before], behaviors[envelope.after]);
-  if (std::ranges::all_of(keys, [](const EnvelopeKey& key) { return key.span == Span::tcb; })) return channel;
-  if (keys.size() < 2) return channel;
-  const auto bezier = std::ranges::find(keys, Span::bezier2, &EnvelopeKey::span);
-  if (bezier != keys.end())
-    throw data_error(
-        "the span of the key is a Bezier 2D curve, which is not a cubic in time; expected TCB, Hermite, Bezier 1D, "
-        "linear "
-        "or stepped; change the key's curve in LightWave")
-        .at({"", bezier->line, 0});
-  const Velocities velocities(keys);
-  std::vector<TrackSpan> spans;
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-    const bool is_step = keys[i + 1].span == Span::stepped;
-    spans.push_back(is_step ? TrackSpan{TrackSpan::Kind::holds_first}
-                            : TrackSpan{TrackSpan::Kind::cubic, velocities.outgoing(i), velocities.incoming(i + 1)});
-  }
-  set_spans(channel, spans);
-  return channel;
-}
 
 /// Reads the motions of a scene.
 class Motions {
@@ -215,8 +192,12 @@ class Motions {
     for (std::size_t first = 0; first + 3 <= envelopes.size() && first < 9; first += 3) {
       Track track{object_, std::string(names[first / 3])};
       for (std::size_t i = 0; i < 3; ++i) {
+        const Envelope& envelope = envelopes[first + i];
         try {
-          track.channels.push_back(channel_of_envelope(channels[i], envelopes[first + i]));
+          const auto span_of = [velocities = Velocities(envelope.keys)](std::size_t key) {
+            return velocities.span(key);
+          };
+          track.channels.push_back(channel_of(channels[i], envelope, span_of));
         } catch (const Error& error) {
           track.failure = error.about(fmt::format("{}/{}", object_, names[first / 3]));
         }
@@ -261,14 +242,14 @@ class Motions {
     return envelope;
   }
 
-  std::size_t behavior_in(std::size_t word) const {
+  std::string_view behavior_in(std::size_t word) const {
     const std::size_t number = lines_.count_in(word);
     if (number >= behaviors.size())
       throw lines_.at(
           data_error("the behavior of the envelope is of type {}; expected 0 to 5 (reset, constant, repeat, oscillate, "
                      "offset repeat, linear); correct the file",
                      number));
-    return number;
+    return behaviors[number];
   }
 
   /// A key: value, time, span, T, C, B, and since version 3 three numbers more.
@@ -282,9 +263,8 @@ class Motions {
     key.continuity = lines_.number_in(first + 4);
     key.bias = lines_.number_in(first + 5);
     key.line = lines_.number();
-    const bool has_tangents = key.span == Span::hermite || key.span == Span::bezier;
-    if (has_tangents) key.incoming = lines_.number_in(first + 6);
-    if (has_tangents) key.outgoing = lines_.number_in(first + 7);
+    if (key.has_tangents()) key.incoming = lines_.number_in(first + 6);
+    if (key.has_tangents()) key.outgoing = lines_.number_in(first + 7);
     return key;
   }
 
@@ -361,19 +341,10 @@ Records open_lightwave(const Format&, Source<std::string> bytes, InputOptions op
   return records_of_tracks(Motions(text, memory).read(), "t", options);
 }
 
-bool begins_lightwave(std::string_view beginning) {
-  return beginning.starts_with("LWSC") || beginning.starts_with("LWMO");
-}
-
 }  // namespace
 
-extern const InputFormat lightwave_input{
-    .open = open_lightwave,
-    .options = options_of_tracks,
-    .begins = begins_lightwave,
-    .has_tracks = true,
-    .takes_delimiters = false,
-    .has_own_columns = true,
-};
+extern const InputFormat lightwave_input = format_of_scenes(open_lightwave, [](std::string_view beginning) {
+  return beginning.starts_with("LWSC") || beginning.starts_with("LWMO");
+});
 
 }  // namespace tcb

@@ -19,7 +19,6 @@
 #include <utility>
 #include <vector>
 
-#include "read/input_format.hpp"
 #include "read/scenes/tracks.hpp"
 #include "tcb/spline/rules.hpp"
 
@@ -224,13 +223,6 @@ bool begins_3ds(std::string_view beginning) {
 
 }  // namespace
 
-extern const InputFormat studio_3ds_input{
-    .open = open_3ds,
-    .options = options_of_frames,
-    .begins = begins_3ds,
-    .has_tracks = true,
-    .takes_delimiters = false,
-    .has_own_columns = true,
-};
+extern const InputFormat studio_3ds_input = format_of_scenes(open_3ds, begins_3ds, options_of_frames);
 
 }  // namespace tcb

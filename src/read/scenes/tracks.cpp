@@ -23,7 +23,6 @@
 #include "read/key_builder.hpp"
 #include "schema/columns.hpp"
 #include "schema/units.hpp"
-#include "text/glob.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
@@ -179,7 +178,7 @@ Columns columns_of(const Track& track, const std::string& time, const InputOptio
   std::vector<bool> numeric(header.size(), true);
   numeric[1] = numeric[2] = false;
   std::vector<RoleRequest> requests = options.columns.roles;
-  if (std::ranges::count(requests, Role::group, &RoleRequest::role) == 0) {
+  if (!options.columns.has(Role::group)) {
     requests.push_back({Role::group, {std::string(object_name), std::string(track_name)}});
   }
   return find_columns(header, numeric, requests, options.columns.timeless);
@@ -475,12 +474,7 @@ Records records_of_tracks(std::vector<Track> tracks, const std::string& time, co
   records.rotation = tracks.front().rotation;
   records.keys.curve_info.settings = tracks.front().settings;
   records.keys.traits.has_whole_curves = true;
-  records.keys.blocks = [blocks = std::move(blocks)]() mutable -> std::optional<KeyBlock> {
-    if (blocks.empty()) return std::nullopt;
-    KeyBlock block = std::move(blocks.front());
-    blocks.pop_front();
-    return block;
-  };
+  records.keys.blocks = each_of(std::move(blocks));
   return records;
 }
 

@@ -5,6 +5,8 @@
 // and tension, continuity and bias of their own.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,6 +16,7 @@
 #include "error.hpp"
 #include "numbers/rational.hpp"
 #include "read/input.hpp"
+#include "read/input_format.hpp"
 #include "read/input_options.hpp"
 #include "read/memory_use.hpp"
 #include "read/written_number.hpp"
@@ -67,27 +70,30 @@ struct TrackSpan {
 /// Throws: Error (data).
 void require_increasing_times(const TrackChannel& channel);
 
-/// A channel with keys whose times increase, of a format's own kind, which have the numbers of TCB keys. Throws: Error
-/// (data).
-template <class Key>
-TrackChannel channel_of_keys(std::string_view name, const std::vector<Key>& keys, std::string_view before,
-                             std::string_view after) {
-  TrackChannel channel{.name = std::string(name), .before = before, .after = after};
-  for (const Key& key : keys) {
-    channel.keys.push_back({.time = key.time,
-                            .value = key.value,
-                            .tension = key.tension,
-                            .continuity = key.continuity,
-                            .bias = key.bias,
-                            .line = key.line});
-  }
-  require_increasing_times(channel);
-  return channel;
-}
-
 /// Gives the keys of a channel the velocities of the spans between them, and adds keys for steps. Throws: Error (data)
 /// for a step that no double is within.
 void set_spans(TrackChannel& channel, const std::vector<TrackSpan>& spans);
+
+/// The keys of a channel, of a format's own kind, and its extrapolations as in TrackChannel.
+template <class Key>
+struct TrackCurve {
+  std::vector<Key> keys = {};
+  std::string_view before = {}, after = {};
+};
+
+/// The channel of a curve. Unless all its keys are TCB, span_of(i) is the span after key i. Throws: Error (data) for
+/// times that do not increase, and as set_spans().
+template <class Key, class SpanOf>
+TrackChannel channel_of(std::string_view name, const TrackCurve<Key>& curve, const SpanOf& span_of) {
+  const std::vector<Key>& keys = curve.keys;
+  TrackChannel channel{std::string(name), {keys.begin(), keys.end()}, false, curve.before, curve.after};
+  require_increasing_times(channel);
+  if (keys.size() < 2 || std::ranges::all_of(keys, &Key::is_tcb)) return channel;
+  std::vector<TrackSpan> spans;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) spans.push_back(span_of(i));
+  set_spans(channel, spans);
+  return channel;
+}
 
 struct Track {
   std::string object, name;
@@ -114,6 +120,17 @@ std::string whole_file(const Source<std::string>& bytes, MemoryUse& memory);
 /// something else is requested.
 InputOptions options_of_tracks(const Format& format, Source<std::string>& bytes, InputOptions options);
 InputOptions options_of_frames(const Format& format, Source<std::string>& bytes, InputOptions options);
+
+/// A format of files with several objects. `begins` and `options` are those of InputFormat.
+constexpr InputFormat format_of_scenes(decltype(InputFormat::open) open, decltype(InputFormat::begins) begins,
+                                       decltype(InputFormat::options) options = options_of_tracks) {
+  return {.open = open,
+          .options = options,
+          .begins = begins,
+          .has_tracks = true,
+          .takes_delimiters = false,
+          .has_own_columns = true};
+}
 
 /// The tracks that are chosen, as keys. Those that are constant are left out unless all are; without a choice also
 /// those with other channels than the first, and with `first_object` all but the position, rotation and scale of the

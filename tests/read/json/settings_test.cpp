@@ -1,5 +1,5 @@
 // Settings in JSON: settings of the curve, channel names, the id; near misses of names.
-#include "read/json/settings.hpp"
+#include "read/json/keys.hpp"
 
 #include <gmock/gmock.h>
 

@@ -12,7 +12,9 @@ namespace {
 std::string rows_of(const JsonTable& table) {
   std::string shown = table.has_times_in_index() ? "by index: " : "";
   for (std::size_t row = 0; row < table.size(); ++row) {
-    for (const JsonCell& cell : row == 0 ? table.first_cells() : table.cells(row)) {
+    JsonCells cells = table.first_cells();
+    if (row > 0) table.get_cells(row, cells);
+    for (const JsonCell& cell : cells) {
       shown += fmt::format("{}={} ", cell.name,
                            cell.value == JsonCell::missing ? "?" : std::string(table.tape().written(cell.value)));
     }

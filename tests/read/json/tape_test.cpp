@@ -102,7 +102,7 @@ TEST(JsonTape, numbers_are_as_written_and_have_the_syntax_of_json) {
   const JsonPart part = list_of(numbers);
   const JsonTape tape(part);
   std::string shown;
-  tape.for_each_element(1, [&](std::size_t value) { return shown += fmt::format("{},", tape.written(value)), true; });
+  for (const std::size_t value : tape.inside(1)) shown += fmt::format("{},", tape.written(value));
   EXPECT_EQ("[" + shown, numbers.substr(0, numbers.size() - 1) + ",");
   for (const char* text :
        {"00", "01", "-01", "1.5.2", "1.05.2", "1..2", "1.", ".5", "1e", "1e+", "1e5.5", "+1", "--1"}) {
@@ -130,6 +130,7 @@ TEST(JsonTape, the_first_wrong_token_is_an_error_with_what_was_expected) {
       {list_of("{\"a\":tru}"), "f:1:7: error: not JSON: found \"tru}\"; expected a value"},
       {list_of("{\"a\":-x}"), "f:1:7: error: not JSON: found \"-x\"; expected a value"},
       {list_of("{\"a\":01}"), "f:1:8: error: not JSON: found \"1\"; expected a comma or a closing bracket"},
+      {list_of("[2-5,1]"), "f:1:4: error: not JSON: found \"-5\"; expected a comma or a closing bracket"},
       {list_of("{\"a\":[1,,2]}"), "f:1:10: error: not JSON: found \",\"; expected another value or member"},
       {list_of("{\"a\":[,1]}"), "f:1:8: error: not JSON: found \",\"; expected a value"},
       {list_of("{\"a\":1"), "f:1:8: error: not JSON: the text ends too early"},

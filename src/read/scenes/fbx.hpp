@@ -1,7 +1,15 @@
-// FBX nodes: the text of an FBX file as a tree.
+// FBX: the text of a file as a tree of nodes, and the keys of its animation curves as keys of channels.
 //
 // A node is a name, a list of values, and children in braces. An array is a node with the value *COUNT and one child
 // "a" with its numbers. Comments run from a semicolon to the end of the line.
+//
+// A key decides the span after it: constant, linear, or a cubic. The tangents of a cubic are
+//   TCB        by the preset fbx
+//   user       the slopes of the file, per second
+//   automatic  by the neighbours, with the flags time-independent, clamp and clamp-progressive, and with a bias
+// Where all keys of a channel are TCB, the rules of the preset apply; otherwise the file decides all its velocities.
+// Tangents with weights are no cubics in time, and are refused.
+// Source: the enumerations of the FBX SDK, and the values of curves as MotionBuilder and Maya evaluate them.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "read/memory_use.hpp"
-#include "read/written_number.hpp"
+#include "read/scenes/tracks.hpp"
 
 namespace tcb {
 
@@ -52,5 +59,30 @@ class FbxValues {
 
 /// The nodes of a file, as the children of one without a name; they refer to the text. Throws: Error (data).
 FbxNode parse_fbx(std::string_view text, MemoryUse& memory);
+
+enum class FbxSpan { constant, constant_next, linear, tcb, user, automatic };
+
+struct FbxKey : TrackKey {
+  FbxSpan span = FbxSpan::linear;
+  WrittenNumber right = {}, next_left = {};  ///< slopes of user tangents, biases of automatic ones, in percent
+  bool is_time_independent = false, clamps = false, clamps_progressively = false;
+
+  bool is_tcb() const { return span == FbxSpan::tcb; }
+};
+
+/// What the head of a file decides.
+struct FbxHead {
+  std::int64_t version = 0;  ///< 7400 for 7.4
+  std::int64_t ticks_per_second = 46'186'158'000;
+};
+
+using FbxCurve = TrackCurve<FbxKey>;
+
+/// An AnimationCurve (version 7), and a Channel (version 6), which may be without keys. Throws: Error (data).
+FbxCurve read_curve(const FbxNode& curve, const FbxHead& head);
+FbxCurve read_old_curve(const FbxNode& channel, const FbxHead& head);
+
+/// Throws: Error (data) where the times do not increase, and for tangents that the file does not decide.
+TrackChannel channel_of(std::string_view name, const FbxCurve& curve);
 
 }  // namespace tcb
