@@ -2,11 +2,11 @@
 #include "read/scenes/fbx.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <string>
 #include <utility>
 
 #include "numbers/parse_number.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -133,12 +133,8 @@ FbxValues::FbxValues(const FbxNode& node) : rest_(node.text), line_(node.line) {
   skip_blanks();
   const std::string_view text = rest_.substr(0, rest_.find_last_not_of(blanks) + 1);
   const std::string_view digits = text.substr(text.starts_with('*') ? 1 : text.size());
-  std::uint64_t count = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
-  if (error != std::errc() || end != digits.data() + digits.size()) {
-    throw count_of_file_expected(text).at({"", line_, 0});
-  }
-  left_ = count;
+  left_ = in_digits<std::uint64_t>(digits);
+  if (!left_) throw count_of_file_expected(text).at({"", line_, 0});
   rest_ = array->text;
   line_ = array->line;
   skip_blanks();
@@ -185,12 +181,9 @@ WrittenNumber FbxValues::next_number() {
 
 std::int64_t FbxValues::next_integer() {
   const std::string_view text = next();
-  std::int64_t integer = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), integer);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw count_of_file_expected(text).at({"", line_, 0});
-  }
-  return integer;
+  const auto integer = in_digits<std::int64_t>(text);
+  if (!integer) throw count_of_file_expected(text).at({"", line_, 0});
+  return *integer;
 }
 
 FbxNode parse_fbx(std::string_view text, MemoryUse& memory) { return Parser(text, memory).parse(); }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -12,6 +11,7 @@
 #include "error.hpp"
 #include "numbers/parse_number.hpp"
 #include "read/scenes/tracks.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 
@@ -61,11 +61,9 @@ class TextLines {
     return {*value, std::string(word(i))};
   }
   std::size_t count_in(std::size_t i) const {
-    std::size_t count = 0;
-    const std::string_view text = word(i);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-    if (error != std::errc() || end != text.data() + text.size()) throw at(count_of_file_expected(text));
-    return count;
+    const auto count = in_digits<std::size_t>(word(i));
+    if (!count) throw at(count_of_file_expected(word(i)));
+    return *count;
   }
 
  private:
