@@ -24,7 +24,7 @@ using Kind = JsonNode::Kind;
 using Member = JsonColumns::Member;
 
 /// A member of the first key, or a number deeper in it.
-struct Found {
+struct FoundMember {
   std::string name;
   std::vector<std::string> route;         ///< the names of the members that lead to it; "[2]" for an element
   bool array = false;                     ///< it is an array of numbers
@@ -58,7 +58,7 @@ bool is_spread_always(std::string_view name) { return name == "tcb" || name == "
 bool has_role(const std::string& name) { return holds_tcb(name) || role_of_name(name) != Role::position; }
 
 /// Whether a member is the array "rotation", or a member of an object "rotation", as "rotation.x".
-bool is_of_rotation(const Found& member) {
+bool is_of_rotation(const FoundMember& member) {
   return member.name.starts_with("rotation.") || (member.name == "rotation" && (member.array || member.nested));
 }
 
@@ -66,12 +66,12 @@ constexpr std::array quaternion_members{std::pair{"rotation.x", "qx"}, std::pair
                                         std::pair{"rotation.z", "qz"}, std::pair{"rotation.w", "qw"}};
 
 /// Whether the members of rotations are the four numbers of a quaternion: an array, or an object of x, y, z and w.
-bool has_quaternion(const std::vector<Found>& members) {
-  const auto is_array = [](const Found& member) {
+bool has_quaternion(const std::vector<FoundMember>& members) {
+  const auto is_array = [](const FoundMember& member) {
     return member.name == "rotation" && member.array && !member.nested && member.numbers == quaternion_members.size();
   };
   const auto is_number = [&](const auto& number) {
-    return std::ranges::any_of(members, [&](const Found& member) {
+    return std::ranges::any_of(members, [&](const FoundMember& member) {
       return member.name == number.first && !member.array && !member.nested && member.numbers == 1;
     });
   };
@@ -93,7 +93,7 @@ class FirstRecord {
     }
   }
 
-  std::vector<Found> read() {
+  std::vector<FoundMember> read() {
     for (const JsonCell& cell : records_.first_cells()) {
       const bool is_object = cell.value != JsonCell::missing && tape_.kind(cell.value) == Kind::object;
       if (!is_object || !is_spread_always(cell.name)) {
@@ -111,7 +111,7 @@ class FirstRecord {
 
  private:
   /// `error` at a value of a member, which may be outside of the record in a table of columns.
-  Error at(const Found& member, std::size_t value, const Error& error) const {
+  Error at(const FoundMember& member, std::size_t value, const Error& error) const {
     const std::size_t first = records_.place(0);
     const bool is_inside = first < value && value < tape_[first].next;
     return error.about(is_inside ? records_.first_path() + tape_.path(first, value) : member.path)
@@ -119,7 +119,7 @@ class FirstRecord {
   }
 
   void add(std::string name, std::vector<std::string> route, const JsonCell& cell) {
-    Found& member = members_.emplace_back();
+    FoundMember& member = members_.emplace_back();
     member.name = std::move(name);
     member.route = std::move(route);
     member.path = fmt::format("{}.{}", records_.first_path(), member.name);
@@ -135,7 +135,7 @@ class FirstRecord {
     for (const std::size_t element : tape_.inside(cell.value)) add_value(member, element, true);
   }
 
-  void add_value(Found& member, std::size_t value, bool in_array) {
+  void add_value(FoundMember& member, std::size_t value, bool in_array) {
     if (tape_[value].is_nested()) {
       add_nested(member, value, in_array);
     } else {
@@ -143,7 +143,7 @@ class FirstRecord {
     }
   }
 
-  void add_nested(Found& member, std::size_t value, bool in_array) {
+  void add_nested(FoundMember& member, std::size_t value, bool in_array) {
     const Role role = role_of_name(member.name);
     if (!in_array && !texts_.contains(member.name) && role != Role::position && role != Role::time) {
       throw at(member, value, data_error("this is not a number; expected one; correct it"));
@@ -156,7 +156,7 @@ class FirstRecord {
     note(member, false, in_array);
   }
 
-  void add_scalar(Found& member, std::size_t value, bool in_array) {
+  void add_scalar(FoundMember& member, std::size_t value, bool in_array) {
     const Kind kind = tape_.kind(value);
     const bool is_requested_text = texts_.contains(member.name);
     if (kind == Kind::number && !in_array) member.value = tape_.written(value);
@@ -186,14 +186,14 @@ class FirstRecord {
   }
 
   /// A value that is not a number.
-  void note(Found& member, bool text, bool in_array) {
+  void note(FoundMember& member, bool text, bool in_array) {
     if (in_array && (member.name == "position" || holds_tcb(member.name))) {
       return count(member, in_array);  // refused later too
     }
     member.text = text && !in_array;
   }
 
-  void count(Found& member, bool in_array) {
+  void count(FoundMember& member, bool in_array) {
     member.array = in_array;
     member.empty = false;
     ++member.numbers;
@@ -201,7 +201,7 @@ class FirstRecord {
 
   /// Members that are texts in the first key may hold numbers.
   void find_missing_numbers() {
-    if (std::ranges::none_of(members_, &Found::text)) return;
+    if (std::ranges::none_of(members_, &FoundMember::text)) return;
     constexpr std::size_t most_records = 1000;
     std::unordered_set<std::string_view> numbers, missing, texts;
     JsonCells cells;
@@ -215,7 +215,7 @@ class FirstRecord {
         (is_missing_sign(tape_.text(cell.value), signs_) ? missing : texts).insert(cell.name);
       }
     }
-    for (Found& member : members_) {
+    for (FoundMember& member : members_) {
       const bool has_numbers =
           numbers.contains(member.name) || (missing.contains(member.name) && !texts.contains(member.name));
       if (!member.text || !has_numbers) continue;
@@ -230,7 +230,7 @@ class FirstRecord {
   std::unordered_set<std::string> texts_;                  ///< members that are requested as texts
   std::unordered_set<std::string> positions_{"position"};  ///< those that may be arrays of positions
   std::unordered_set<std::string> names_;
-  std::vector<Found> members_;
+  std::vector<FoundMember> members_;
 };
 
 /// The arrays of velocities next to an array of positions, and the ends of the names of their numbers.
@@ -240,17 +240,17 @@ struct VelocityArray {
 constexpr std::array velocity_arrays{VelocityArray{"velocity", "_v"}, VelocityArray{"velocity_in", "_vin"},
                                      VelocityArray{"velocity_out", "_vout"}};
 
-bool has_time_name(const Found& member) {
+bool has_time_name(const FoundMember& member) {
   return role_of_name(member.name) == Role::time || is_usual_time(member.name);
 }
 
 /// Whether a member may be a position by its place: one number without another role.
-bool is_plain_number(const Found& member) {
+bool is_plain_number(const FoundMember& member) {
   return member.numbers == 1 && !member.array && !member.text && !member.nested && !has_role(member.name) &&
          !is_usual_time(member.name) && !is_usual_counter(member.name) && !time_part_of(member.name);
 }
 
-bool is_object_of_positions(const Found& member) { return member.is_of_whole && member.route[0] == "position"; }
+bool is_object_of_positions(const FoundMember& member) { return member.is_of_whole && member.route[0] == "position"; }
 
 Error channel_count(std::size_t names, std::size_t numbers) {
   return data_error("\"channels\" has {}; expected {}, one for each number of \"position\"; correct it",
@@ -294,7 +294,7 @@ void add_optional_members(JsonColumns& columns) {
 }
 
 /// Adds a member at the end of its route.
-void add_member(std::vector<Member>& members, const Found& found) {
+void add_member(std::vector<Member>& members, const FoundMember& found) {
   std::vector<Member>* level = &members;
   for (std::size_t step = 0; step + 1 < found.route.size(); ++step) {
     auto outer = std::ranges::find_if(
@@ -361,7 +361,7 @@ class FirstKey {
     name_columns();
     JsonColumns result;
     std::vector<std::string> header, unused;
-    for (Found& member : members_) {
+    for (FoundMember& member : members_) {
       member.cell = header.size();
       header.insert(header.end(), member.columns.begin(), member.columns.end());
       if (member.is_spread) continue;
@@ -375,9 +375,9 @@ class FirstKey {
       if (!options_.rotation.none && !requested_.has(Role::position)) require_quaternion();
       require_no_lost_arrays();
       result.columns = find_columns(header, numeric, requests(), requested_.timeless);
-      std::ranges::for_each(members_, [&](const Found& member) { require_shape(member); });
+      std::ranges::for_each(members_, [&](const FoundMember& member) { require_shape(member); });
     }
-    const bool has_array = has_any(&Found::is_of_positions);
+    const bool has_array = has_any(&FoundMember::is_of_positions);
     if (has_array) result.columns.likely_time.clear();
     const bool lacks_time = !result.columns.has(Role::time) && !requested_.timeless && !requested_.samples;
     if (has_array && lacks_time) require_no_lost_time(result.columns);
@@ -388,7 +388,7 @@ class FirstKey {
     complete(result, result.members, result.all_members);
     result.rules = options_.keys;
     result.max_memory = options_.max_memory;
-    const auto time = std::ranges::find_if(members_, [&](const Found& member) {
+    const auto time = std::ranges::find_if(members_, [&](const FoundMember& member) {
       return member.columns.size() == 1 && !member.value.empty() &&
              result.columns.cells[member.cell].role == Role::time;
     });
@@ -399,7 +399,7 @@ class FirstKey {
  private:
   template <class F>
   bool has_any(const F& f) const {
-    return std::ranges::any_of(members_, [&](const Found& member) { return std::invoke(f, member); });
+    return std::ranges::any_of(members_, [&](const FoundMember& member) { return std::invoke(f, member); });
   }
   /// Whether a request names a column, in any case of its letters.
   bool is_requested(const std::string& name) const {
@@ -407,14 +407,14 @@ class FirstKey {
       return std::ranges::any_of(role.columns, [&](const auto& column) { return same_in_any_case(column, name); });
     });
   }
-  Error at(const Found& member, const Error& error) const {
+  Error at(const FoundMember& member, const Error& error) const {
     return error.about(member.path).at(tape_.position(member.place));
   }
 
   /// Adds the numbers, times and texts in an object or an array, whose names are their paths.
-  void add_inside(std::vector<Found>& members, const Found& outer) const {
+  void add_inside(std::vector<FoundMember>& members, const FoundMember& outer) const {
     const auto add = [&](const std::string& name, std::string step, std::size_t value, std::size_t place) {
-      Found inner{.name = outer.name + name, .route = outer.route, .node = value, .place = place};
+      FoundMember inner{.name = outer.name + name, .route = outer.route, .node = value, .place = place};
       inner.path = outer.path + name;
       inner.route.push_back(std::move(step));
       if (tape_[value].is_nested()) return add_inside(members, inner);
@@ -437,14 +437,14 @@ class FirstKey {
   /// Makes the numbers in objects members of their own: those that are requested, and, where the key has no other
   /// position or no time, those that may be it.
   void spread() {
-    const auto is_one_time = [](const Found& m) { return has_time_name(m) && !m.nested && !m.array; };
-    const auto may_be_positions = [](const Found& m) {
+    const auto is_one_time = [](const FoundMember& m) { return has_time_name(m) && !m.nested && !m.array; };
+    const auto may_be_positions = [](const FoundMember& m) {
       return is_plain_number(m) || (m.is_number_array() && !has_role(m.name));
     };
     const bool lacks_position = !requested_.has(Role::position) && !has_any(may_be_positions);
     const bool lacks_time = !requested_.timeless && !requested_.has(Role::time) && !has_any(is_one_time);
-    const bool has_position_array = has_any([](const Found& m) { return m.name == "position" && m.array; });
-    const bool has_position_object = has_any([](const Found& m) { return m.name == "position" && m.nested; });
+    const bool has_position_array = has_any([](const FoundMember& m) { return m.name == "position" && m.array; });
+    const bool has_position_object = has_any([](const FoundMember& m) { return m.name == "position" && m.nested; });
     if (requested_.roles.empty() && !lacks_position && !lacks_time && !has_position_object) return;
     const std::size_t count = members_.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -452,9 +452,9 @@ class FirstKey {
       if (holds_tcb(members_[i].name) || is_of_rotation(members_[i])) continue;
       const bool is_position = members_[i].nested && !members_[i].array && members_[i].name == "position" &&
                                !requested_.has(Role::position) && !has_position_array && members_[i].deep_numbers;
-      std::vector<Found> inside;
+      std::vector<FoundMember> inside;
       add_inside(inside, members_[i]);
-      for (Found& inner : inside) {
+      for (FoundMember& inner : inside) {
         const bool in_array = std::ranges::any_of(inner.route, [](const auto& step) { return step.starts_with('['); });
         const bool may_be_time = has_time_name(inner) || time_part_of(inner.name);
         const bool is_taken = (!in_array && lacks_position) || is_position || (!in_array && lacks_time && may_be_time);
@@ -470,7 +470,7 @@ class FirstKey {
   /// The name of the array of positions that nothing names: the only array, or the only one with a usual name.
   std::string lone_array() const {
     std::vector<std::string> all, usual;
-    for (const Found& member : members_) {
+    for (const FoundMember& member : members_) {
       if (is_plain_number(member)) return "";
       const bool is_velocity = std::ranges::count(velocity_arrays, member.name, &VelocityArray::name) > 0;
       if (!member.is_number_array() || has_role(member.name) || is_of_rotation(member) || is_velocity) continue;
@@ -490,20 +490,20 @@ class FirstKey {
       if (request.role != Role::position) continue;
       for (const std::string& name : request.columns) {
         const auto array = std::ranges::find_if(
-            members_, [&](const Found& member) { return member.array && same_in_any_case(member.name, name); });
+            members_, [&](const FoundMember& member) { return member.array && same_in_any_case(member.name, name); });
         if (array != members_.end()) arrays.push_back(array->name);
       }
     }
     bool has_rotation = false;
     if (arrays.empty()) {
-      const auto position = std::ranges::find(members_, "position", &Found::name);
+      const auto position = std::ranges::find(members_, "position", &FoundMember::name);
       const bool has_position = position != members_.end() && position->array && !position->nested;
       const bool is_known = requested_.has(Role::position) || has_position || requested_.samples;
       const std::string lone = is_known ? "" : lone_array();
       arrays = {lone.empty() ? "position" : lone};
       has_rotation = !options_.rotation.none && has_quaternion(members_);
     }
-    for (Found& member : members_) {
+    for (FoundMember& member : members_) {
       member.is_rotation = has_rotation && is_of_rotation(member);
       member.is_position =
           !member.is_rotation && member.array && !member.nested && std::ranges::count(arrays, member.name) > 0;
@@ -515,12 +515,12 @@ class FirstKey {
   void name_columns() {
     const bool is_alone = find_arrays().size() == 1;
     std::unordered_set<std::string_view> names;
-    for (const Found& member : members_) names.insert(member.name);
-    for (Found& member : members_) {
+    for (const FoundMember& member : members_) names.insert(member.name);
+    for (FoundMember& member : members_) {
       if (member.is_position) member.columns = position_columns(member, is_alone, names);
     }
-    const auto positions = std::ranges::find_if(members_, &Found::is_position);
-    for (Found& member : members_) {
+    const auto positions = std::ranges::find_if(members_, &FoundMember::is_position);
+    for (FoundMember& member : members_) {
       if (member.is_spread) {
         member.columns.clear();
       } else if (member.text) {
@@ -546,7 +546,7 @@ class FirstKey {
   }
 
   /// The names of the numbers in an array, which are those of other members in front of none.
-  std::vector<std::string> position_columns(const Found& array, bool is_alone,
+  std::vector<std::string> position_columns(const FoundMember& array, bool is_alone,
                                             const std::unordered_set<std::string_view>& names) const {
     if (is_alone && !channels_.empty()) return channels_;
     std::vector<std::string> columns = default_channel_names(array.numbers);
@@ -557,7 +557,7 @@ class FirstKey {
   }
 
   /// The names of the numbers in an array of velocities; empty for others, and without an array of positions.
-  std::vector<std::string> velocity_columns(const Found& array, const Found* positions) const {
+  std::vector<std::string> velocity_columns(const FoundMember& array, const FoundMember* positions) const {
     const auto known = std::ranges::find(velocity_arrays, array.name, &VelocityArray::name);
     if (known == velocity_arrays.end() || positions == nullptr || array.nested) return {};
     if (array.numbers != positions->numbers) {
@@ -576,7 +576,7 @@ class FirstKey {
       std::vector<std::string> columns;
       for (const std::string& name : request.columns) {
         std::vector<std::string> names{name};
-        for (const Found& member : members_) {
+        for (const FoundMember& member : members_) {
           const bool is_array = member.is_of_positions();
           if (is_array && request.role == Role::position && same_in_any_case(member.name, name)) {
             names = member.columns;
@@ -600,10 +600,10 @@ class FirstKey {
   /// For each cell, whether it holds a number that may have a role or be a position. Where there is an array of
   /// positions, no other number is a position.
   std::vector<bool> numeric_cells(const std::vector<std::string>& header) const {
-    const bool has_array = has_any([](const Found& m) { return is_object_of_positions(m) || m.is_position; });
-    const bool lacks_time = !has_any([](const Found& m) { return !time_part_of(m.name) && has_time_name(m); });
+    const bool has_array = has_any([](const FoundMember& m) { return is_object_of_positions(m) || m.is_position; });
+    const bool lacks_time = !has_any([](const FoundMember& m) { return !time_part_of(m.name) && has_time_name(m); });
     std::vector<bool> numeric;
-    for (const Found& member : members_) {
+    for (const FoundMember& member : members_) {
       const bool is_single = !member.array && !member.is_of_positions() && !is_object_of_positions(member);
       const bool is_time = lacks_time && has_both_time_parts(member.name);
       const bool is_other = has_array && is_single && !is_time && role_of_name(member.name) == Role::position;
@@ -623,7 +623,7 @@ class FirstKey {
   /// Whether a name is that of the seconds or of the nanoseconds of a time, and the other part is there too.
   bool has_both_time_parts(std::string_view name) const {
     const auto part = time_part_of(name);
-    return part && has_any([&](const Found& member) {
+    return part && has_any([&](const FoundMember& member) {
              const auto other = time_part_of(member.name);
              return other && other->stem == part->stem && other->part != part->part;
            });
@@ -648,7 +648,7 @@ class FirstKey {
 
   /// Throws: Error (data) for a member that is an array where a number was expected, or the reverse, unless its role is
   /// requested.
-  void require_shape(const Found& member) const {
+  void require_shape(const FoundMember& member) const {
     const bool is_array = holds_tcb(member.name);
     if (member.is_spread || !has_role(member.name) || (is_array == member.array && !member.text)) return;
     const bool is_named = requested_.has(member.name);
@@ -660,10 +660,10 @@ class FirstKey {
   /// Throws: Error (data) where an array or an object is not used and may be the position, for single numbers are, or
   /// the time.
   void require_no_lost_arrays() const {
-    const bool has_position = requested_.has(Role::position) || has_any(&Found::is_of_positions);
+    const bool has_position = requested_.has(Role::position) || has_any(&FoundMember::is_of_positions);
     const bool has_time = requested_.timeless || requested_.has(Role::time) ||
-                          has_any([](const Found& m) { return m.numbers == 1 && !m.array && has_time_name(m); });
-    for (const Found& member : members_) {
+                          has_any([](const FoundMember& m) { return m.numbers == 1 && !m.array && has_time_name(m); });
+    for (const FoundMember& member : members_) {
       const bool is_array = member.array && !member.nested;
       const bool is_used = member.is_of_positions() || (is_array && !member.columns.empty());
       if (member.is_spread || is_used || has_role(member.name) || (!is_array && !member.deep_numbers)) continue;
@@ -683,7 +683,7 @@ class FirstKey {
 
   /// Throws: Error (data) where there is an array of positions, no time, and a number that may be it.
   void require_no_lost_time(const Columns& columns) const {
-    for (const Found& member : members_) {
+    for (const FoundMember& member : members_) {
       const bool is_number = !member.array && !member.text && member.numbers > 0;
       if (!is_number || std::ranges::count(columns.ignored, member.name) == 0 || is_coordinate(member.name)) continue;
       throw data_error(
@@ -706,7 +706,7 @@ class FirstKey {
     }
     std::vector<bool> numeric;
     std::vector<std::string> meant;
-    for (const Found& member : members_) {
+    for (const FoundMember& member : members_) {
       numeric.insert(numeric.end(), member.columns.size(), !member.text);
       if (member.array) meant.insert(meant.end(), member.columns.begin(), member.columns.end());
     }
@@ -727,7 +727,7 @@ class FirstKey {
   const InputOptions& options_;
   const ColumnOptions& requested_;
   const std::vector<std::string>& channels_;
-  std::vector<Found> members_;
+  std::vector<FoundMember> members_;
 };
 
 }  // namespace
