@@ -2,6 +2,7 @@
 #include "cli/options.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 
 #include "error.hpp"
@@ -14,15 +15,7 @@ namespace {
 
 using Typed = TypedOptions;
 
-/// Some options; the names after the last one are empty.
-using Options = std::array<std::string_view, 24>;
-
-template <std::size_t size>
-constexpr Options some(const std::array<std::string_view, size>& names) {
-  Options options{};
-  std::ranges::copy(names, options.begin());
-  return options;
-}
+using Options = std::initializer_list<std::string_view>;
 
 using When = bool (*)(const Typed& typed);
 
@@ -83,17 +76,39 @@ constexpr std::string_view report_reason = ", which takes the samples of its fil
 constexpr std::string_view limits_reason = ", which prints a report on whole curves";
 constexpr std::string_view picture_reason = ", which draws the curve and has no rows";
 
-constexpr Options all_sampling_options = some(sampling_options);
 constexpr Options range_options{option::from, option::to, option::end, option::keys, option::max_rows};
 constexpr Options place_options{option::from, option::to, option::end, option::keys};
-constexpr Options options_of_rows = some(std::array{
-    option::output_dir, option::files, option::meta, option::explain, option::progress, option::digits, option::fixed,
-    option::golden, option::exact_input, option::hex, option::no_output_header, option::output_delimiter,
-    option::output_decimal, option::like_input, option::file_column, option::time_format});
-constexpr Options options_without_picture =
-    some(std::array{option::rotation_output, option::emit, option::fields, option::side, option::digits, option::fixed,
-                    option::golden, option::exact_input, option::meta, option::hex, option::no_output_header,
-                    option::output_delimiter, option::output_decimal, option::like_input, option::time_zero});
+constexpr Options options_of_rows{option::output_dir,
+                                  option::files,
+                                  option::meta,
+                                  option::explain,
+                                  option::progress,
+                                  option::digits,
+                                  option::fixed,
+                                  option::golden,
+                                  option::exact_input,
+                                  option::hex,
+                                  option::no_output_header,
+                                  option::output_delimiter,
+                                  option::output_decimal,
+                                  option::like_input,
+                                  option::file_column,
+                                  option::time_format};
+constexpr Options options_without_picture{option::rotation_output,
+                                          option::emit,
+                                          option::fields,
+                                          option::side,
+                                          option::digits,
+                                          option::fixed,
+                                          option::golden,
+                                          option::exact_input,
+                                          option::meta,
+                                          option::hex,
+                                          option::no_output_header,
+                                          option::output_delimiter,
+                                          option::output_decimal,
+                                          option::like_input,
+                                          option::time_zero};
 
 /// The conflicts, in the order of the options. Where several apply, an error is about the first.
 constexpr Conflict conflicts[] = {
@@ -108,7 +123,7 @@ constexpr Conflict conflicts[] = {
     {{option::map}, needs, {option::check, option::identify}},
     {{option::check}, disables, {option::emit, option::fit}, report_reason},
     {{option::check}, disables, range_options, report_reason, has_no_samples},
-    {{option::identify}, disables, all_sampling_options, report_reason},
+    {{option::identify}, disables, sampling_options, report_reason},
     {{option::identify}, disables, range_options, report_reason},
     {{option::check, option::identify}, disables, options_of_rows, report_reason},
     {{option::check, option::identify},
@@ -121,7 +136,7 @@ constexpr Conflict conflicts[] = {
      {option::preset, option::tangents, option::ends, option::equal_speed, option::no_overshoot, option::side},
      ", which tries all rules on positions"},
     {{option::limits}, excludes, {option::check, option::identify}},
-    {{option::limits}, disables, all_sampling_options, limits_reason, prints_limits},
+    {{option::limits}, disables, sampling_options, limits_reason, prints_limits},
     {{option::limits},
      disables,
      {option::fields, option::side, option::end, option::keys, option::max_rows, option::extrapolate},
@@ -172,7 +187,7 @@ constexpr Conflict conflicts[] = {
 
     {{option::metric}, has_no_effect, {}, ", as no length or speed is requested", needs_no_metric},
 
-    {all_sampling_options, excludes, all_sampling_options},
+    {sampling_options, excludes, sampling_options},
     {{option::count, option::segments, option::arc_count}, disables, {option::end}},
     {{option::per_segment, option::at, option::arc_at}, disables, place_options},
     {{option::tolerance}, disables, {option::from, option::to, option::end}},
@@ -194,7 +209,7 @@ constexpr Conflict conflicts[] = {
      {option::digits, option::fixed},
      ", whose numbers have the digits that the tolerance needs"},
     {{option::fit}, excludes, {option::plot, option::explain}},
-    {all_sampling_options, disables, {option::extrapolate}, " alone, whose samples are on the curve", stays_on_curve},
+    {sampling_options, disables, {option::extrapolate}, " alone, whose samples are on the curve", stays_on_curve},
     {{option::fit_keys, option::keep_times, option::corner}, needs, {option::fit}},
 
     {{option::output}, excludes, {option::output_dir}},
@@ -238,7 +253,7 @@ constexpr Conflict conflicts[] = {
      writes_pieces},
     {{option::output_format},
      disables,
-     all_sampling_options,
+     sampling_options,
      ", whose rows have the form poly8",
      [](const Typed& typed) {
        const bool has_form = typed.sampling.mode == Mode::emit && *typed.form == field_of("poly8");
@@ -331,7 +346,8 @@ void require_none(const Conflict& conflict, std::string_view name, const Typed& 
     case excludes:
       throw usage_error("{} and {} cannot be combined{}; expected only one; remove the other", option,
                         shown(typed, *other, conflict.when), conflict.reason);
-    case needs: throw usage_error("{} needs {}{}; give both, or neither", option, conflict.others[0], conflict.reason);
+    case needs:
+      throw usage_error("{} needs {}{}; give both, or neither", option, *conflict.others.begin(), conflict.reason);
     case disables:
       throw usage_error("{0} has no effect with {1}{2}; remove {0}", shown(typed, *other, conflict.when), option,
                         conflict.reason);
@@ -357,8 +373,8 @@ bool needs_no_metric(const TypedOptions& typed) {
 
 void require_no_conflict(const TypedOptions& typed) {
   for (const Conflict& conflict : conflicts) {
-    for (auto option = conflict.options.begin(); !option->empty(); ++option) {
-      if (typed.has(*option)) require_none(conflict, *option, typed);
+    for (const std::string_view option : conflict.options) {
+      if (typed.has(option)) require_none(conflict, option, typed);
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -77,7 +78,7 @@ void for_each_group(Begin begin, Show show) {
 const OptionRow& row_of(std::string_view name);
 
 /// The options that place the samples.
-inline constexpr std::array sampling_options{
+inline constexpr std::initializer_list<std::string_view> sampling_options{
     option::step,        option::rate, option::fps,      option::count,     option::segments,
     option::per_segment, option::at,   option::arc_step, option::arc_count, option::arc_at,
     option::tolerance,   option::emit, option::fit};

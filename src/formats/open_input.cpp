@@ -28,10 +28,7 @@ Error at_first_byte(const Error& error) { return error.at({"", 1, 1}); }
 Source<std::string> without_mark(Source<std::string> bytes, std::string& encoding) {
   std::string beginning;
   constexpr std::size_t enough = 6;  // for format_of()
-  while (beginning.size() < enough || may_begin_other_file(beginning)) {
-    auto more = bytes();
-    if (!more) break;
-    beginning += *more;
+  while ((beginning.size() < enough || may_begin_other_file(beginning)) && append_next(beginning, bytes)) {
   }
   if (const std::optional<Error> error = other_file(beginning)) throw at_first_byte(*error);
   const Encoding by_mark = encoding_of_mark(beginning);
@@ -100,10 +97,9 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   constexpr std::size_t most_before_list = 1UL << 20;  // of JSON
   std::string beginning;
   for (bool blank = true; blank || is_undecided(beginning);) {
-    auto more = bytes();
-    if (!more) break;
-    blank = blank && more->find_first_not_of(" \t\r\n") == std::string::npos;
-    beginning += *more;
+    const std::size_t before = beginning.size();
+    if (!append_next(beginning, bytes)) break;
+    blank = blank && beginning.find_first_not_of(" \t\r\n", before) == std::string::npos;
     if (blank && beginning.size() > longest_record) {
       throw at_first_byte(
           data_error("the first 64 MiB are blank; expected keys; remove the blank lines, or check whether the file is "

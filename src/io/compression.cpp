@@ -176,10 +176,7 @@ Compression compression_of(std::string_view path) {
 
 Source<std::string> decompressed(Source<std::string> bytes) {
   std::string beginning;
-  while (beginning.size() < zstandard_magic.size()) {
-    auto more = bytes();
-    if (!more) break;
-    beginning += *more;
+  while (beginning.size() < zstandard_magic.size() && append_next(beginning, bytes)) {
   }
   const bool gzip = beginning.starts_with(gzip_magic), zstandard = begins_zstandard(beginning);
   bytes = preceded_by(std::move(beginning), std::move(bytes));

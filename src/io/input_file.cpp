@@ -2,7 +2,8 @@
 #include "io/input_file.hpp"
 
 #include <algorithm>
-#include <functional>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -46,6 +47,18 @@ int open_for_reading(const std::string& path) {
   throw error.in(shown_name(path));
 }
 
+/// A number that other bytes hardly ever have, in a fraction of the time that they take to be read as numbers.
+std::uint64_t checksum(std::string_view bytes) {
+  constexpr std::uint64_t factor = 0x9E3779B97F4A7C15;  // odd, so that each word counts
+  std::uint64_t sum = bytes.size();
+  for (std::uint64_t word = 0; bytes.size() >= sizeof word; bytes.remove_prefix(sizeof word)) {
+    std::memcpy(&word, bytes.data(), sizeof word);
+    sum = sum * factor + word;
+  }
+  for (const char c : bytes) sum = sum * factor + static_cast<unsigned char>(c);
+  return sum;
+}
+
 /// The parts of a regular file that were read, as far as they tell whether it still has the same bytes.
 class ReadParts {
  public:
@@ -57,7 +70,7 @@ class ReadParts {
   const system::FileStatus& before() const { return before_; }
 
   void add(std::string_view bytes) {
-    if (before_.is_regular) parts_.push_back({bytes.size(), std::hash<std::string_view>()(bytes)});
+    if (before_.is_regular) parts_.push_back({bytes.size(), checksum(bytes)});
   }
 
   /// Whether the whole file was read as it was in the beginning. Where only its links, name or mode may have changed,
@@ -72,7 +85,7 @@ class ReadParts {
  private:
   struct Part {
     std::size_t size;
-    std::size_t hash;
+    std::uint64_t sum;
   };
 
   bool have_same_bytes() const {
@@ -86,7 +99,7 @@ class ReadParts {
         read += static_cast<std::size_t>(count);
       }
       place += part.size;
-      return std::hash<std::string_view>()(bytes) == part.hash;
+      return checksum(bytes) == part.sum;
     });
   }
 

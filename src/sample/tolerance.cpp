@@ -162,9 +162,10 @@ class Walker {
         tolerance_(tolerance),
         chord_(tolerance.distance),
         turns_(tolerance.angle * 0.99),
-        at_keys_(at_keys) {}
+        at_keys_(at_keys),
+        kept_(curve.segment(0)) {}
 
-  void set_first(CurvePoint& place) const { set(place, curve_.segment(0), 0); }
+  void set_first(CurvePoint& place) { set(place, segment(0), 0); }
 
   /// Sets `to` to the next row: the farthest place that a chord from here may reach. Where keys between them are rows
   /// as well, the chords by these keys are near the curve, too.
@@ -184,14 +185,14 @@ class Walker {
     for (const double part : {0.25, 0.5, 0.75}) {
       const double place = start + (end - start) * part;
       const double number = std::min(std::floor(place), static_cast<double>(curve_.size() - 1));
-      set(tried_, curve_.segment(static_cast<std::uint64_t>(number)), place - number);
+      set(tried_, segment(static_cast<std::uint64_t>(number)), place - number);
       needed.add(tried_);
     }
     needed.add(to);
   }
 
   /// Sets `place` to the key with this number, as the end of the segment before it.
-  void set_key(CurvePoint& place, std::uint64_t number) const { set(place, curve_.segment(number - 1), 1); }
+  void set_key(CurvePoint& place, std::uint64_t number) { set(place, segment(number - 1), 1); }
 
   bool is_end(const CurvePoint& place) const { return place.segment + 1 == curve_.size() && place.u == 1; }
 
@@ -201,6 +202,12 @@ class Walker {
   struct Tried {
     double u, root;
   };
+
+  /// A segment, until the next call.
+  const CurveSegment& segment(std::uint64_t number) {
+    if (number != kept_.number) kept_ = curve_.segment(number);
+    return kept_;
+  }
 
   /// In segments from the first key.
   static double place_of(const CurvePoint& point) { return static_cast<double>(point.segment) + point.u; }
@@ -234,7 +241,7 @@ class Walker {
 
   /// Sets `to` to the farthest place on a segment, whose own end is out of reach. `root`: that of its start.
   void set_within(const CurvePoint& from, std::uint64_t number, double root, CurvePoint& to) {
-    const CurveSegment segment = curve_.segment(number);
+    const CurveSegment segment = this->segment(number);
     const bool is_simple = is_cubic_on(number) && !tolerance_.limits_angle();
     const auto root_of = [&](double u) {
       if (is_simple) return std::sqrt(std::sqrt(chord_.departure(u)));
@@ -327,7 +334,7 @@ class Walker {
   /// Chords start here.
   void set_start(const CurvePoint& from) {
     from_ = &from;
-    first_ = curve_.segment(from.segment);
+    first_ = segment(from.segment);
     if (tolerance_.limits_distance()) chord_.set_start(from, first_);
   }
 
@@ -349,16 +356,14 @@ class Walker {
       const double low = number == from_->segment ? from_->u : 0;
       const double high = number == to.segment ? to.u : 1;
       if (low >= high) continue;
-      const CurveSegment segment = curve_.segment(number);
-      if (limits_distance) departure = std::max(departure, chord_.departure(segment, low, high));
-      if (limits_angle) departure = std::max(departure, turns_.departure(segment, low, high, most_followed));
+      const CurveSegment& on = segment(number);
+      if (limits_distance) departure = std::max(departure, chord_.departure(on, low, high));
+      if (limits_angle) departure = std::max(departure, turns_.departure(on, low, high, most_followed));
     }
     return std::sqrt(std::sqrt(departure));
   }
 
-  TurnPlace turn_place(const CurvePoint& place) const {
-    return {curve_.segment(place.segment), {place.u, place.u - 1}, place.t};
-  }
+  TurnPlace turn_place(const CurvePoint& place) { return {segment(place.segment), {place.u, place.u - 1}, place.t}; }
 
   /// The chords from key to key between two places are near the curve.
   bool reaches_by_keys(const CurvePoint& from, const CurvePoint& to) {
@@ -411,6 +416,7 @@ class Walker {
   Chord chord_;
   TurnChord turns_;
   bool at_keys_;
+  CurveSegment kept_;                 ///< the last one used
   const CurvePoint* from_ = nullptr;  ///< where chords start
   CurveSegment first_{};              ///< the segment of that place
   CurvePoint tried_, key_;            ///< memory to reuse

@@ -117,8 +117,7 @@ bool is_usual_time(std::string_view name) {
   // T by itself is tension.
   if (alone == "T") return find_unit(compact(name.substr(alone.size()))) != nullptr;
   const std::size_t path = alone.find_last_of("./");  // as in header.stamp
-  const std::string last = compact(path == std::string_view::npos ? alone : alone.substr(path + 1));
-  return is_time(compact(alone)) || is_time(last);
+  return is_time(compact(alone)) || (path != std::string_view::npos && is_time(compact(alone.substr(path + 1))));
 }
 
 std::optional<TimeUnit> unit_of_time(std::string_view name) {

@@ -4,6 +4,7 @@
 #include <deque>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace tcb {
@@ -30,6 +31,18 @@ Source<T> each_of(std::deque<T> items) {
     items.pop_front();
     return item;
   };
+}
+
+/// Appends the next item to a text, which becomes the item if it is empty. Whether there was one.
+inline bool append_next(std::string& text, const Source<std::string>& source) {
+  std::optional<std::string> next = source();
+  if (!next) return false;
+  if (text.empty()) {
+    text = std::move(*next);
+  } else {
+    text += *next;
+  }
+  return true;
 }
 
 /// The source of f(item), in order, on the thread that pulls.

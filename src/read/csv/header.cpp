@@ -410,6 +410,8 @@ class RolesByCells {
 
   /// Two columns of times with the same cells are one time, as in tables of ROS.
   void take_equal_times() {
+    const auto is_repeated = [&](std::string_view cell) { return std::ranges::count(rows_[0], cell) > 1; };
+    if (std::ranges::none_of(rows_[0], is_repeated)) return;
     std::vector<std::size_t> times;
     for (std::size_t cell = 0; cell < names_.size(); ++cell) {
       if (is_time(cell) && !is_requested(cell)) times.push_back(cell);
@@ -573,7 +575,8 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   require_names_for_cells(names, row, head);
   head.encoding = convert_names(names, position);
   head.names_quaternion = !columns.samples && name_quaternion(names);
-  rest.assign(first.chunks.begin() + static_cast<std::ptrdiff_t>(row.chunk), first.chunks.end());
+  rest.assign(std::move_iterator(first.chunks.begin() + static_cast<std::ptrdiff_t>(row.chunk)),
+              std::move_iterator(first.chunks.end()));
   rest[0].text.erase(0, row.offset);
   rest[0].line = row.line;
   const auto numeric = numeric_columns(first, data, names, head);

@@ -164,14 +164,15 @@ Beginning find_delimiter(const Source<std::string>& bytes, const DelimitedOption
   Beginning beginning;
   Preamble preamble(options.comment);
   for (;;) {
-    const std::optional<std::string> more = bytes();
-    beginning.text += more.value_or("");
+    const std::size_t before = beginning.text.size();
+    const bool more = append_next(beginning.text, bytes);
     if (beginning.text.size() > longest_record) refuse_long_record(beginning.line);
-    if (more && more->find('\n') == std::string::npos) continue;
+    if (more && beginning.text.find('\n', before) == std::string::npos) continue;
     preamble.skip(beginning);
-    std::string record = beginning.text.substr(preamble.record());
-    if (!more) record += '\n';  // the last record may lack its line end
+    if (!more) beginning.text += '\n';  // the last record may lack its line end
+    const std::string_view record = std::string_view(beginning.text).substr(preamble.record());
     const std::optional<char> delimiter = delimiter_of(record, options.marks.decimal);
+    if (!more) beginning.text.pop_back();
     beginning.delimiter = delimiter.value_or(',');
     if (delimiter || !more) return beginning;
   }
@@ -184,10 +185,10 @@ std::optional<char> take_named_delimiter(Source<std::string>& bytes) {
     const std::size_t size = std::min(beginning.size(), name.size());
     return same_in_any_case(std::string_view(beginning).substr(0, size), name.substr(0, size));
   };
-  while (may_name() && beginning.find('\n') == std::string::npos && beginning.size() < name.size() + 3) {
-    auto more = bytes();
-    if (!more) break;
-    beginning += *more;
+  const auto is_open = [&] {
+    return may_name() && beginning.find('\n') == std::string::npos && beginning.size() < name.size() + 3;
+  };
+  while (is_open() && append_next(beginning, bytes)) {
   }
   const std::size_t end = std::min(beginning.find('\n'), beginning.size());
   std::string_view line = std::string_view(beginning).substr(0, end);

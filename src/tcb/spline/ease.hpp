@@ -184,9 +184,7 @@ class TimeMap {
       : start_(start), end_(end), warp_(warp), duration_(elapsed<S>(start, end)), plain_(warp.is_identity()) {}
 
   /// Requires: start <= t <= end.
-  LocalParameter<S> operator()(const Time<S>& t) const { return (*this)(t, std::nullopt); }
-  /// Also where the part of the ease is known, which an inexact scalar may not decide.
-  LocalParameter<S> operator()(const Time<S>& t, std::optional<EasePart> part) const {
+  LocalParameter<S> operator()(const Time<S>& t) const {
     if (t == start_) return {S(0), S(-1)};
     if (t == end_) return {S(1), S(0)};
     const W passed = elapsed<S>(start_, t);
@@ -194,9 +192,13 @@ class TimeMap {
     if (plain_ && low_part<S>(passed) == S(0) && low_part<S>(left) == S(0) && low_part<S>(duration_) == S(0)) {
       return {high_part<S>(passed) / high_part<S>(duration_), -high_part<S>(left) / high_part<S>(duration_)};
     }
-    if (part && !plain_) return warp_.at(passed / duration_, left / duration_, *part);
     if (passed < left) return plain_ ? from_start<S>(passed / duration_) : warped(passed / duration_);
     return plain_ ? from_end<S>(left / duration_) : warped_from_end(left / duration_);
+  }
+  /// Also where the part of the ease is known, which an inexact scalar may not decide.
+  LocalParameter<S> operator()(const Time<S>& t, std::optional<EasePart> part) const {
+    if (!part || plain_ || t == start_ || t == end_) return (*this)(t);
+    return warp_.at(elapsed<S>(start_, t) / duration_, elapsed<S>(t, end_) / duration_, *part);
   }
 
  private:
