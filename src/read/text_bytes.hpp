@@ -36,11 +36,11 @@ class TextBytes {
           "this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t UTF-8")
           .at({"", nul.line, nul.column});
     }
-    const std::optional<std::string> more = bytes_();
-    if (!more) return false;
-    const std::size_t nul = more->find('\0');
+    const std::size_t before = text.size();
+    if (!append_next(text, bytes_)) return false;
+    const std::size_t nul = text.find('\0', before);
     at_nul_ = nul != std::string::npos;
-    text.append(*more, 0, nul);
+    if (at_nul_) text.resize(nul);
     return true;
   }
 

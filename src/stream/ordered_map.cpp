@@ -125,4 +125,13 @@ void Background::run(std::function<void()> task) {
   }
 }
 
+void for_each_number(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& f) {
+  const auto call = [&f](std::size_t number) {
+    f(number);
+    return number;
+  };
+  for (const auto calls = ordered_map(numbers_to(count), call, threads); calls();) {
+  }
+}
+
 }  // namespace tcb

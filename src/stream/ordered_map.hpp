@@ -49,10 +49,10 @@ class Background {
 };
 
 /// f(item), computed by the thread that claims it first.
-template <class In, class Out, class F>
+template <class In, class Out>
 class Result {
  public:
-  Result(In item, const F& f) : item_(std::move(item)), f_(f) {}
+  Result(In item, const std::function<Out(In&&)>& f) : item_(std::move(item)), f_(f) {}
 
   /// Computes it, unless another thread does or did.
   bool claim_and_run() {
@@ -81,7 +81,7 @@ class Result {
 
  private:
   std::optional<In> item_;
-  const F& f_;
+  const std::function<Out(In&&)>& f_;
   std::optional<Out> out_;
   std::exception_ptr error_;
   std::atomic<bool> claimed_ = false, done_ = false;
@@ -91,12 +91,10 @@ class Result {
 
 /// The source of f(item), in order, computed on `threads` threads including the one that pulls: the only place where
 /// threads share data. Requires: f is a pure function. With more than one thread some items are pulled ahead.
-template <class In, class F>
+template <class In, class Out>
 class OrderedMap {
  public:
-  using Out = decltype(std::declval<const F&>()(std::declval<In>()));
-
-  OrderedMap(Source<In> source, F f, unsigned threads)
+  OrderedMap(Source<In> source, std::function<Out(In&&)> f, unsigned threads)
       : source_(std::move(source)), f_(std::move(f)), ahead_(threads * std::size_t{2}) {}
 
   std::optional<Out> next() {
@@ -113,7 +111,7 @@ class OrderedMap {
   }
 
  private:
-  using Slot = Result<In, Out, F>;
+  using Slot = Result<In, Out>;
 
   /// So many items are left to the thread that pulls: small work is done before another thread has started.
   static constexpr std::size_t alone = 2;
@@ -141,7 +139,7 @@ class OrderedMap {
   }
 
   Source<In> source_;
-  F f_;
+  std::function<Out(In&&)> f_;
   std::size_t ahead_;
   std::size_t pulled_ = 0;
   bool ended_ = false;
@@ -152,9 +150,9 @@ class OrderedMap {
 
 template <class In, class F>
 auto ordered_map(Source<In> source, F f, unsigned threads) {
-  using Out = typename OrderedMap<In, F>::Out;
+  using Out = decltype(f(std::declval<In>()));
   if (threads <= 1) return mapped(std::move(source), std::move(f));
-  const auto map = std::make_shared<OrderedMap<In, F>>(std::move(source), std::move(f), threads);
+  const auto map = std::make_shared<OrderedMap<In, Out>>(std::move(source), std::move(f), threads);
   return Source<Out>([map] { return map->next(); });
 }
 
@@ -164,14 +162,6 @@ inline Source<std::size_t> numbers_to(std::size_t count) {
 }
 
 /// Calls a function for each number below `count`, on several threads.
-template <class F>
-void for_each_number(std::size_t count, unsigned threads, const F& f) {
-  const auto call = [&f](std::size_t number) {
-    f(number);
-    return number;
-  };
-  for (const auto calls = ordered_map(numbers_to(count), call, threads); calls();) {
-  }
-}
+void for_each_number(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& f);
 
 }  // namespace tcb
