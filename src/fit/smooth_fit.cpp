@@ -235,8 +235,8 @@ class GroupFit {
     double largest_weight = 1;
   };
 
-  /// The sums over the points of a segment.
-  void set_sums(std::size_t segment) {
+  /// The sums over the points of a segment. A function of its own, so that they stay in registers.
+  [[gnu::noinline]] void set_sums(std::size_t segment) {
     Moments moments;
     auto gaps = per_channel<Four>();
     for (std::size_t i = begins_[segment]; i < begins_[segment + 1]; ++i) {

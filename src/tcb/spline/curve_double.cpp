@@ -1,4 +1,4 @@
-// The templates of a curve of doubles, compiled once for all sources of a target that links tcb::spline_double.
+// The templates of a curve of doubles, compiled once for all sources of a target that links tcb::spline.
 #include "tcb/spline/curve.hpp"
 
 namespace tcb::spline {

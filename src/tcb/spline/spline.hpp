@@ -79,8 +79,9 @@
 //       std::printf("%s\n", Curve<double>::build(keys).error().message().c_str());
 //     }
 //
-// A Curve<double> takes the compiler seconds in each source. A program that links the target tcb::spline_double instead
-// of tcb::spline compiles it once. Without CMake, define TCB_SPLINE_CURVE_DOUBLE and compile curve_double.cpp, too.
+// A Curve<double> takes the compiler seconds. The target tcb::spline compiles it once for a program, and
+// tcb::spline_header_only in each source. Without CMake, define TCB_SPLINE_CURVE_DOUBLE and compile curve_double.cpp, too,
+// so that it is compiled once.
 #pragma once
 
 #include "tcb/spline/angle.hpp"
