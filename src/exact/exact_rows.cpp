@@ -250,12 +250,13 @@ class ExactRows::Evaluation {
 
   /// A position of -0 at a key is -0, as it is without exact numbers, which have no such zero.
   void set_signs_of_zeros(const FastRow& row) {
-    const bool at_start = row.sample.t == row.segment.start, at_key = at_start || row.sample.t == row.segment.end;
+    const bool at_start = row.sample.t == row.segment.start;
+    if (!at_start && row.sample.t != row.segment.end) return;
     std::size_t first = 0;
     for (const std::size_t field : chosen_) {
       const auto cells = std::span(cells_).subspan(first, width({&field, 1}));
       first += cells.size();
-      if (!at_key || !fields()[field].shows_rotations) continue;
+      if (!fields()[field].shows_rotations) continue;
       const auto places = position_cells(row.segment.cubics.size(), row.segment.rotation_columns);
       for (std::size_t i = 0; i < cells.size(); ++i) {
         if (places[i].rotation != PositionCell::none || cells[i].printed->cell != Cell(0.0)) continue;

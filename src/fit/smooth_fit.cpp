@@ -235,12 +235,13 @@ class GroupFit {
     double largest_weight = 1;
   };
 
-  /// The sums over the points of a segment. A function of its own, so that they stay in registers.
-  [[gnu::noinline]] void set_sums(std::size_t segment) {
+  /// The sums over the points of a segment.
+  void set_sums(std::size_t segment) {
     Moments moments;
     auto gaps = per_channel<Four>();
-    for (std::size_t i = begins_[segment]; i < begins_[segment + 1]; ++i) {
-      const double w = weights_[i] = std::max(weights_[i] * weight_scale_, 1e-9);
+    const double scale = weight_scale_;
+    for (std::size_t i = begins_[segment], end = begins_[segment + 1]; i < end; ++i) {
+      const double w = weights_[i] = std::max(weights_[i] * scale, 1e-9);
       const double t = places_[i], t2 = t * t, t3 = t2 * t;
       const Four part{w, w * t, w * t2, w * t3};
       for (std::size_t k = 0; k < part.size(); ++k) {

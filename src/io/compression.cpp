@@ -181,7 +181,8 @@ Source<std::string> decompressed(Source<std::string> bytes) {
   const bool gzip = beginning.starts_with(gzip_magic), zstandard = begins_zstandard(beginning);
   bytes = preceded_by(std::move(beginning), std::move(bytes));
   if (gzip) return decoded<Gunzip>(std::move(bytes));
-  return zstandard ? decoded<Unzstd>(std::move(bytes)) : bytes;
+  if (zstandard) return decoded<Unzstd>(std::move(bytes));
+  return bytes;
 }
 
 struct Compressor::State {

@@ -321,7 +321,7 @@ std::string first_time(const std::vector<std::string>& cells, const Columns& col
 
 /// The cells of the first records, without reading further. Requires: `data` outlives them.
 HeadRows cells_of(const Chunk& data, const Dialect& dialect) {
-  constexpr std::size_t most = 50;
+  constexpr std::size_t most = 16;
   HeadRows rows;
   Tokenizer tokenizer(data, dialect);
   try {

@@ -23,17 +23,17 @@ bool is_blank(char c) { return Dialect::is_blank(c); }
 /// Source: H. S. Warren, Hacker's Delight, ch. 6.
 std::uint64_t zero_bytes(std::uint64_t bytes) { return (bytes - 0x0101010101010101) & ~bytes & 0x8080808080808080; }
 
-/// The first of three characters, or the end.
-const char* find_one(const char* at, const char* end, char a, char b, char c) {
+/// The first of some characters, or the end.
+template <class... Chars>
+const char* find_one(const char* at, const char* end, Chars... chars) {
   const auto eight = [](char each) { return std::uint64_t{0x0101010101010101} * static_cast<unsigned char>(each); };
   for (; end - at >= 8; at += 8) {
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, at, sizeof bytes);
-    const std::uint64_t found =
-        zero_bytes(bytes ^ eight(a)) | zero_bytes(bytes ^ eight(b)) | zero_bytes(bytes ^ eight(c));
+    const std::uint64_t found = (zero_bytes(bytes ^ eight(chars)) | ...);
     if (found != 0) return at + std::countr_zero(found) / 8;
   }
-  while (at != end && *at != a && *at != b && *at != c) ++at;
+  while (at != end && ((*at != chars) && ...)) ++at;
   return at;
 }
 
@@ -172,8 +172,9 @@ void Tokenizer::refuse_cells() {
 std::string_view Tokenizer::take_cell() {
   const char* const start = at_;
   if (*start == '"') return take_quoted();
-  const char delimiter = dialect_.delimiter, other = delimiter == ' ' ? '\t' : delimiter;
-  const char* const now = find_one(start, end_, delimiter, '\n', other);
+  const char delimiter = dialect_.delimiter;
+  const char* const now =
+      delimiter == ' ' ? find_one(start, end_, ' ', '\t', '\n') : find_one(start, end_, delimiter, '\n');
   const bool at_end = now == end_ || *now == '\n';
   at_ = at_end && now != start && now[-1] == '\r' ? now - 1 : now;
   const char* last = at_;
