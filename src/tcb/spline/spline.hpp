@@ -80,8 +80,8 @@
 //     }
 //
 // A Curve<double> takes the compiler seconds. The target tcb::spline compiles it once for a program, and
-// tcb::spline_header_only in each source. Without CMake, define TCB_SPLINE_CURVE_DOUBLE and compile curve_double.cpp, too,
-// so that it is compiled once.
+// tcb::spline_header_only in each source. Without CMake, define TCB_SPLINE_CURVE_DOUBLE and compile curve_double.cpp,
+// too, so that it is compiled once.
 #pragma once
 
 #include "tcb/spline/angle.hpp"
