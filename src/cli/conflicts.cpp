@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <string>
 
 #include "error.hpp"
 #include "numbers/print_number.hpp"

@@ -7,10 +7,8 @@
 
 #include <algorithm>
 #include <initializer_list>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "cli/options.hpp"
 #include "formats/formats.hpp"

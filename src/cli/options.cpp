@@ -2,12 +2,10 @@
 #include "cli/options.hpp"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 #include "cli/values.hpp"
 #include "formats/formats.hpp"
-#include "option_names.hpp"
 #include "sample/extrapolation.hpp"
 #include "sample/request.hpp"
 #include "tcb/spline/rules.hpp"

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 #include "formats/formats.hpp"
 #include "io/compression.hpp"
@@ -20,7 +18,6 @@
 #include "read/input.hpp"
 #include "read/input_options.hpp"
 #include "schema/key_rules.hpp"
-#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

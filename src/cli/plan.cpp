@@ -8,7 +8,6 @@
 
 #include "cli/help.hpp"
 #include "cli/options.hpp"
-#include "cli/typed_options.hpp"
 #include "cli/values.hpp"
 #include "formats/formats.hpp"
 #include "io/compression.hpp"

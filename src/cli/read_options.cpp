@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <string_view>
 
 #include "cli/options.hpp"
 #include "cli/values.hpp"

@@ -1,16 +1,12 @@
 // Values: from the text of an option's value to its type, or to an error.
 #include "cli/values.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <utility>
 
 #include "formats/formats.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
 #include "sample/table.hpp"
-#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

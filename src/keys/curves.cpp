@@ -6,15 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <iterator>
-#include <memory>
-#include <optional>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "error.hpp"
 #include "keys/order.hpp"
@@ -224,11 +218,8 @@ std::vector<LikelySign> ObservedChannels::likely_signs() const {
 
 Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
     : channels_(schema),
-      blocks_(mapped(arranged(schema, keys, options, live, midnights_),
-                     [this](KeyBlock block) {
-                       channels_.add(block);
-                       return block;
-                     })),
+      blocks_(observed(arranged(schema, keys, options, live, midnights_),
+                       [this](const KeyBlock& block) { channels_.add(block); })),
       may_break_(keys.traits.may_break || !schema.groups.empty() || options.duplicates == Duplicates::break_curve ||
                  options.max_gap),
       max_gap_(largest_allowed_gap(schema.time, options)),

@@ -3,17 +3,13 @@
 #include "keys/prepare.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <deque>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "error.hpp"
 #include "option_names.hpp"
 #include "schema/roles.hpp"
-#include "tcb/spline/scalar.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 

@@ -15,7 +15,6 @@
 #include "sample/places.hpp"
 #include "sample/rows.hpp"
 #include "sample/sampler.hpp"
-#include "sample/table.hpp"
 #include "schema/usual_names.hpp"
 #include "tcb/spline/curve.hpp"
 #include "text/utf8.hpp"
@@ -244,10 +243,9 @@ CurveSamples CurvePipeline::samples(Source<KeyBlock> blocks) {
   if (!needs_.all_keys) return samples_as_read(std::move(blocks));
   if (!golden_) return samples(read(std::move(blocks)));
   ExactKeys exact(golden_->decimal, converted_rotations(turns_), spec_.frames);
-  StreamedCurve curve = read(mapped(std::move(blocks), [this, &exact](KeyBlock block) {
+  StreamedCurve curve = read(observed(std::move(blocks), [this, &exact](KeyBlock& block) {
     exact.add(block);  // times made from distances are computed exactly and rounded
     if (time_exponent() != 0) exact.set_times(block, time_exponent(), spec_.rules.metric);
-    return block;
   }));
   if (spec_.closed && time_exponent() != 0 && !spec_.period && curve.keys.size() == exact.size()) {
     curve.extent.last = exact.time_back(time_exponent(), spec_.rules.metric);
@@ -295,10 +293,7 @@ CurveSamples CurvePipeline::samples_as_read(Source<KeyBlock> blocks) {
   });
   Source<SegmentBlock> segments =
       segment_blocks(std::move(keys), spec_.rules, {needs_.lengths, false, threads_, spec_.frames});
-  segments = mapped(std::move(segments), [estimate](SegmentBlock block) {
-    estimate->add(block);
-    return block;
-  });
+  segments = observed(std::move(segments), [estimate](const SegmentBlock& block) { estimate->add(block); });
   CurveSamples samples = samples_in_order(std::move(segments), make_sampler(request_, extent), extent.first);
   samples.expected_rows = [estimate] { return estimate->rows(); };
   return samples;
@@ -330,10 +325,8 @@ CurveSamples CurvePipeline::samples_in_order(Source<SegmentBlock> segments, std:
                                              const Time& first_key) const {
   const auto limited = std::make_shared<std::size_t>(0);
   if (spec_.rules.no_overshoot) {
-    segments = mapped(std::move(segments), [limited](SegmentBlock block) {
-      *limited += block.segments.limited_tangents;
-      return block;
-    });
+    segments = observed(std::move(segments),
+                        [limited](const SegmentBlock& block) { *limited += block.segments.limited_tangents; });
   }
   return {.blocks = place(std::move(segments), sampler, spec_.channels(), request_.side()),
           .evaluate = fast_rows(sampler),

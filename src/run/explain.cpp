@@ -224,12 +224,9 @@ CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, b
                         const std::vector<std::string>& channels) {
   CurveOutcome outcome;
   const bool no_overshoot = pipeline.spec().rules.no_overshoot;
-  const Source<KeyBlock> observed = mapped(keys, [&outcome](KeyBlock block) {
-    outcome.add(block);
-    return block;
-  });
+  const Source<KeyBlock> seen = observed(keys, [&outcome](const KeyBlock& block) { outcome.add(block); });
   if (!has_samples) {
-    const auto kept = pipeline.kept(observed);
+    const auto kept = pipeline.kept(seen);
     outcome.first = kept->extent().first;
     outcome.last = kept->extent().last;
     if (no_overshoot) outcome.limited = kept->curve().limited_tangents();
@@ -242,10 +239,10 @@ CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, b
     }
     return outcome;
   }
-  const CurveSamples samples = pipeline.samples(observed);
+  const CurveSamples samples = pipeline.samples(seen);
   outcome.rows = 0;
   while (const auto block = samples.blocks()) *outcome.rows += block->rows();
-  while (observed()) {
+  while (seen()) {
   }
   if (no_overshoot) outcome.limited = samples.limited_tangents();
   outcome.facts = samples.facts;

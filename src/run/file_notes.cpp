@@ -14,7 +14,6 @@
 #include "read/input.hpp"
 #include "read/input_format.hpp"
 #include "run/curve_pipeline.hpp"
-#include "run/progress.hpp"
 #include "sample/table.hpp"
 #include "schema/doubts.hpp"
 #include "schema/usual_names.hpp"

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "io/input_file.hpp"

@@ -165,11 +165,10 @@ Source<std::string> FileProgress::observe_bytes(Source<std::string> bytes) {
 Source<SampleBlock> FileProgress::observe_rows(Source<SampleBlock> samples, std::function<double()> expected,
                                                std::uint64_t& rows) {
   before_ = static_cast<double>(rows);
-  return mapped(std::move(samples), [this, expected = std::move(expected), &rows](SampleBlock block) {
+  return observed(std::move(samples), [this, expected = std::move(expected), &rows](const SampleBlock& block) {
     rows += block.rows();
     if (expected) expect_rows(before_ + expected());
     add_rows(block.rows());
-    return block;
   });
 }
 

@@ -4,11 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <memory>
 #include <stdexcept>
-#include <utility>
 
-#include "error.hpp"
 #include "keys/prepare.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"

@@ -1,10 +1,7 @@
 // Chords: how far a curve departs from them, by bounds on polynomials.
 #include "sample/chord.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>

@@ -1,14 +1,8 @@
 // Fields: rows of doubles, by columns where that saves time, and their columns.
 #include "sample/fields.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <functional>
-#include <span>
 #include <string>
-#include <type_traits>
-#include <utility>
 
 #include "schema/schema.hpp"
 

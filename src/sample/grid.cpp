@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "numbers/print_number.hpp"
 #include "option_names.hpp"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 
 #include "error.hpp"
 #include "numbers/print_number.hpp"

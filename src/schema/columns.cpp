@@ -8,7 +8,6 @@
 #include <bitset>
 #include <iterator>
 #include <numeric>
-#include <string_view>
 #include <unordered_map>
 #include <unordered_set>
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "numbers/time_notation.hpp"
 #include "option_names.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "error.hpp"
-#include "option_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"

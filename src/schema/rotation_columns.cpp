@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <string>
-#include <vector>
 
 #include "option_names.hpp"
 #include "schema/usual_names.hpp"

@@ -2,8 +2,6 @@
 #include "schema/units.hpp"
 
 #include <algorithm>
-#include <string>
-#include <vector>
 
 #include "option_names.hpp"
 #include "schema/columns.hpp"

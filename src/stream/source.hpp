@@ -56,4 +56,13 @@ auto mapped(Source<In> source, F f) {
   });
 }
 
+/// Passes items on, each once it was seen.
+template <class T, class F>
+Source<T> observed(Source<T> source, F see) {
+  return mapped(std::move(source), [see = std::move(see)](T item) mutable {
+    see(item);
+    return item;
+  });
+}
+
 }  // namespace tcb
