@@ -17,7 +17,7 @@
 #include "read/earlier_output.hpp"
 #include "run/progress.hpp"
 #include "sample/table.hpp"
-#include "schema/input_keys.hpp"
+#include "schema/key_block.hpp"
 #include "schema/schema.hpp"
 #include "stream/source.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/typed_options.hpp"
+#include "cli/options.hpp"
 
 namespace tcb {
 

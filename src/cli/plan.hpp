@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "check/compare_job.hpp"
-#include "cli/typed_options.hpp"
+#include "cli/options.hpp"
 #include "error.hpp"
 #include "fit/fit_job.hpp"
 #include "limits/limits_job.hpp"

@@ -1,5 +1,4 @@
 // Reading of options: from the words of a command line to typed options. CLI11 divides the words.
-#include "cli/typed_options.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

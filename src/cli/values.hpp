@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/typed_options.hpp"
+#include "cli/options.hpp"
 #include "schema/format.hpp"
 #include "text/suggest.hpp"
 

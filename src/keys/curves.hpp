@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "schema/input_keys.hpp"
 #include "schema/key_block.hpp"
 #include "schema/rotation_options.hpp"
 #include "schema/schema.hpp"

@@ -27,7 +27,6 @@
 #include "run/batch.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
-#include "run/in_words.hpp"
 #include "run/progress.hpp"
 #include "sample/build.hpp"
 #include "sample/request.hpp"

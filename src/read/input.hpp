@@ -10,7 +10,7 @@
 #include "schema/columns.hpp"
 #include "schema/curve_channels.hpp"
 #include "schema/format.hpp"
-#include "schema/input_keys.hpp"
+#include "schema/key_block.hpp"
 #include "schema/schema.hpp"
 
 namespace tcb {

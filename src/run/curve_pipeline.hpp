@@ -19,7 +19,7 @@
 #include "sample/curve_spec.hpp"
 #include "sample/request.hpp"
 #include "sample/table.hpp"
-#include "schema/input_keys.hpp"
+#include "schema/key_block.hpp"
 #include "schema/schema.hpp"
 
 namespace tcb {

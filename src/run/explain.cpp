@@ -18,7 +18,6 @@
 #include "read/input_options.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
-#include "run/in_words.hpp"
 #include "sample/build.hpp"
 #include "sample/rows.hpp"
 #include "sample/table.hpp"

@@ -1,4 +1,5 @@
-// File notes: what is reported about an input, from its first bytes to its last curve, and about an earlier output.
+// File notes: what is reported about an input, from its first bytes to its last curve, and about an earlier output; the
+// rules of a curve and the requested samples in words, for provenance, explanations and pictures.
 #pragma once
 
 #include <cstdint>
@@ -6,16 +7,18 @@
 #include <span>
 #include <string>
 
+#include "numbers/rational.hpp"
 #include "run/job.hpp"
 #include "run/progress.hpp"
 #include "sample/request.hpp"
+#include "write/provenance.hpp"
 
 namespace tcb {
 
 class Curves;
 struct Input;
 struct CurveSamples;
-struct ProvenanceRequest;
+struct CurveSpec;
 
 /// Reports facts about a file that a user may not expect.
 class FileNotes {
@@ -50,5 +53,16 @@ Note remainder_note(double distance, bool at_key);
 
 /// Warns if another version made the output to reproduce, as its last digits may differ.
 void warn_of_other_program(Report& report, const std::optional<ProvenanceRequest>& request);
+
+std::string number_in_words(const Rational& value);
+
+/// The rules of a curve, as names and values.
+Facts rules_in_words(const CurveSpec& spec);
+
+/// The preset of a curve, and its rules.
+Facts preset_in_words(const CurveSpec& spec);
+
+/// The requested samples, as in "every 0.5 of time".
+std::string samples_in_words(const SamplingRequest& request);
 
 }  // namespace tcb

@@ -14,7 +14,6 @@
 #include "run/batch.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
-#include "run/in_words.hpp"
 #include "run/progress.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"

@@ -43,12 +43,6 @@ struct ColumnOptions {
 /// A column as options request it: by its name, or by its number from 1 if it has none or one that a list would divide.
 std::string requested_as(std::string_view name, std::size_t cell);
 
-/// A column without a role, whose cells may distinguish curves.
-struct Mark {
-  std::string column;    ///< as it can be requested
-  bool is_text = false;  ///< it holds texts
-};
-
 /// The largest number of columns without a role that are compared.
 inline constexpr std::size_t most_marks = 4;
 

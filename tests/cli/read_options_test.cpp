@@ -2,7 +2,7 @@
 
 #include "cli/command_line.hpp"
 #include "cli/help.hpp"
-#include "cli/typed_options.hpp"
+#include "cli/options.hpp"
 #include "formats/formats.hpp"
 
 namespace tcb {
