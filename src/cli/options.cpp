@@ -112,7 +112,8 @@ constexpr OptionRow option_rows[] = {
     {option::input_format, "-i", "FORMAT", input_group,
      "The format of the input: @NAMES@; see tcbsample-input(5). By default it follows from the first bytes and the "
      "ending of the file",
-     "", name, recorded, [](Typed& to, Text text) { to.keys.input.format = input_format(text); }, input_format_names},
+     "", name, recorded, [](Typed& to, Text text) { to.keys.input.format = format_with(&Format::can_read, text); },
+     [] { return formats_with(&Format::can_read); }},
     {option::delimiter, "-d", "CHAR", input_group,
      "The character between cells, or tab, comma, semicolon, space or pipe; by default the first of tab, semicolon, "
      "comma and space that occurs in the first record",
@@ -414,7 +415,8 @@ constexpr OptionRow option_rows[] = {
      "", file, unrecorded, [](Typed& to, Text text) { to.files.outputs.file = text; }},
     {option::output_format, "-f", "FORMAT", output_group,
      "The format of the output: @NAMES@; see tcbsample-output(5). By default it is that of FILE's ending, or csv",
-     "", name, recorded, [](Typed& to, Text text) { to.output.format = output_format(text); }, output_format_names},
+     "", name, recorded, [](Typed& to, Text text) { to.output.format = format_with(&Format::can_write, text); },
+     [] { return formats_with(&Format::can_write); }},
     {option::plot, "", "", output_group,
      "Draws the curve and its samples, as -f svg does; without a sampling option, it draws 51 samples equally "
      "spaced in time",

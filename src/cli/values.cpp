@@ -45,23 +45,6 @@ Error number_beyond_doubles(std::string_view text) {
                      in_quotes(text));
 }
 
-std::vector<std::string_view> format_names(bool (Format::*capability)() const) {
-  std::vector<std::string_view> names;
-  for (const Format& format : formats()) {
-    if ((format.*capability)()) names.push_back(format.name);
-  }
-  return names;
-}
-
-/// Throws: Error (usage) for a name that is not one of the formats that have the capability.
-const Format* named_format(const std::string& text, bool (Format::*capability)() const) {
-  const auto names = format_names(capability);
-  if (std::ranges::count(names, text) == 0) {
-    throw unknown_value(text, names);
-  }
-  return find_format(text);
-}
-
 /// The radians of a positive angle with its unit, as in 0.5deg.
 std::optional<double> angle_with_unit(std::string_view text) {
   constexpr double radian = 1, degree = 0.017453292519943295;
@@ -454,10 +437,19 @@ PictureSize picture_size(const std::string& text) {
   return size;
 }
 
-const Format* input_format(const std::string& text) { return named_format(text, &Format::can_read); }
-const Format* output_format(const std::string& text) { return named_format(text, &Format::can_write); }
-std::vector<std::string_view> input_format_names() { return format_names(&Format::can_read); }
-std::vector<std::string_view> output_format_names() { return format_names(&Format::can_write); }
+const Format* format_with(bool (Format::*capability)() const, const std::string& text) {
+  const auto names = formats_with(capability);
+  if (std::ranges::count(names, text) == 0) throw unknown_value(text, names);
+  return find_format(text);
+}
+
+std::vector<std::string_view> formats_with(bool (Format::*capability)() const) {
+  std::vector<std::string_view> names;
+  for (const Format& format : formats()) {
+    if ((format.*capability)()) names.push_back(format.name);
+  }
+  return names;
+}
 
 std::vector<std::string_view> field_names() { return names_of(named_fields()); }
 std::vector<std::string_view> form_names() { return {"hermite", "bezier", "poly", "poly8"}; }

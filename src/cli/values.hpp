@@ -91,13 +91,12 @@ Extrapolations extrapolation(const std::string& text);
 std::vector<std::size_t> field_list(const std::string& text);
 /// The field with the cubics of pieces in a form.
 std::size_t form_of_pieces(const std::string& text);
-const Format* input_format(const std::string& text);
-const Format* output_format(const std::string& text);
+/// A format that has a capability.
+const Format* format_with(bool (Format::*capability)() const, const std::string& text);
 
 /// The names of the formats that can be read or written, of the fields, and of the forms of a cubic that help and
 /// completions show; a polynomial may have other numbers of coefficients.
-std::vector<std::string_view> input_format_names();
-std::vector<std::string_view> output_format_names();
+std::vector<std::string_view> formats_with(bool (Format::*capability)() const);
 std::vector<std::string_view> field_names();
 std::vector<std::string_view> form_names();
 

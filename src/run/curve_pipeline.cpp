@@ -60,6 +60,32 @@ std::optional<FrameTimes> named_times(const CurveRequest& request, const TimeSch
   return FrameTimes(*request.frame_rate / (time.unit ? units_per_second(*time.unit) : Rational(1)));
 }
 
+/// `fields`: those of the rows. `may_miss`: keys may lack positions. `exact`: numbers are computed exactly.
+CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size_t> fields, const CurveSpec& spec,
+                       bool may_miss, bool exact) {
+  const Mode mode = request.mode;
+  const auto any_field = [&](const auto& holds) {
+    return std::ranges::any_of(fields, [&](std::size_t field) { return holds(tcb::fields()[field]); });
+  };
+  const bool has_field_of_path =
+      any_field([](const Field& field) { return field.over_metric && !field.needs_lengths; });
+  const bool times_of_distances = !spec.timed && spec.exponent() != 0;
+  const bool is_near_path = mode == Mode::tolerance && request.tolerance.limits_distance();
+  const bool is_count = mode == Mode::count || mode == Mode::arc_count;
+  CurveNeeds needs;
+  needs.random_access =
+      mode == Mode::at || mode == Mode::arc_at || mode == Mode::tolerance || spec.extrapolations.extend_curve();
+  needs.all_keys = spec.closed || needs.random_access || may_miss || exact || needs_end(request);
+  needs.lengths = by_length(mode) || any_field([](const Field& field) { return field.needs_lengths; });
+  needs.whole_length = needs.all_keys && !needs.random_access && by_length(mode);
+  needs.single_key = (is_count && request.count == 1) || request.places.size() == 1;
+  needs.angle_signs = !spec.angles.empty();
+  needs.metric = has_field_of_path || times_of_distances || is_near_path ? MetricUse::path
+                 : needs.lengths                                         ? MetricUse::lengths
+                                                                         : MetricUse::nothing;
+  return needs;
+}
+
 /// About how many rows a curve will have, by the part of it that is known.
 class RowEstimate {
  public:
@@ -101,31 +127,6 @@ class RowEstimate {
 };
 
 }  // namespace
-
-CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size_t> fields, const CurveSpec& spec,
-                       bool may_miss, bool exact) {
-  const Mode mode = request.mode;
-  const auto any_field = [&](const auto& holds) {
-    return std::ranges::any_of(fields, [&](std::size_t field) { return holds(tcb::fields()[field]); });
-  };
-  const bool has_field_of_path =
-      any_field([](const Field& field) { return field.over_metric && !field.needs_lengths; });
-  const bool times_of_distances = !spec.timed && spec.exponent() != 0;
-  const bool is_near_path = mode == Mode::tolerance && request.tolerance.limits_distance();
-  const bool is_count = mode == Mode::count || mode == Mode::arc_count;
-  CurveNeeds needs;
-  needs.random_access =
-      mode == Mode::at || mode == Mode::arc_at || mode == Mode::tolerance || spec.extrapolations.extend_curve();
-  needs.all_keys = spec.closed || needs.random_access || may_miss || exact || needs_end(request);
-  needs.lengths = by_length(mode) || any_field([](const Field& field) { return field.needs_lengths; });
-  needs.whole_length = needs.all_keys && !needs.random_access && by_length(mode);
-  needs.single_key = (is_count && request.count == 1) || request.places.size() == 1;
-  needs.angle_signs = !spec.angles.empty();
-  needs.metric = has_field_of_path || times_of_distances || is_near_path ? MetricUse::path
-                 : needs.lengths                                         ? MetricUse::lengths
-                                                                         : MetricUse::nothing;
-  return needs;
-}
 
 std::string in_words(const CurveNeeds& needs) {
   if (needs.whole_length) return "all keys and the length of the curve before the first row";

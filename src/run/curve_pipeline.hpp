@@ -56,10 +56,6 @@ struct CurveNeeds {
   MetricUse metric = MetricUse::nothing;
 };
 
-/// `fields`: those of the rows. `may_miss`: keys may lack positions. `exact`: numbers are computed exactly.
-CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size_t> fields, const CurveSpec& spec,
-                       bool may_miss, bool exact);
-
 /// The extent of a curve and its samples, as far as they are known before the first row.
 struct SampleFacts {
   std::optional<Time> first, last;  ///< times of the first and the last key

@@ -181,27 +181,23 @@ Source<SegmentBlock> segment_blocks(Source<Keys> keys, const Rules& rules, const
   return streamed_segments(std::move(keys), {}, rules, options);
 }
 
-Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Time>& last, const Rules& rules,
-                                    const SegmentOptions& options) {
-  const std::optional<Time> end = last && options.frames ? options.frames->elapsed(*last) : last;
+Source<SegmentBlock> StreamedCurve::segments(bool measured) const {
+  SegmentOptions own = options;
+  own.measured = measured;
+  std::optional<Time> end = extent.closed ? extent.last : std::nullopt;
+  if (end && own.frames) end = own.frames->elapsed(*end);
   if (keys.are_sparse()) {
-    return [block = std::optional(sparse_segments(keys, end, rules, options))]() mutable {
+    return [block = std::optional(sparse_segments(keys, end, rules, own))]() mutable {
       return std::exchange(block, std::nullopt);
     };
   }
   spline::CurveStream<double> stream;
   if (end) {
     Keys last_key = keys.key(keys.size() - 1);
-    make_precise(last_key.times, options.frames);
+    make_precise(last_key.times, own.frames);
     stream = {std::move(last_key), *end};
   }
-  return streamed_segments(keys.source(), stream, rules, options);
-}
-
-Source<SegmentBlock> StreamedCurve::segments(bool measured) const {
-  SegmentOptions own = options;
-  own.measured = measured;
-  return segment_blocks(keys, extent.closed ? extent.last : std::nullopt, rules, own);
+  return streamed_segments(keys.source(), stream, rules, own);
 }
 
 KeptCurve::KeptCurve(spline::Curve<double> curve, CurveChannels channels, const Extent& extent,

@@ -55,12 +55,6 @@ Time take_closing(KeyStore& keys, const CurveSpec& spec, const std::vector<std::
 /// The segments of an open curve, each as soon as the key after its end is read. Requires: no position is missing.
 Source<SegmentBlock> segment_blocks(Source<Keys> keys, const Rules& rules, const SegmentOptions& options);
 
-/// The segments of a curve whose keys are all known. `last`: when a closed curve is back at its first key. Where keys
-/// lack positions, each channel runs through the keys that have a position in it. Requires: a position in every
-/// channel.
-Source<SegmentBlock> segment_blocks(const KeyStore& keys, const std::optional<Time>& last, const Rules& rules,
-                                    const SegmentOptions& options);
-
 /// A curve with random access to its segments, and how rows show its channels.
 class KeptCurve {
  public:
@@ -90,10 +84,12 @@ class KeptCurve {
 /// A curve whose segments are made from its keys, as often as they are needed.
 struct StreamedCurve {
   KeyStore keys;
-  Extent extent;
+  Extent extent;  ///< a closed curve is back at its first key at the end
   Rules rules;
   SegmentOptions options;
 
+  /// Where keys lack positions, each channel runs through those that have one in it. Requires: a position in every
+  /// channel.
   Source<SegmentBlock> segments(bool measured = false) const;
   /// The segments with their lengths, which are all measured before the first one, and the length of the curve.
   std::pair<Source<SegmentBlock>, double> measured() const;

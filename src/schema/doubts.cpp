@@ -45,6 +45,12 @@ std::string roles_of(const FoundColumns& found, std::string_view role, const std
   return in_shell(fmt::format("{}={}", role, fmt::join(names, ":")));
 }
 
+std::vector<std::string> names_of(std::span<const std::string> names, std::span<const std::size_t> chosen) {
+  std::vector<std::string> result;
+  for (const std::size_t i : chosen) result.push_back(names[i]);
+  return result;
+}
+
 double number_in(const FoundColumns& found, const std::vector<std::string_view>& row, std::size_t cell) {
   return cell < row.size() ? Decimals(found.marks).number(row[cell]).value_or(nan) : nan;
 }
@@ -253,12 +259,10 @@ Found parameters_that_are_data(const FoundColumns& found) {
   }
   const bool is_doubt = cells.size() == 3 && are_letters ? beyond > 0 : 2 * beyond > all;
   if (!is_doubt) return std::nullopt;
-  std::vector<std::string> names;
-  for (const std::size_t cell : cells) names.push_back(found.names[cell]);
   return error(
       "{} would shape the curve as {}, but {} is {}; expected parameters, which are usually from -1 to 1; give {} {} "
       "for channels, {} none for parameters as they are, or {} 3dsmax for parameters from 0 to 50",
-      listed(names), cells.size() == 1 ? "a parameter" : "tension, continuity and bias",
+      listed(names_of(found.names, cells)), cells.size() == 1 ? "a parameter" : "tension, continuity and bias",
       in_quotes(found.names[first->first]), first->second, option::columns, positions_of(found), option::tcb_scale,
       option::tcb_scale);
 }
@@ -407,8 +411,7 @@ Found quaternion_called_wxyz(const FoundColumns& found) {
     if (found.columns.cells[cells[i]].role != Role::position) return std::nullopt;
   }
   if (!are_units(found, cells)) return std::nullopt;
-  std::vector<std::string> names;
-  for (const std::size_t cell : cells) names.push_back(found.names[cell]);
+  const std::vector<std::string> names = names_of(found.names, cells);
   return error(
       "columns {} have the norm 1, as quaternions do; expected the rotation to be named; give {} {} for a rotation, or "
       "{} none for plain channels",
@@ -486,12 +489,6 @@ constexpr std::array about_columns{coefficients_of_pieces,   near_miss_of_role, 
                                    minutes_and_seconds};
 
 // The rows about a request.
-
-std::vector<std::string> names_of(const std::vector<std::string>& channels, const std::vector<std::size_t>& chosen) {
-  std::vector<std::string> names;
-  for (const std::size_t channel : chosen) names.push_back(channels[channel]);
-  return names;
-}
 
 /// Channels that lengths may measure: no numbers of rotations, and no angles.
 std::vector<std::size_t> plain_channels(const Schema& schema) {

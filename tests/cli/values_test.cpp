@@ -147,8 +147,6 @@ TEST(Values, forms_of_pieces_have_their_number_of_coefficients) {
 }
 
 TEST(Values, formats_are_those_that_can_be_read_or_written) {
-  EXPECT_EQ(input_format("jsonl"), find_format("jsonl"));
-  EXPECT_EQ(output_format("npy"), find_format("npy"));
   EXPECT_EQ(stepped_refusal({"-i", "gltf"}),
             "--input-format: \"gltf\" is not a known name; expected one of csv, tsv, ssv, json, jsonl, tum, euroc, "
             "kitti, nerfstudio, lws, 3ds, ase, fbx, npy");

@@ -13,7 +13,8 @@ namespace tcb {
 /// A curve through keys with the rules of the default preset.
 inline SceneCurve scene_curve(const Keys& keys, std::size_t name = 0) {
   const KeyStore store(keys);
-  const auto segments = [store] { return segment_blocks(store, {}, make_spec({}).rules, {}); };
+  const StreamedCurve streamed{store, {}, make_spec({}).rules, {}};
+  const auto segments = [streamed] { return streamed.segments(); };
   return {name, store, segments};
 }
 

@@ -61,7 +61,8 @@ TEST(Scene, rotations_have_the_angle_from_the_first_key) {
   }
   spline::CurveRules<double> rules = make_spec({}).rules;
   rules.rotations = {columns[0]};
-  const auto segments = [&] { return segment_blocks(store, {}, rules, {}); };
+  const StreamedCurve streamed{store, {}, rules, {}};
+  const auto segments = [&] { return streamed.segments(); };
   const Source<SegmentBlock> blocks = with_rotations_as_cubics(segments, {{}, columns}, firsts)();
   double last = 0;
   while (const auto block = blocks()) {

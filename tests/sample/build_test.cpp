@@ -86,7 +86,7 @@ TEST(Closing, keys_without_times_need_one_step_more) {
 
 TEST(SegmentBlocks, of_a_closed_curve_end_at_the_first_key) {
   const KeyStore keys = kept({0.0, 1.0, 3.0}, {5, 6, 7});
-  const auto source = segment_blocks(keys, Time(4.0), {}, {});
+  const auto source = StreamedCurve{keys, {.first = {}, .last = Time(4.0), .closed = true}, {}, {}}.segments();
   std::vector<double> times, positions;
   bool closes = false;
   while (const auto block = source()) {
@@ -102,7 +102,7 @@ TEST(SegmentBlocks, of_a_closed_curve_end_at_the_first_key) {
 }
 
 TEST(SegmentBlocks, of_sparse_keys_are_measured_on_request) {
-  const auto block = segment_blocks(kept({0.0, 1.0, 2.0}, {0, std::nan(""), 3}), {}, {}, {.measured = true})();
+  const auto block = StreamedCurve{kept({0.0, 1.0, 2.0}, {0, std::nan(""), 3}), {}, {}, {}}.segments(true)();
   ASSERT_EQ(block->lengths.size(), 2U);
   EXPECT_EQ(block->lengths[0].value, 1.5);
   EXPECT_TRUE(block->last);
