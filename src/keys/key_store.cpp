@@ -1,93 +1,75 @@
-// Key store: the keys of a curve that has to be read to its end, in 8 bytes per number.
+// Key store: the keys of a curve that has to be read to its end.
 #include "keys/key_store.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <type_traits>
 
 #include "numbers/decimal_time.hpp"
-#include "tcb/spline/closing.hpp"
 
 namespace tcb {
 
-void KeyStore::Times::push_back(const Time& time) {
-  if (time.lo != 0) low.resize(high.size());
-  high.push_back(time.hi);
-  if (time.lo != 0 || !low.empty()) low.push_back(time.lo);
-}
-
-void KeyStore::Times::resize(std::size_t size) {
-  high.resize(size);
-  if (!low.empty()) low.resize(size);
-}
-
-namespace {
-
-/// Appends the entries of keys [first, last) of a column, also where one of the two has its times in two parts.
-template <class To, class From>
-void append_part(To& to, const From& from, std::size_t size, std::size_t first, std::size_t last) {
-  if constexpr (std::is_same_v<std::remove_cvref_t<decltype(from[0])>, Time>) {
-    if constexpr (requires { to.reserve(size); }) to.reserve(to.size() + (last - first));
-    for (std::size_t key = first; key < last; ++key) to.push_back(from[key]);
-  } else {
-    spline::append_entries(to, from, size, first, last);
-  }
-}
-
-}  // namespace
-
-void KeyStore::Columns::append(const Keys& keys) {
-  if (keys.size() == 0) return;
-  spline::take_common(*this, keys);
-  const auto append = [&](auto& to, const auto& from) { append_part(to, from, keys.size(), 0, keys.size()); };
-  spline::for_each_column(append, *this, keys);
-}
-
-Keys KeyStore::Columns::part(std::size_t first, std::size_t last) const {
-  Keys keys;
-  spline::take_common(keys, *this);
-  const auto append = [&](auto& to, const auto& from) { append_part(to, from, size(), first, last); };
-  if (first != last) spline::for_each_column(append, keys, *this);
-  return keys;
-}
-
-KeyStore::KeyStore(const Source<KeyBlock>& blocks) : columns_(std::make_shared<Columns>()) {
+KeyStore::KeyStore(const Source<KeyBlock>& blocks) {
   std::optional<KeyBlock> block;  // kept until the next one: freed memory would not return to the system
   while ((block = blocks())) {
     if (block->empty()) continue;
     if (size() == 0) first_line_ = block->text_positions.lines.front();
     last_line_ = block->text_positions.lines.back();
-    columns_->append(block->keys);
+    append(block->keys);
   }
 }
 
-void KeyStore::drop_last() {
-  const std::size_t size = this->size();
-  spline::for_each_column([size](auto& column) { column.resize(column.size() / size * (size - 1)); }, *columns_);
+void KeyStore::append(const Keys& keys) {
+  for (std::size_t first = 0; first < keys.size();) {
+    if (blocks_->empty() || blocks_->back().size() == keys_at_once) {
+      blocks_->emplace_back();
+      const auto reserve = [&](auto& to, const auto& from) { to.reserve(from.size() / keys.size() * keys_at_once); };
+      if (blocks_->size() > 1) spline::for_each_column(reserve, blocks_->back(), keys);
+    }
+    Keys& last = blocks_->back();
+    const std::size_t end = std::min(first + keys_at_once - last.size(), keys.size());
+    spline::append(last, keys, first, end);
+    first = end;
+  }
 }
 
-void KeyStore::join_seam(const Keys& repeated) { spline::join_seam(*columns_, repeated); }
+Keys KeyStore::key(std::size_t number) const {
+  Keys one;
+  const std::size_t at = number % keys_at_once;
+  spline::append(one, (*blocks_)[number / keys_at_once], at, at + 1);
+  return one;
+}
+
+void KeyStore::drop_last() {
+  Keys& last = blocks_->back();
+  const std::size_t size = last.size();
+  spline::for_each_column([size](auto& column) { column.resize(column.size() / size * (size - 1)); }, last);
+  if (size == 1) blocks_->pop_back();
+}
 
 int KeyStore::decimals() const {
   int most = 0;
-  const Times& times = columns_->times;
-  for (std::size_t key = 0; !times.low.empty() && key < times.size(); ++key) {
-    most = std::max(most, decimals_of(times[key]));
+  for (const Keys& block : *blocks_) {
+    for (const Time& time : block.times) most = time.lo == 0 ? most : std::max(most, decimals_of(time));
   }
   return most;
 }
 
 bool KeyStore::are_sparse() const {
-  return std::ranges::any_of(columns_->positions, [](double position) { return std::isnan(position); });
+  return std::ranges::any_of(*blocks_, [](const Keys& block) {
+    return std::ranges::any_of(block.positions, [](double position) { return std::isnan(position); });
+  });
+}
+
+Keys KeyStore::all() const {
+  Keys keys;
+  for (const Keys& block : *blocks_) spline::append(keys, block, 0, block.size());
+  return keys;
 }
 
 Source<Keys> KeyStore::source() const {
-  return [columns = columns_, next = std::size_t{0}]() mutable -> std::optional<Keys> {
-    if (next == columns->size()) return std::nullopt;
-    const std::size_t first = next;
-    next = std::min(first + keys_at_once, columns->size());
-    return columns->part(first, next);
+  return [blocks = blocks_, next = std::size_t{0}]() mutable -> std::optional<Keys> {
+    return next < blocks->size() ? std::optional((*blocks)[next++]) : std::nullopt;
   };
 }
 

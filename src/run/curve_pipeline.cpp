@@ -141,17 +141,18 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     : request_(request.samples),
       spec_(spec_of(request.rules, curve_info.settings, schema, request.samples)),
       golden_(request.golden),
-      likely_time_(schema.time.likely),
-      has_tcb_scale_(traits.has_tcb_scale),
       needs_(curve_needs(request_, request.fields, spec_, traits.may_miss, golden_.has_value())),
       threads_(request.threads),
-      turns_{schema.rotations,
-             schema.sources,
-             spec_.rules.rotation_rules.curve,
-             spec_.preset == spline::Preset::nel,
-             spec_.closed,
-             spec_.angles,
-             schema.channels},
+      preparation_{.turns = {schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
+                             spec_.preset == spline::Preset::nel, spec_.closed, spec_.angles, schema.channels},
+                   .likely_time = schema.time.likely,
+                   .exponent = schema.time.is_given ? std::nullopt : std::optional(spec_.exponent()),
+                   .metric = spec_.rules.metric,
+                   .retiming = spec_.retiming,
+                   .unlikely_scale = traits.has_tcb_scale ? std::nullopt : shown_tcb_scale(spec_.preset),
+                   .ease = spec_.ease,
+                   .monotone = spec_.rules.timing == spline::Timing::monotone,
+                   .equal_speed = spec_.rules.equal_speed},
       part_(std::move(part)) {
   const auto unit = schema.time.unit;
   const bool has_duration = request_.in_seconds.has_duration || spec_.is_period_in_seconds;
@@ -176,7 +177,7 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     std::ranges::for_each(request_.places, take_frame);
   }
   if (spec_.retiming) {
-    frames_of_keys_ = std::exchange(spec_.frames, std::nullopt);
+    preparation_.frames = std::exchange(spec_.frames, std::nullopt);
     request_.frames.reset();
     if (!spec_.timed && ((spec_.closed && !spec_.period) || (golden_ && time_exponent() != 0))) {
       throw usage_error(
@@ -198,19 +199,9 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
 /// The keys with times, checked. `least`: how many, unless a single key is enough. Sets the signs of angles.
 Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) {
   SignedKeys keys = with_signs(std::move(blocks), spec_.angles);
-  spec_.angles = turns_.angles = std::move(keys.angles);
-  return tcb::prepared(std::move(keys.blocks),
-                       {.turns = turns_,
-                        .likely_time = likely_time_,
-                        .exponent = spec_.timed ? std::nullopt : std::optional(spec_.exponent()),
-                        .metric = spec_.rules.metric,
-                        .retiming = spec_.retiming,
-                        .frames = frames_of_keys_,
-                        .unlikely_scale = has_tcb_scale_ ? std::nullopt : shown_tcb_scale(spec_.preset),
-                        .ease = spec_.ease,
-                        .monotone = spec_.rules.timing == spline::Timing::monotone,
-                        .equal_speed = spec_.rules.equal_speed,
-                        .least = needs_.single_key ? 1 : least});
+  spec_.angles = preparation_.turns.angles = std::move(keys.angles);
+  preparation_.least = needs_.single_key ? 1 : least;
+  return tcb::prepared(std::move(keys.blocks), preparation_);
 }
 
 CurveSamples CurveSamples::none(const Time& first_key) {
@@ -221,11 +212,13 @@ CurveSamples CurveSamples::none(const Time& first_key) {
 StreamedCurve CurvePipeline::read(Source<KeyBlock> blocks) {
   KeyStore keys(blocks);
   if (keys.are_sparse()) {
-    if (const auto error = spline::find_position_error(keys.all())) throw curve_error(*error, keys, turns_.channels);
+    if (const auto error = spline::find_position_error(keys.all()))
+      throw curve_error(*error, keys, preparation_.turns.channels);
   }
   Extent extent{keys.key(0).times[0], {}, {}, spec_.closed, keys.decimals()};
   if (spec_.frames) spec_.frames = spec_.frames->from(extent.first);
-  extent.last = spec_.closed ? take_closing(keys, spec_, turns_.channels) : keys.key(keys.size() - 1).times[0];
+  extent.last =
+      spec_.closed ? take_closing(keys, spec_, preparation_.turns.channels) : keys.key(keys.size() - 1).times[0];
   const bool expanded = request_.mode == Mode::emit;  // where coefficients are printed, not positions
   return {std::move(keys), extent, spec_.rules, {false, expanded, threads_, spec_.frames}};
 }
@@ -243,7 +236,7 @@ CurveSamples CurvePipeline::samples(Source<KeyBlock> blocks) {
   blocks = prepared(std::move(blocks), may_be_point ? 1 : 2);
   if (!needs_.all_keys) return samples_as_read(std::move(blocks));
   if (!golden_) return samples(read(std::move(blocks)));
-  ExactKeys exact(golden_->decimal, converted_rotations(turns_), spec_.frames);
+  ExactKeys exact(golden_->decimal, converted_rotations(preparation_.turns), spec_.frames);
   StreamedCurve curve = read(observed(std::move(blocks), [this, &exact](KeyBlock& block) {
     exact.add(block);  // times made from distances are computed exactly and rounded
     if (time_exponent() != 0) exact.set_times(block, time_exponent(), spec_.rules.metric);

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "keys/curves.hpp"
-#include "keys/rotations.hpp"
+#include "keys/prepare.hpp"
 #include "run/job.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/request.hpp"
@@ -129,12 +129,9 @@ class CurvePipeline {
   SamplingRequest request_;
   CurveSpec spec_;
   std::optional<GoldenOptions> golden_;
-  std::string likely_time_;  ///< as it can be requested; empty: there is none
-  bool has_tcb_scale_;
   CurveNeeds needs_;
-  std::optional<FrameTimes> frames_of_keys_ = {};  ///< where they get other times
   unsigned threads_;
-  TurnsOfKeys turns_;
+  KeyPreparation preparation_;
   std::optional<CurvePart> part_;
 };
 

@@ -69,9 +69,20 @@ std::string compact(std::string_view name) {
   return text;
 }
 
+/// The last word of a name as compact() makes it; empty where there is only one.
+std::string last_word(std::string_view name, std::string_view separators) {
+  const std::size_t separator = name.find_last_of(separators);
+  return separator == std::string_view::npos ? "" : compact(name.substr(separator + 1));
+}
+
+std::string without_last_digits(std::string text) {
+  while (!text.empty() && is_digit(text.back())) text.pop_back();
+  return text;
+}
+
 /// Whether a list of words between blanks has a word.
 bool has(std::string_view words, std::string_view word) {
-  for (std::size_t at = words.find(word); at < words.size(); at = words.find(word, at + 1)) {
+  for (std::size_t at = words.find(word); !word.empty() && at < words.size(); at = words.find(word, at + 1)) {
     const std::size_t end = at + word.size();
     if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;
   }
@@ -175,9 +186,7 @@ bool is_usual_position(std::string_view name) { return has(names_of_positions, c
 
 bool is_usual_label(std::string_view name) {
   const std::string text = compact(name);
-  const std::size_t separator = name.find_last_of("_-./ ");  // as in array_index
-  const std::string last = separator == std::string_view::npos ? text : compact(name.substr(separator + 1));
-  return has(label_names, text) || has(label_names, last) || text.ends_with("id");
+  return has(label_names, text) || has(label_names, last_word(name, "_-./ ")) || text.ends_with("id");
 }
 
 bool tells_curves_apart(std::string_view name) {
@@ -194,9 +203,7 @@ bool ends_with_one(std::string_view names, std::string_view name) {
   for (const std::string_view unit : {"_deg", "_degrees", "_rad", "_radians"}) {
     if (alone.ends_with(unit)) alone.remove_suffix(unit.size());
   }
-  const std::size_t separator = alone.find_last_of("_-./ ");
-  return has(names, compact(alone)) ||
-         (separator != std::string_view::npos && has(names, compact(alone.substr(separator + 1))));
+  return has(names, compact(alone)) || has(names, last_word(alone, "_-./ "));
 }
 
 }  // namespace
@@ -260,14 +267,10 @@ bool is_usual_channel(std::string_view name) {
       "val fov focal focallength zoom focus aperture exposure scale depth size angle tilt pan alpha red green blue "
       "opacity color gain gray weight intensity volume level temperature pressure humidity speed force price close "
       "distance radius power current voltage signal data";
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  std::string text = compact(without_unit(name));
-  while (!text.empty() && is_digit(text.back())) text.pop_back();
-  const std::size_t separator = name.find_last_of("_-./ ");
-  const std::string last = separator == std::string_view::npos ? "" : compact(name.substr(separator + 1));
+  const std::string text = without_last_digits(compact(without_unit(name)));
   const bool is_axis = text.size() == 2 && std::string_view("xyzw").find(text[1]) != std::string_view::npos;
-  return text.size() <= 1 || is_axis || has(names, text) || has(names, last) || is_coordinate(name) ||
-         is_usual_position(name) || is_usual_angle(name);
+  return text.size() <= 1 || is_axis || has(names, text) || has(names, last_word(name, "_-./ ")) ||
+         is_coordinate(name) || is_usual_position(name) || is_usual_angle(name);
 }
 
 namespace {
@@ -311,14 +314,10 @@ std::vector<std::size_t> spatial_channels(const std::vector<std::string>& channe
 
 bool is_coordinate(std::string_view name) {
   const std::string whole = compact(without_unit(name));
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  std::string_view text = whole;
-  while (!text.empty() && is_digit(text.back())) text.remove_suffix(1);
+  const std::string text = without_last_digits(whole);
   const bool numbered = text.size() < whole.size() && text.size() <= 3;  // as in p1
-  const std::size_t separator = name.find_last_of("_-. ");
-  const bool last = separator != std::string_view::npos && has(coordinate_names, compact(name.substr(separator)));
   const std::size_t first = name.find_first_of("_-. ");
-  return has(coordinate_names, text) || numbered || last ||
+  return has(coordinate_names, text) || numbered || has(coordinate_names, last_word(name, "_-. ")) ||
          (first == 1 && has(coordinate_names, compact(name.substr(0, first))));
 }
 
