@@ -24,6 +24,9 @@ constexpr auto unit_policies = std::to_array<Named<bool>>({{"error", false}, {"s
 constexpr auto retiming_names = std::to_array<Named<bool>>({{"slower", false}, {"fit", true}});
 constexpr auto side_names = std::to_array<Named<bool>>({{"right", false}, {"left", true}});
 
+/// For a flag that is asked for by has().
+void only_given(Typed&, Text) {}
+
 /// The option changes the rows, so it is part of their provenance.
 constexpr bool recorded = true, unrecorded = false;
 
@@ -447,13 +450,13 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.threads.requested = static_cast<unsigned>(count_between(text, 1, 1024)); }},
     {option::golden, "", "", output_group,
      "Prints every number as the exact result, rounded once",
-     "", flag, recorded, [](Typed& to, Text) { to.golden = true; }},
+     "", flag, recorded, only_given},
     {option::exact_input, "", "", output_group,
      "With --golden: a decimal in the input means exactly that decimal, not the nearest double",
-     "", flag, recorded, [](Typed& to, Text) { to.exact_input = true; }},
+     "", flag, recorded, only_given},
     {option::meta, "", "", output_group,
      "Adds provenance to the rows: version, rules, options, SHA-256 of the input, and counts",
-     "", flag, recorded, [](Typed& to, Text) { to.meta = true; }},
+     "", flag, recorded, only_given},
     {option::from_meta, "", "FILE", output_group,
      "Reproduces FILE, an output with provenance, with all the options recorded in it",
      "", file, unrecorded, [](Typed& to, Text text) { to.from_meta = text; }},
@@ -506,16 +509,16 @@ constexpr OptionRow option_rows[] = {
 
     {option::explain, "", "", about_group,
      "Prints what was detected, and with a sampling option what would be done, instead of samples",
-     "", flag, recorded, [](Typed& to, Text) { to.explain = true; }},
+     "", flag, recorded, only_given},
     {option::progress, "", "", about_group,
      "Shows the progress on a terminal after a second, also if the rows go to the terminal",
-     "", flag, unrecorded, [](Typed& to, Text) { to.progress = true; }},
+     "", flag, unrecorded, only_given},
     {option::no_progress, "", "", about_group,
      "Does not show the progress",
-     "", flag, unrecorded, [](Typed& to, Text) { to.no_progress = true; }},
+     "", flag, unrecorded, only_given},
     {option::quiet, "-q", "", about_group,
      "Prints only errors on standard error",
-     "", flag, unrecorded, [](Typed& to, Text) { to.quiet = true; }},
+     "", flag, unrecorded, only_given},
     {option::color, "", "WHEN", about_group,
      "When errors, warnings and notes are colored: always, never, or auto, on a terminal unless the environment "
      "says otherwise",
@@ -529,13 +532,13 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.generated = named_row(generated_names, text).value; }, names_in<generated_names>},
     {option::list_presets, "", "", about_group,
      "Prints the presets, and the rules with their formulas",
-     "", flag, unrecorded, [](Typed& to, Text) { to.list_presets = true; }},
+     "", flag, unrecorded, only_given},
     {option::version, "-V", "", about_group,
      "Prints the version",
-     "", flag, unrecorded, [](Typed& to, Text) { to.version = true; }},
+     "", flag, unrecorded, only_given},
     {option::help, "-h", "", about_group,
      "-h prints the most common options, --help prints all options",
-     "", flag, unrecorded, [](Typed& to, Text) { to.help = true; }},
+     "", flag, unrecorded, only_given},
 };
 
 }  // namespace

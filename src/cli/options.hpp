@@ -61,11 +61,7 @@ struct TypedOptions {
   ColorWhen color = ColorWhen::by_terminal;
   std::optional<std::size_t> form = {};  ///< the field with the cubics of pieces
 
-  bool golden = false, exact_input = false;
-  bool meta = false;
   std::string from_meta = {};  ///< an earlier output
-  bool explain = false, progress = false, no_progress = false, quiet = false;
-  bool list_presets = false, version = false, help = false;
 
   /// Whether an option is given.
   bool has(std::string_view option) const { return find(option) != nullptr; }
@@ -75,7 +71,9 @@ struct TypedOptions {
   void give(std::string_view option, std::string value = {});
 
   /// Whether a text is printed, so that no other value is read.
-  bool wants_text() const { return help || list_presets || version || generated; }
+  bool wants_text() const {
+    return has(option::help) || has(option::list_presets) || has(option::version) || generated;
+  }
 
  private:
   struct Given {

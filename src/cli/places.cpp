@@ -222,7 +222,7 @@ void read_place_column(TypedOptions& typed) {
   GroupedPlaces places = in_file(column.path, [&] { return read_places(column, typed.keys.input); });
   const auto alone = places.find({});
   if (alone == places.end()) {
-    if (typed.meta)
+    if (typed.has(option::meta))
       throw usage_error(
           "the column has different numbers for each group, which {} cannot record; expected the same numbers for all "
           "groups; remove {}, or list the numbers",

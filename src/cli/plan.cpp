@@ -28,9 +28,9 @@ namespace {
 
 std::string asked_text(const TypedOptions& typed, const std::vector<std::string>& words) {
   const bool is_long = std::ranges::count(words, option::help) > 0;
-  if (typed.help) return is_long ? help_text() : short_help_text();
-  if (typed.list_presets) return presets_text();
-  if (typed.version) return version_text();
+  if (typed.has(option::help)) return is_long ? help_text() : short_help_text();
+  if (typed.has(option::list_presets)) return presets_text();
+  if (typed.has(option::version)) return version_text();
   require_no_input_replaced("-", typed.files.files);
   return generated_text(*typed.generated, typed.files.files);
 }
@@ -110,7 +110,7 @@ void require_recorded(const std::vector<std::string>& words) {
     throw data_error(
         "the provenance has the file {} among its options; expected options only; remove it from the provenance",
         in_quotes(typed.files.files[0]));
-  if (!typed.meta)
+  if (!typed.has(option::meta))
     throw data_error("the provenance lacks the option {}; expected all options of the run; add it", option::meta);
 }
 
@@ -217,7 +217,7 @@ bool may_have_frames(const TypedOptions& typed) {
 
 /// Throws: Error (usage) unless a sampling option is given, and the range of the samples runs forwards.
 void require_samples(const TypedOptions& typed) {
-  const bool is_needed = !typed.has(option::plot) && !typed.explain && !may_have_frames(typed);
+  const bool is_needed = !typed.has(option::plot) && !typed.has(option::explain) && !may_have_frames(typed);
   if (!has_sampling_option(typed) && is_needed) throw no_sampling_option();
   require_forward_range(typed);
 }
@@ -246,7 +246,7 @@ KeyOptions keys_of(const TypedOptions& typed) {
   KeyOptions keys = typed.keys;
   keys.input.has_shown_tcb_scale = shown_tcb_scale(spec.preset).has_value();
   keys.input.columns.timeless = keys.rules.parameter.has_value();
-  keys.input.keys.keeps_decimals = typed.exact_input;
+  keys.input.keys.keeps_decimals = typed.has(option::exact_input);
   const auto positions = std::ranges::find(keys.input.columns.roles, Role::position, &RoleRequest::role);
   if (positions != keys.input.columns.roles.end()) {  // the numbers of requested rotations are positions as well
     for (const GivenRotation& rotation : keys.input.rotation.requests) {
@@ -302,15 +302,15 @@ SampleOptions samples_of(const TypedOptions& typed) {
   if (!has_sampling_option(typed)) {  // a picture has samples of its own, and an explanation mentions none
     samples.request.mode = Mode::segments;
     samples.request.count = 50;
-    const bool is_drawn = typed.output.format->is_picture || typed.explain;
+    const bool is_drawn = typed.output.format->is_picture || typed.has(option::explain);
     if (!is_drawn && may_have_frames(typed)) samples.unless_frames = no_sampling_option();
   }
   return samples;
 }
 
 std::optional<GoldenOptions> golden_of(const TypedOptions& typed) {
-  if (!typed.golden) return std::nullopt;
-  return GoldenOptions{typed.exact_input, typed.output.notation};
+  if (!typed.has(option::golden)) return std::nullopt;
+  return GoldenOptions{typed.has(option::exact_input), typed.output.notation};
 }
 
 /// Throws: Error (usage) for rows that a terminal cannot show.
@@ -330,11 +330,11 @@ WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest
 }
 
 Verbosity verbosity_of(const TypedOptions& typed) {
-  const bool quiet = typed.quiet, terminal = system::is_terminal(system::standard_error);
+  const bool quiet = typed.has(option::quiet), terminal = system::is_terminal(system::standard_error);
   const bool to_file =
       typed.has(option::output) || typed.has(option::output_dir) || !system::is_terminal(system::standard_output);
-  const bool by_default = to_file && !typed.no_progress && !quiet;
-  const bool progress = terminal && (typed.progress || by_default);
+  const bool by_default = to_file && !typed.has(option::no_progress) && !quiet;
+  const bool progress = terminal && (typed.has(option::progress) || by_default);
   return {quiet, terminal && !quiet, progress, colors_messages(typed.color)};
 }
 
@@ -440,7 +440,7 @@ Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provena
   if (typed.has(option::retime)) return retime_job(typed, std::move(provenance));
   if (typed.has(option::limits)) return limits_job(typed);
   require_samples(typed);
-  if (typed.explain) return explain_job(typed);
+  if (typed.has(option::explain)) return explain_job(typed);
   if (typed.has(option::fit)) return fit_job(typed, std::move(provenance));
   if (typed.output.format->is_picture) return plot_job(typed);
   return resample_job(typed, std::move(provenance));
@@ -466,7 +466,7 @@ Job parse(std::vector<std::string> words, ColorWhen* color) {
   if (!has_sampling_option(typed) && typed.output.format->has_pieces) set_exact_pieces(typed, "poly8");
   require_no_conflict(typed);
   read_place_column(typed);
-  if (typed.meta && !provenance) provenance.emplace();
+  if (typed.has(option::meta) && !provenance) provenance.emplace();
   if (provenance) provenance->meta = new_provenance(typed);
   return make_job(typed, std::move(provenance));
 }
