@@ -297,68 +297,55 @@ std::string line_of(const CurveOutcome& outcome) {
   return outcome.rows ? text + ", " + counted(*outcome.rows, "row") : text;
 }
 
-/// Counts of all curves of an input, and a line for each of the first ones.
-class Explainer {
- public:
-  Explainer(const Input& input, const ExplainJob& job) : input_(input), job_(job) {}
+void append(Facts& to, const Facts& from) { to.insert(to.end(), from.begin(), from.end()); }
 
-  void add(const InputCurve& curve) {
-    const CurveRequest request{job_.samples.of(curve, input_.schema), job_.keys.rules, job_.fields, job_.golden};
-    CurvePipeline pipeline(request, input_.schema, input_.keys.traits, *curve.curve_info, curve.part);
-    if (count_ == 0) {
-      if (job_.has_samples) needs_ = in_words(pipeline.needs());
-      append(intended_, rules_in_words(pipeline.spec()));
-      const bool has_metric =
-          (curve.curve_info->settings.metric || !spatial_channels(input_.schema.channels).empty()) &&
-          !job_.keys.rules.metric;
-      const std::vector<std::size_t> metric = pipeline.spec().rules.metric;
-      append(intended_,
-             intentions(job_, input_.schema, input_.facts.tcb, has_metric ? metric : std::vector<std::size_t>{}));
+/// What will be done with the curves of an input, and counts: those of a single curve, or of the first ones in a line
+/// each.
+Facts facts_of_curves(const Input& input, const ExplainJob& job, bool live) {
+  Facts facts, of_single, of_each;
+  std::string needs;
+  std::size_t count = 0, keys = 0;
+  std::uint64_t rows = 0;
+  Curves curves(input.schema, input.keys, job.keys.curves, live);
+  for (; const std::optional<InputCurve> curve = curves.next(); ++count) {
+    const CurveRequest request{job.samples.of(*curve, input.schema), job.keys.rules, job.fields, job.golden};
+    const CurveSettings& of_input = curve->curve_info->settings;
+    CurvePipeline pipeline(request, input.schema, input.keys.traits, *curve->curve_info, curve->part);
+    if (count == 0) {
+      if (job.has_samples) needs = in_words(pipeline.needs());
+      facts = rules_in_words(pipeline.spec());
+      const bool is_chosen = of_input.metric || !spatial_channels(input.schema.channels).empty();
+      const bool has_metric = is_chosen && !job.keys.rules.metric;
+      append(facts, intentions(job, input.schema, input.facts.tcb,
+                               has_metric ? pipeline.spec().rules.metric : std::vector<std::size_t>{}));
     }
-    last_ = outcome_of(pipeline, curve.keys, job_.has_samples, input_.schema.channels);
-    last_.ends_at_key = !job_.samples.request.to && !pipeline.spec().closed;
-    keys_ += last_.keys;
-    rows_ += last_.rows.value_or(0);
-    if (count_ < most_curves) curves_.emplace_back(title(input_.schema, curve, count_), line(curve));
-    ++count_;
-  }
-
-  /// What the request needs of each curve.
-  const std::string& needs() const { return needs_; }
-
-  Facts lines() const {
-    Facts lines = intended_;
-    if (count_ == 1 && input_.schema.groups.empty()) {
-      append(lines, lines_of(last_));
-      return lines;
+    CurveOutcome outcome = outcome_of(pipeline, curve->keys, job.has_samples, input.schema.channels);
+    outcome.ends_at_key = !job.samples.request.to && !pipeline.spec().closed;
+    keys += outcome.keys;
+    rows += outcome.rows.value_or(0);
+    if (count == 0) of_single = lines_of(outcome);
+    if (count >= most_curves) continue;
+    std::string line = line_of(outcome);
+    if (of_input.extrapolate && !job.keys.rules.extrapolate) {  // which the input alone decides
+      const auto& [before, after] = *of_input.extrapolate;
+      line += fmt::format(", extrapolation {}", name_of(before));
+      if (after != before) line += fmt::format(",{}", name_of(after));
     }
-    lines.emplace_back("curves", fmt::format("{}", count_));
-    append(lines, curves_);
-    if (count_ > most_curves) lines.emplace_back("curves not shown", fmt::format("{}", count_ - most_curves));
-    lines.emplace_back("keys", fmt::format("{}", keys_));
-    if (job_.has_samples) lines.emplace_back("rows", fmt::format("{}", rows_));
-    return lines;
+    of_each.emplace_back(title(input.schema, *curve, count), line);
   }
-
- private:
-  static void append(Facts& to, const Facts& from) { to.insert(to.end(), from.begin(), from.end()); }
-
-  /// The last curve, in one line, with an extrapolation that the input alone decides.
-  std::string line(const InputCurve& curve) const {
-    const std::optional<Extrapolations>& rules = curve.curve_info->settings.extrapolate;
-    if (!rules || job_.keys.rules.extrapolate) return line_of(last_);
-    const std::string after = rules->before == rules->after ? "" : fmt::format(",{}", name_of(rules->after));
-    return fmt::format("{}, extrapolation {}{}", line_of(last_), name_of(rules->before), after);
+  if (count == 1 && input.schema.groups.empty()) {
+    append(facts, of_single);
+  } else {
+    facts.emplace_back("curves", fmt::format("{}", count));
+    append(facts, of_each);
+    if (count > most_curves) facts.emplace_back("curves not shown", fmt::format("{}", count - most_curves));
+    facts.emplace_back("keys", fmt::format("{}", keys));
+    if (job.has_samples) facts.emplace_back("rows", fmt::format("{}", rows));
   }
-
-  const Input& input_;
-  const ExplainJob& job_;
-  Facts intended_, curves_;
-  std::string needs_;
-  CurveOutcome last_;
-  std::size_t count_ = 0, keys_ = 0;
-  std::uint64_t rows_ = 0;
-};
+  if (curves.skipped() > 0) facts.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
+  if (!needs.empty()) facts.emplace_back("needs", needs);
+  return facts;
+}
 
 /// The explanation as an object in a line, whose members are texts.
 std::string as_object(const Facts& lines) {
@@ -372,19 +359,13 @@ std::string as_object(const Facts& lines) {
 void explain(const std::string& path, const ExplainJob& job, Output& output) {
   const Input input = open_input(path, read_file(path), job.keys.input);
   Facts lines{{"file", shown_name(path)}};
-  const auto append = [&lines](const Facts& more) { lines.insert(lines.end(), more.begin(), more.end()); };
-  append(input_facts(input));
+  append(lines, input_facts(input));
   const auto print_lines = [&] {
     if (job.format->is_json) return output.write(as_object(lines));
     for (const auto& [name, value] : lines) output.write(fmt::format("{}: {}\n", name, printable(value)));
   };
   try {
-    Curves curves(input.schema, input.keys, job.keys.curves, is_live(path));
-    Explainer explainer(input, job);
-    while (const std::optional<InputCurve> curve = curves.next()) explainer.add(*curve);
-    append(explainer.lines());
-    if (curves.skipped() > 0) lines.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
-    if (!explainer.needs().empty()) lines.emplace_back("needs", explainer.needs());
+    append(lines, facts_of_curves(input, job, is_live(path)));
   } catch (const Error&) {
     print_lines();
     throw;
