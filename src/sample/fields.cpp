@@ -91,13 +91,8 @@ void write_rotation(Cell* row, std::size_t width, const spline::RotationSegment<
 
 void write_positions(Cell* first, std::size_t width, const CurveSegment& segment, std::span<const Sample> samples) {
   const std::span<const RotationColumns> rotations = segment.rotation_columns;
-  if (std::ranges::all_of(rotations, [](const auto& rotation) { return rotation.shown.is_quaternion(); })) {
-    for (std::size_t i = 0; i < segment.cubics.size(); ++i) {
-      if (!segment.is_rotation(i)) write_channel(first + i, width, segment, i, samples);
-    }
-    for (std::size_t i = 0; i < rotations.size(); ++i) {
-      write_rotation(first, width, segment.rotations[i], {}, rotations[i].channels, samples);
-    }
+  if (rotations.empty()) {
+    for (std::size_t i = 0; i < segment.cubics.size(); ++i) write_channel(first + i, width, segment, i, samples);
     return;
   }
   std::vector<std::array<std::size_t, 9>> cells(rotations.size());  // of each rotation's numbers
