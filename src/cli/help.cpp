@@ -240,15 +240,27 @@ std::string escaped(std::string_view text) {
   return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
+/// All options in the order of option_groups.
+std::vector<const OptionRow*> rows_by_group() {
+  std::vector<const OptionRow*> rows;
+  for (const std::string_view group : option_groups) {
+    for (const OptionRow& row : option_table()) {
+      if (row.group == group) rows.push_back(&row);
+    }
+  }
+  return rows;
+}
+
 std::string manual_options() {
   std::string out;
-  const auto show = [&out](const OptionRow& row) {
+  std::string_view group;
+  for (const OptionRow* const row : rows_by_group()) {
+    if (row->group != group) out += fmt::format(".SS {}\n", group = row->group);
     std::vector<std::string> names;
-    for (const std::string_view name : row.all_names()) names.push_back("\\fB" + escaped(name) + "\\fR");
-    const std::string value = row.value.empty() ? "" : " \\fI" + escaped(row.value) + "\\fR";
-    out += fmt::format(".TP\n{}{}\n{}.\n", fmt::join(names, ", "), value, escaped(row.description()));
-  };
-  for_each_group([&out](std::string_view group) { out += fmt::format(".SS {}\n", group); }, show);
+    for (const std::string_view name : row->all_names()) names.push_back("\\fB" + escaped(name) + "\\fR");
+    const std::string value = row->value.empty() ? "" : " \\fI" + escaped(row->value) + "\\fR";
+    out += fmt::format(".TP\n{}{}\n{}.\n", fmt::join(names, ", "), value, escaped(row->description()));
+  }
   return out;
 }
 
@@ -297,7 +309,7 @@ std::string curves_page() {
 /// An object with the version, the options in the order of the help, and the presets.
 std::string tables_text() {
   std::vector<std::string> options, preset_rows;
-  for_each_group([](std::string_view) {}, [&options](const OptionRow& row) { options.push_back(option_object(row)); });
+  for (const OptionRow* const row : rows_by_group()) options.push_back(option_object(*row));
   for (const auto& row : spline::presets) {
     preset_rows.push_back(fmt::format(R"({{"name":{},"tangents":{},"ends":{},"timing":{},"product":{}}})",
                                       json_text(row.name), json_text(name_of(row.tangents)),
@@ -357,11 +369,12 @@ std::string help_text() {
       "  tcbsample -n 200 < keys.csv              200 samples, including both ends\n"
       "  tcbsample --arc-step 5 path.csv          equal distances along the curve\n"
       "  tcbsample -s 0.1 --output-dir out *.csv  one output for each file\n";
-  const auto show = [&out](const OptionRow& row) {
-    out += fmt::format("  {}{}{}\n", fmt::join(row.all_names(), ", "), row.value.empty() ? "" : " ", row.value);
-    out += wrapped(row.description(), 6);
-  };
-  for_each_group([&out](std::string_view group) { out += fmt::format("\n{}:\n", group); }, show);
+  std::string_view group;
+  for (const OptionRow* const row : rows_by_group()) {
+    if (row->group != group) out += fmt::format("\n{}:\n", group = row->group);
+    out += fmt::format("  {}{}{}\n", fmt::join(row->all_names(), ", "), row->value.empty() ? "" : " ", row->value);
+    out += wrapped(row->description(), 6);
+  }
   out +=
       "\nExit status: 0 if done, 1 if the data was rejected or differs, 2 after wrong\n"
       "usage or if a file cannot be opened or written, 130 if interrupted.";

@@ -140,17 +140,6 @@ struct OptionRow {
 /// All options, by groups. Where several are at fault, an error is about the first.
 std::span<const OptionRow> option_table();
 
-/// Calls begin(group), and then show(row) for each option of the group.
-template <class Begin, class Show>
-void for_each_group(Begin begin, Show show) {
-  for (const std::string_view group : option_groups) {
-    begin(group);
-    for (const OptionRow& row : option_table()) {
-      if (row.group == group) show(row);
-    }
-  }
-}
-
 const OptionRow& row_of(std::string_view name);
 
 /// The options that place the samples.

@@ -18,15 +18,6 @@ constexpr std::array<std::string_view, 13> camera_columns{"r11", "r12", "r13", "
                                                           "y",   "r31", "r32", "r33", "z",   "fov"};
 constexpr std::array<std::string_view, 1> camera_others{"render_time"};
 
-/// The names of the numbers of a rotation, in their order.
-std::span<const std::string_view> numbers_of(spline::RotationForm form) {
-  static constexpr std::array<std::string_view, 4> quaternion{"qx", "qy", "qz", "qw"};
-  static constexpr std::array<std::string_view, 9> matrix{"r11", "r12", "r13", "r21", "r22",
-                                                          "r23", "r31", "r32", "r33"};
-  if (form == spline::RotationForm::matrix) return matrix;
-  return quaternion;
-}
-
 }  // namespace
 
 constexpr PoseFormat tum_poses{tum_columns, {}, spline::RotationForm::quaternion, TimeUnit::s};
@@ -38,8 +29,8 @@ constexpr PoseFormat nerfstudio_poses{camera_columns, camera_others, spline::Rot
                                       true,           true};
 
 std::vector<std::string_view> rotation_columns_of(const PoseFormat& format) {
-  const auto numbers = numbers_of(format.form);
-  return {numbers.begin(), numbers.end()};
+  if (format.form == spline::RotationForm::quaternion) return {"qx", "qy", "qz", "qw"};
+  return {"r11", "r12", "r13", "r21", "r22", "r23", "r31", "r32", "r33"};
 }
 
 GivenRotation rotation_of(const PoseFormat& format) {
