@@ -105,7 +105,7 @@ class Order : public HoldingStage {
     if (!held_.empty() || !is_in_order(block)) block = filtered(std::move(block));
     if (block.empty()) return block;
     before_ = location(block, block.size() - 1);
-    if (duplicates_ == Duplicates::last) held_ = block.split_last();
+    if (duplicates_ == Duplicates::last) held_ = block.cut(block.size() - 1);
     return block;
   }
 
@@ -232,14 +232,12 @@ class Spreader : public HoldingStage {
  private:
   KeyBlock pass(KeyBlock block) override {
     KeyBlock all = std::exchange(held_, {});
-    const std::size_t held = all.size();
-    auto curve_info = held > 0 ? std::move(all.curve_info) : std::move(block.curve_info);
-    std::vector<std::size_t> breaks = all.breaks.before;
-    for (const std::size_t key : block.breaks.before) breaks.push_back(held + key);
+    for (const std::size_t key : block.breaks.before) all.breaks.before.push_back(all.size() + key);
     all.append(block, 0, block.size());
+    all.take_block_data(block);
     std::size_t group = 0;  // the first key with the current time
     for (std::size_t key = 1; key < all.size(); ++key) {
-      if (std::ranges::binary_search(breaks, key)) {
+      if (all.has_break_before(key)) {
         divide(all, std::exchange(group, key), key);
         step_.reset();
       } else if (all.keys.times[key] != all.keys.times[group]) {
@@ -248,14 +246,8 @@ class Spreader : public HoldingStage {
         group = key;
       }
     }
-    const auto first_held = std::ranges::lower_bound(breaks, group);
-    held_ = all.range(group, all.size());
-    if (first_held != breaks.end()) held_.breaks.before = {0};
-    KeyBlock result = all.range(0, group);
-    result.breaks.before.assign(breaks.begin(), first_held);
-    result.faults = std::move(block.faults);
-    (group > 0 ? result : held_).curve_info = std::move(curve_info);
-    return result;
+    held_ = all.cut(group);
+    return all;
   }
 
   void end_curve() override {

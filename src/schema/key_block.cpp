@@ -20,11 +20,6 @@ void copy(Texts& to, const Texts& from, std::size_t keys, std::size_t first, std
   to.append(from, first * per_key, last * per_key);
 }
 
-template <class T>
-void drop_last(std::vector<T>& values) {
-  if (!values.empty()) values.pop_back();
-}
-
 }  // namespace
 
 bool KeyBlock::has_gap_at(std::size_t key) const { return std::ranges::binary_search(breaks.gaps, key); }
@@ -68,22 +63,16 @@ KeyBlock KeyBlock::selected(std::span<const std::size_t> indices) const {
   return result;
 }
 
-KeyBlock KeyBlock::split_last() {
-  const std::size_t last = size() - 1;
-  KeyBlock one = range(last, last + 1);
-  if (has_break_before(last)) {
-    one.breaks.before = {0};
-    breaks.before.pop_back();
-  }
-  if (last == 0) one.curve_info = std::move(curve_info);
-  marks.resize(marks_per_key() * last);
-  texts.cut(texts_per_key() * last);
-  decimals.cut(decimals.size() / size() * last);
-  spline::for_each_column([&](auto& column) { column.resize(column.size() / size() * last); }, keys);
-  drop_last(text_positions.lines);
-  drop_last(text_positions.columns);
-  drop_last(text_positions.numbers);
-  return one;
+KeyBlock KeyBlock::cut(std::size_t first) {
+  KeyBlock end = range(first, size());
+  const auto break_at = std::ranges::lower_bound(breaks.before, first);
+  if (break_at != breaks.before.end()) end.breaks.before = {0};
+  if (first == 0) end.curve_info = std::move(curve_info);
+  KeyBlock rest = range(0, first);
+  rest.take_block_data(*this);
+  rest.breaks.before.assign(breaks.before.begin(), break_at);
+  *this = std::move(rest);
+  return end;
 }
 
 void KeyBlock::take_block_data(KeyBlock& from) {

@@ -115,9 +115,9 @@ struct KeyBlock {
   /// Keys [first, last), or those with increasing indices; only the keys, as append() takes them.
   KeyBlock range(std::size_t first, std::size_t last) const;
   KeyBlock selected(std::span<const std::size_t> indices) const;
-  /// Removes the last key and returns it, with its break, and with curve_info if it was the only key.
-  /// Requires: !empty().
-  KeyBlock split_last();
+  /// Removes the keys from `first` on and returns them, with a break that is before it, and with curve_info if no key
+  /// is left. Requires: no break after `first`.
+  KeyBlock cut(std::size_t first);
   /// Moves the members of the block `from` into this one; this block's own curve_info has priority.
   void take_block_data(KeyBlock& from);
 

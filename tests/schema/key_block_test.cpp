@@ -50,7 +50,7 @@ TEST(KeyBlock, tension_of_channels_belongs_to_their_keys) {
   EXPECT_EQ(part.keys.tcb(1, 0).tension, 5);
   EXPECT_FALSE(part.has_shape_of(three_keys()));
   EXPECT_TRUE(part.has_shape_of(block) && part.has_shape_of({}) && KeyBlock().has_shape_of(part));
-  const KeyBlock last = block.split_last();
+  const KeyBlock last = block.cut(block.size() - 1);
   ASSERT_EQ(last.keys.tcbs.size(), 2U);
   EXPECT_EQ(last.keys.tcb(0, 1).tension, 6);
   EXPECT_EQ(block.keys.tcbs.size(), 4U);
@@ -62,7 +62,7 @@ TEST(KeyBlock, the_last_key_splits_off_with_all_that_belongs_to_it) {
   KeyBlock block = three_keys();
   block.breaks.before = {1, 2};
   block.curve_info = std::make_shared<const CurveInfo>();
-  const KeyBlock last = block.split_last();
+  const KeyBlock last = block.cut(block.size() - 1);
   ASSERT_EQ(last.size(), 1U);
   EXPECT_EQ(last.keys.positions, std::vector<double>{7});
   EXPECT_EQ(last.keys.tcbs[0].tension, 3);
@@ -91,7 +91,7 @@ TEST(KeyBlock, the_last_key_splits_off_with_all_that_belongs_to_it) {
 TEST(KeyBlock, an_only_key_splits_off_with_the_curve_that_it_begins) {
   KeyBlock block = *keys_of("0 5 a\n", 1)();
   block.curve_info = std::make_shared<const CurveInfo>();
-  EXPECT_NE(block.split_last().curve_info, nullptr);
+  EXPECT_NE(block.cut(block.size() - 1).curve_info, nullptr);
   EXPECT_TRUE(block.empty());
   EXPECT_EQ(block.curve_info, nullptr);
 }
