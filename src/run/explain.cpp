@@ -281,20 +281,20 @@ Facts lines_of(const CurveOutcome& outcome) {
   return lines;
 }
 
-std::string counted(std::uint64_t count, const char* what) {
+std::string number_of(std::uint64_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 /// One of several curves, in one line.
 std::string line_of(const CurveOutcome& outcome) {
-  std::string text = counted(outcome.keys, "key");
+  std::string text = number_of(outcome.keys, "key");
   if (outcome.first) text += ", " + range_text(outcome);
   if (const std::string gap = gap_text(outcome); !gap.empty()) text += ", largest gap " + gap;
   if (!outcome.overshoot.empty()) text += ", largest overshoot " + outcome.overshoot;
   if (outcome.facts.length) text += fmt::format(", length {}", *outcome.facts.length);
   if (outcome.facts.step) text += ", step " + time_text(*outcome.facts.step);
-  if (outcome.limited) text += ", " + counted(*outcome.limited, "limited tangent");
-  return outcome.rows ? text + ", " + counted(*outcome.rows, "row") : text;
+  if (outcome.limited) text += ", " + number_of(*outcome.limited, "limited tangent");
+  return outcome.rows ? text + ", " + number_of(*outcome.rows, "row") : text;
 }
 
 void append(Facts& to, const Facts& from) { to.insert(to.end(), from.begin(), from.end()); }
