@@ -24,7 +24,7 @@ constexpr auto unit_policies = std::to_array<Named<bool>>({{"error", false}, {"s
 constexpr auto retiming_names = std::to_array<Named<bool>>({{"slower", false}, {"fit", true}});
 constexpr auto side_names = std::to_array<Named<bool>>({{"right", false}, {"left", true}});
 
-/// For a flag that is asked for by has().
+/// For an option whose value is asked for by has() or value().
 void only_given(Typed&, Text) {}
 
 /// The option changes the rows, so it is part of their provenance.
@@ -459,7 +459,7 @@ constexpr OptionRow option_rows[] = {
      "", flag, recorded, only_given},
     {option::from_meta, "", "FILE", output_group,
      "Reproduces FILE, an output with provenance, with all the options recorded in it",
-     "", file, unrecorded, [](Typed& to, Text text) { to.from_meta = text; }},
+     "", file, unrecorded, only_given},
     {option::hex, "", "", output_group,
      "Prints numbers in hexadecimal as C does, such as 0x1.8p+1, which strtod reads back bit for bit",
      "", flag, recorded, [](Typed& to, Text) { to.output.notation = {Notation::Kind::hex}; }},

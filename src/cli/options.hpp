@@ -61,8 +61,6 @@ struct TypedOptions {
   ColorWhen color = ColorWhen::by_terminal;
   std::optional<std::size_t> form = {};  ///< the field with the cubics of pieces
 
-  std::string from_meta = {};  ///< an earlier output
-
   /// Whether an option is given.
   bool has(std::string_view option) const { return find(option) != nullptr; }
   /// The value of an option as messages and provenance show it; "" of a flag, and where it is not given.

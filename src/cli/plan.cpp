@@ -128,7 +128,7 @@ Provenance new_provenance(const TypedOptions& typed) {
 /// The provenance of the output to reproduce. Throws: Error (usage) if options are given that it has,
 /// or another number of files than it was made from; Error where it cannot be read.
 ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
-  const std::string& from = typed.from_meta;
+  const std::string from = typed.value(option::from_meta);
   for (const OptionRow& row : option_table()) {
     if (!row.changes_rows || !typed.has(row.name)) continue;
     throw usage_error("{} is given with {}, which takes all options from {}; remove {}", row.name, option::from_meta,
@@ -453,7 +453,7 @@ Job parse(std::vector<std::string> words, ColorWhen* color) {
   TypedOptions typed = read_options(words, color);
   if (typed.wants_text()) return PrintText{asked_text(typed, words)};
   std::optional<ProvenanceRequest> provenance;
-  if (!typed.from_meta.empty()) {
+  if (typed.has(option::from_meta)) {
     provenance = earlier_provenance(typed);
     words.insert(words.begin(), provenance->earlier.options.begin(), provenance->earlier.options.end());
     if (measures_all_channels(provenance->earlier.program, provenance->earlier.options))

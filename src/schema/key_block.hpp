@@ -20,7 +20,6 @@
 namespace tcb {
 
 using Keys = spline::Keys<double>;
-using Time = spline::Time<double>;
 
 /// The index of a number among the decimals of its key; from `position` on, channel by channel: first all positions,
 /// then all numbers of the next kind, where a column has them. An empty text means the shortest decimal of the double,
