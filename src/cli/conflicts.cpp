@@ -2,7 +2,6 @@
 #include "cli/options.hpp"
 
 #include <algorithm>
-#include <initializer_list>
 
 #include "error.hpp"
 #include "numbers/print_number.hpp"
