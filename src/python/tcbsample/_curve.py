@@ -5,7 +5,8 @@ from __future__ import annotations
 import copy
 import json
 import os
-from collections.abc import Mapping
+from bisect import bisect_right
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
@@ -20,7 +21,8 @@ if TYPE_CHECKING:
 
     Array = np.ndarray[Any, np.dtype[np.float64]]
 
-_BLOCK = 1 << 12  # places that are evaluated together, which fit into the cache of a processor
+_BLOCK = 1 << 13  # places that are evaluated together, which fit into the cache of a processor
+_RUN = 1 << 10  # so many places on a piece are faster together than with those of other pieces
 _LARGEST_WHOLE = 2**53  # up to here, every whole number is a double
 _SAMPLING = {"step", "rate", "fps", "count", "segments", "per_segment", "at", "arc_step", "arc_count", "arc_at",
              "tolerance", "emit", "fit_keys", "keep_times", "corner", "from_", "to", "end", "keys", "fields"}  # fmt: skip
@@ -53,30 +55,66 @@ class _Pieces:
         self._scales = halves(durations, -durations)
         both = zip(powers(*b.transpose(1, 0, 2)), powers(*b[:, ::-1].transpose(1, 0, 2)))
         self._powers = [halves(left, right).astype(np.float64) for left, right in both]
+        self._columns: dict[int, list[Array]] = {}  # by the order of the derivative: coefficients of the powers of u
+        self._numbers: dict[tuple[int, int], tuple[float, float, list[list[float]]]] = {}  # by the order and the half
+        self._break_list: list[float] = self._breaks.tolist()
+        self.first, self.last = float(starts[0]), float(ends[-1])
 
     def powers(self) -> list[Array]:
         """The coefficients of u^0, u^1, u^2, u^3 of each piece, (n, c) each, for u from 0 to 1."""
         return [power[::2] for power in self._powers]
 
-    def evaluate(self, times: Array, order: int) -> Array:
-        """A derivative of order 0 to 3 at each time, (times, channels). Requires: first start <= times <= last end."""
-        channels = self.bezier.shape[2]
-        result = np.empty((len(times), channels))
+    def _coefficients(self, order: int) -> list[Array]:
+        """Those of u^3 down to u^0 of a derivative by u, (c, 2 n) each, which is contiguous for a channel."""
+        if order not in self._columns:
+            factors = ((1, 1, 1, 1), (1, 2, 3), (2, 6), (6,))[order]
+            columns = [np.ascontiguousarray(p.T) * f for f, p in zip(factors, self._powers[order:])]
+            columns += [np.zeros_like(columns[0])] * order
+            self._columns[order] = columns[::-1]
+        return self._columns[order]
+
+    def at(self, time: float, order: int) -> Array:
+        """A derivative of order 0 to 3 at one time, (channels,). Requires: first <= time <= last."""
+        half = bisect_right(self._break_list, time) - 1
+        found = self._numbers.get((order, half))
+        if found is None:
+            channels = np.stack([column[:, half] for column in self._coefficients(order)], axis=1).tolist()
+            found = float(self._bases[half]), float(self._scales[half]), channels
+            self._numbers[order, half] = found
+        base, scale, channels = found
+        u = (time - base) / scale
+        values = [((a * u + b) * u + c) * u + d for a, b, c, d in channels]
+        for _ in range(order):
+            values = [value / scale for value in values]
+        return np.array(values)
+
+    def _parts(self, times: Array) -> Iterator[tuple[slice, Any]]:
+        """Parts of times, and the half, or the halves, on which they are."""
+        if len(times) >= _RUN * len(self._breaks) and (times[1:] >= times[:-1]).all():
+            begins = [0, *times.searchsorted(self._breaks[1:]).tolist(), len(times)]
+            for half, (begin, end) in enumerate(zip(begins, begins[1:])):
+                for first in range(begin, end, _BLOCK):
+                    yield slice(first, min(first + _BLOCK, end)), half
+            return
         for first in range(0, len(times), _BLOCK):
-            part = times[first : first + _BLOCK]
-            half = self._breaks.searchsorted(part, "right") - 1
-            scale = self._scales.take(half, mode="clip")
-            u = (part - self._bases.take(half, mode="clip")) / scale
-            u = u.repeat(channels).reshape(-1, channels)  # rows of a few numbers are slow to broadcast
-            value = self._powers[3].take(half, axis=0, out=result[first : first + _BLOCK], mode="clip")
-            if order > 0:
-                value *= (3, 6, 6)[order - 1]
-            for power in range(2, order - 1, -1):
-                value *= u
-                more = self._powers[power].take(half, axis=0, mode="clip")
-                value += more if order == 0 or power == order == 1 else more * 2
-            for _ in range(order):
-                value /= scale[:, None]
+            part = slice(first, first + _BLOCK)
+            yield part, self._breaks.searchsorted(times[part], "right") - 1
+
+    def evaluate(self, times: Array, order: int) -> Array:
+        """A derivative of order 0 to 3 at each time, (times, channels). Requires: first <= times <= last."""
+        result = np.empty((len(times), self.bezier.shape[2]))
+        first, *others = self._coefficients(order)[order:]
+        for part, half in self._parts(times):
+            scale = self._scales.take(half)
+            u = (times[part] - self._bases.take(half)) / scale
+            for channel in range(result.shape[1]):
+                value = first[channel].take(half)
+                for column in others:
+                    value = value * u
+                    value += column[channel].take(half)
+                for _ in range(order):
+                    value = value / scale
+                result[part, channel] = value
         return result
 
 
@@ -206,7 +244,7 @@ class Curve:
             return np.where(np.isnat(array.ravel()), np.nan, seconds), array.shape
         if self._origin is not None:  # seconds since 1970, as the program counts dates
             return array.ravel().astype(np.float64) - self._origin / 1e9, array.shape
-        return array.ravel().astype(np.float64), array.shape
+        return array.ravel().astype(np.float64, copy=False), array.shape
 
     def _words(self, flat: Any, given: Any) -> list[str]:
         """The texts of times for the program."""
@@ -248,19 +286,23 @@ class Curve:
         >>> float(curve(0.3, 1)[0])
         2.0
         """
+        pieces = self._pieces
+        if isinstance(t, (float, int)) and type(nu) is int and 0 <= nu <= 3 and not golden and self._origin is None:
+            if pieces is not None and pieces.first <= t <= pieces.last:  # a number, without the cost of arrays
+                return pieces.at(float(t), nu)
         if nu != int(nu) or nu < 0:
             raise ValueError(f"nu: {nu!r}; expected the order of a derivative: 0, 1, 2, ...")
         flat, shape = self._flat(t)
+        if pieces is not None and not golden and nu <= 3 and flat.size > 0:
+            if pieces.first <= flat.min() and flat.max() <= pieces.last:
+                return pieces.evaluate(flat, nu).reshape((*shape, len(self.names)))
         result: Array = np.full((flat.size, len(self.names)), np.nan)
         is_number = ~np.isnan(flat)
-        inside = is_number & (self._pieces is not None and not golden)
-        if self._pieces is not None:
-            inside &= (flat >= self._pieces.starts[0]) & (flat <= self._pieces.ends[-1])
-            if inside.all():
-                result = self._pieces.evaluate(flat, nu) if nu <= 3 else np.zeros_like(result)
-                return result.reshape((*shape, len(self.names)))
+        inside = is_number & (pieces is not None and not golden)
+        if pieces is not None:
+            inside &= (flat >= pieces.first) & (flat <= pieces.last)
             if inside.any():
-                result[inside] = self._pieces.evaluate(flat[inside], nu) if nu <= 3 else 0.0
+                result[inside] = pieces.evaluate(flat[inside], nu) if nu <= 3 else 0.0
         others = is_number & ~inside
         if others.any():
             if nu > 3:
