@@ -410,6 +410,22 @@ class Curves(unittest.TestCase):
         keys.update({name: rng.uniform(-1, 1, count) for name in ("tension", "continuity", "bias")})
         return keys, names
 
+    def test_numbers_and_arrays_in_any_order_agree(self):
+        curve = tcbsample.Curve({"t": [0, 1, 3, 4.5], "x": [0, 2, -1, 0.1], "y": [1e9, 1, 2, 1e-9]})
+        in_order = np.linspace(0, 4.5, 10_001)
+        mixed = np.random.default_rng(1).permutation(len(in_order))
+        for order in range(5):
+            rows = curve(in_order, order)
+            np.testing.assert_array_equal(curve(in_order[mixed], order), rows[mixed])
+            for i in [0, 1, 2222, 4444, 9999, 10_000]:
+                for time in (float(in_order[i]), in_order[i], np.array(in_order[i])):
+                    np.testing.assert_array_equal(curve(time, order), rows[i])
+            np.testing.assert_array_equal(curve(3, order), curve([3], order)[0])
+        self.assertEqual(curve(True).tolist(), [2, 1])
+        self.assertTrue(np.isnan(curve(float("nan"))).all())
+        for time in (-1e-9, 5, 10**400):
+            self.assertRaises((tcbsample.Error, OverflowError), curve, time)
+
     def test_positions_are_those_of_the_program(self):
         rng = np.random.default_rng(6)
         presets = [name for name in tcbsample.presets() if name != "nerfstudio"]
