@@ -67,8 +67,8 @@ class _Pieces:
     def _coefficients(self, order: int) -> list[Array]:
         """Those of u^3 down to u^0 of a derivative by u, (c, 2 n) each, which is contiguous for a channel."""
         if order not in self._columns:
-            factors = ((1, 1, 1, 1), (1, 2, 3), (2, 6), (6,))[order]
-            columns = [np.ascontiguousarray(p.T) * f for f, p in zip(factors, self._powers[order:])]
+            factors = ((1.0, 1.0, 1.0, 1.0), (1.0, 2.0, 3.0), (2.0, 6.0), (6.0,))[order]
+            columns: list[Array] = [np.ascontiguousarray(p.T) * f for f, p in zip(factors, self._powers[order:])]
             columns += [np.zeros_like(columns[0])] * order
             self._columns[order] = columns[::-1]
         return self._columns[order]
