@@ -286,9 +286,8 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
     if (text.find(delimiter) == std::string_view::npos) continue;
     const auto cells_in = [&](std::string_view line) {
       std::vector<std::string_view> cells;
-      for (std::string_view cell : split(line, delimiter)) {
-        while (!cell.empty() && (cell.back() == '\r' || Dialect::is_blank(cell.back()))) cell.remove_suffix(1);
-        while (!cell.empty() && Dialect::is_blank(cell.front())) cell.remove_prefix(1);
+      for (const std::string_view each : split(line, delimiter)) {
+        const std::string_view cell = trimmed(each);
         if (delimiter != ' ' || !cell.empty()) cells.push_back(cell);
       }
       return cells;

@@ -21,41 +21,6 @@ namespace {
       .at({"", line, 1});
 }
 
-/// Skips lines before the first record: blank ones, comments, and those between curves.
-class Preamble {
- public:
-  explicit Preamble(std::string comment) : any_{' ', std::move(comment)} {}
-
-  /// Drops whole lines from the beginning, except a comment that may be directly above the first record.
-  void skip(Beginning& beginning) {
-    for (std::size_t end = 0; (end = beginning.text.find('\n', at_)) != std::string::npos; at_ = end + 1) {
-      const std::string_view line = content(beginning.text, end);
-      const bool comment = any_.is_comment(line);
-      if (!comment && !line.empty() && !any_.is_divider(line)) break;
-      if (comment || line.empty()) kept_ = comment ? at_ : end + 1;
-    }
-    const auto dropped = beginning.text.begin() + static_cast<std::ptrdiff_t>(kept_);
-    beginning.line += static_cast<std::uint64_t>(std::count(beginning.text.begin(), dropped, '\n'));
-    beginning.text.erase(beginning.text.begin(), dropped);
-    at_ -= std::exchange(kept_, 0);
-  }
-
-  /// The start of the first record, once it was read.
-  std::size_t record() const { return at_; }
-
- private:
-  /// The current line without leading and trailing blanks.
-  std::string_view content(std::string_view text, std::size_t end) const {
-    std::string_view line = text.substr(at_, end - at_);
-    while (!line.empty() && Dialect::is_blank(line.front())) line.remove_prefix(1);
-    while (!line.empty() && (Dialect::is_blank(line.back()) || line.back() == '\r')) line.remove_suffix(1);
-    return line;
-  }
-
-  Dialect any_;
-  std::size_t at_ = 0, kept_ = 0;
-};
-
 /// Cuts text into whole records.
 class RecordSplitter {
  public:
@@ -161,18 +126,27 @@ std::optional<char> delimiter_of(std::string_view record, char decimal) {
 }
 
 Beginning find_delimiter(const Source<std::string>& bytes, const DelimitedOptions& options) {
+  const Dialect any{' ', options.comment};
   Beginning beginning;
-  Preamble preamble(options.comment);
-  for (;;) {
-    const std::size_t before = beginning.text.size();
-    const bool more = append_next(beginning.text, bytes);
-    if (beginning.text.size() > longest_record) refuse_long_record(beginning.line);
-    if (more && beginning.text.find('\n', before) == std::string::npos) continue;
-    preamble.skip(beginning);
-    if (!more) beginning.text += '\n';  // the last record may lack its line end
-    const std::string_view record = std::string_view(beginning.text).substr(preamble.record());
-    const std::optional<char> delimiter = delimiter_of(record, options.marks.decimal);
-    if (!more) beginning.text.pop_back();
+  std::string& text = beginning.text;
+  for (std::size_t record = 0;;) {
+    const std::size_t before = text.size();
+    const bool more = append_next(text, bytes);
+    if (text.size() > longest_record) refuse_long_record(beginning.line);
+    if (more && text.find('\n', before) == std::string::npos) continue;
+    std::size_t kept = 0;  // from here on: without the lines before the record, but for a comment directly above it
+    for (std::size_t end = 0; (end = text.find('\n', record)) != std::string::npos; record = end + 1) {
+      const std::string_view line = trimmed(std::string_view(text).substr(record, end - record));
+      const bool is_comment = any.is_comment(line);
+      if (!is_comment && !line.empty() && !any.is_divider(line)) break;
+      if (is_comment || line.empty()) kept = is_comment ? record : end + 1;
+    }
+    beginning.line += count_lines(std::string_view(text).substr(0, kept));
+    text.erase(0, kept);
+    record -= kept;
+    if (!more) text += '\n';  // the last record may lack its line end
+    const std::optional<char> delimiter = delimiter_of(std::string_view(text).substr(record), options.marks.decimal);
+    if (!more) text.pop_back();
     beginning.delimiter = delimiter.value_or(',');
     if (delimiter || !more) return beginning;
   }

@@ -75,6 +75,13 @@ class Tokenizer {
   bool broken_ = false, follows_blank_ = false;
 };
 
+/// A text without the blanks around it, and without CR at its end.
+inline std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.back() == '\r' || Dialect::is_blank(text.back()))) text.remove_suffix(1);
+  while (!text.empty() && Dialect::is_blank(text.front())) text.remove_prefix(1);
+  return text;
+}
+
 /// What is between the quotes of a cell, or the cell: a text in which a quote may be doubled.
 inline std::string_view bare(std::string_view cell) {
   return cell.size() >= 2 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
