@@ -112,20 +112,21 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   const InputOptions options = options_of(format, bytes, given);
   Records records = format.input->open(format, std::move(bytes), options);
   const Columns& columns = records.columns;
-  Input input{schema_of(columns, records.time_notation, records.dates), std::move(records.facts),
+  Input input{schema_of(columns, records.units.notation, records.units.dates), std::move(records.facts),
               std::move(records.keys)};
   RotationOptions rotation = options.rotation;
   if (records.rotation && rotation.requests.empty() && !rotation.none) rotation.requests.push_back(*records.rotation);
   if (!options.columns.samples) input.schema = with_rotations(std::move(input.schema), columns, rotation);
   input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
   if (!input.schema.time.unit) input.schema.time.unit = records.time_unit;
-  if (!input.schema.time.unit) input.schema.time.epoch_unit = records.epoch_unit;
+  if (!input.schema.time.unit) input.schema.time.epoch_unit = records.units.epoch_unit;
   input.schema.marks = records.marks;
   input.schema.camera_path = std::move(records.camera_path);
   input.facts.format = &format;
   if (!encoding.empty()) input.facts.encoding = encoding;
   if (!input.facts.is_recording) input.facts.roles = columns.shape_roles();
   input.facts.ignored = columns.ignored;
+  input.facts.doubts = columns.doubts;
   KeyTraits& traits = input.keys.traits;
   traits.are_segments = columns.are_segments;
   traits.may_miss = options.keys.missing == Missing::skip_cell;

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
 #include "schema/curve_channels.hpp"
 #include "schema/format.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
+#include "schema/units.hpp"
 
 namespace tcb {
 
@@ -41,9 +41,7 @@ struct InputFacts {
 /// The records of an input as the reader of its format finds them.
 struct Records {
   Columns columns;
-  TimeNotation time_notation = TimeNotation::seconds;
-  DateFormat dates = {};                       ///< of times that are dates
-  std::optional<TimeUnit> epoch_unit = {};     ///< of times that seem to count from 1970
+  KeyUnits units = {};
   std::optional<TimeUnit> time_unit = {};      ///< of times, by a row of units
   std::optional<TextMarks> marks = {};         ///< of delimited text
   std::optional<GivenRotation> rotation = {};  ///< that columns are by the format

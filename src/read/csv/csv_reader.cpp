@@ -219,7 +219,7 @@ class RecordReader {
 
   void read_text(std::string_view cell, const Columns::Column& column) {
     std::string text = text_of(cell);
-    if (!head_.encoding.empty()) text = in_utf8(text, Encoding::windows_1252).value_or(text);
+    if (!head_.facts.encoding.empty()) text = in_utf8(text, Encoding::windows_1252).value_or(text);
     const std::size_t invalid = find_invalid_utf8(text);
     if (invalid != std::string::npos)
       add_fault(cell, data_error("{} has the byte {:02X}, which is not UTF-8; expected UTF-8; convert the text, for "
@@ -424,13 +424,10 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   const bool crlf = has_crlf(rest.front().text);
   for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
   const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
-  Records records{head->columns, head->units.notation, head->units.dates, head->units.epoch_unit};
+  Records records{head->columns, head->units};
   records.marks = {dialect.delimiter, options.delimited.marks.decimal, crlf};
-  records.facts.encoding = head->encoding;
-  records.facts.doubts = head->columns.doubts;
-  records.facts.time_gap = head->time_gap;
   records.time_unit = head->time_unit;
-  records.facts.names_quaternion = head->names_quaternion;
+  records.facts = head->facts;
   records.facts.comment = dialect.comment;
   records.keys.blocks = ordered_map(std::move(chunks), parse, options.threads);
   records.keys.traits.may_break =

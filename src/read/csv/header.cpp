@@ -525,7 +525,7 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, cons
     std::ranges::copy(doubts_of_columns(found), std::back_inserter(notes));
   }
   head.columns.doubts = std::move(notes);
-  head.time_gap = time_gap_of(rows, head.columns, head.marks);
+  head.facts.time_gap = time_gap_of(rows, head.columns, head.marks);
 }
 
 }  // namespace
@@ -573,8 +573,8 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     }
   }
   require_names_for_cells(names, row, head);
-  head.encoding = convert_names(names, position);
-  head.names_quaternion = !columns.samples && name_quaternion(names);
+  head.facts.encoding = convert_names(names, position);
+  head.facts.names_quaternion = !columns.samples && name_quaternion(names);
   rest.assign(std::move_iterator(first.chunks.begin() + static_cast<std::ptrdiff_t>(row.chunk)),
               std::move_iterator(first.chunks.end()));
   rest[0].text.erase(0, row.offset);

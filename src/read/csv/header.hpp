@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "read/csv/tokenizer.hpp"
+#include "read/input.hpp"
 #include "read/input_options.hpp"
 #include "read/text_bytes.hpp"
 #include "schema/columns.hpp"
@@ -23,9 +24,7 @@ struct DelimitedHead {
   KeyRules rules;
   KeyUnits units;
   NumberMarks marks = {};
-  bool names_quaternion = false;           ///< x, y, z and w after x, y and z are named as a quaternion
-  std::string encoding = {};               ///< of names and texts, where it is not UTF-8
-  std::optional<double> time_gap = {};     ///< as in InputFacts
+  InputFacts facts = {};                   ///< about names, texts and times
   bool strips_units = false;               ///< units after numbers are removed
   std::optional<TimeUnit> time_unit = {};  ///< from a row of units
   std::vector<bool> begin_empty = {};      ///< for each column, whether its first two cells are empty

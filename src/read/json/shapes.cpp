@@ -212,11 +212,10 @@ Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first, std::uint64_t
 }
 
 Records records_of(const JsonColumns& meaning, JsonShape shape) {
-  Records records{meaning.columns, meaning.units.notation, meaning.units.dates, meaning.units.epoch_unit};
+  Records records{meaning.columns, meaning.units};
   records.columns.cells.resize(meaning.found);
   records.columns.named = true;
   records.facts.shape = shape;
-  records.facts.doubts = meaning.columns.doubts;
   records.keys.traits.may_break = true;  // also at null in place of a key
   return records;
 }
