@@ -29,22 +29,20 @@ struct Descriptor {
   }
 };
 
-Error input_is_folder() {
-  return usage_error("this is a folder; expected a file; give {} and {} to process the files in it", option::recursive,
-                     option::output_dir);
-}
-
-Error reading_failed() {
-  return system::failed_as_folder() ? input_is_folder() : usage_error("cannot be read: {}", system::error_text());
+/// Why a file cannot be opened or read.
+Error failed_to_be(std::string_view used, const std::string& path) {
+  const Error error = system::failed_as_folder()
+                          ? usage_error("this is a folder; expected a file; give {} and {} to process the files in it",
+                                        option::recursive, option::output_dir)
+                          : usage_error("cannot be {}: {}", used, system::error_text());
+  return error.in(shown_name(path));
 }
 
 int open_for_reading(const std::string& path) {
   if (path == "-") return system::standard_input;
   const int descriptor = system::open_to_read(path);
-  if (descriptor >= 0) return descriptor;
-  const Error error =
-      system::failed_as_folder() ? input_is_folder() : usage_error("cannot be opened: {}", system::error_text());
-  throw error.in(shown_name(path));
+  if (descriptor < 0) throw failed_to_be("opened", path);
+  return descriptor;
 }
 
 /// A number that other bytes hardly ever have, in a fraction of the time that they take to be read as numbers.
@@ -141,7 +139,7 @@ Source<std::string> read_file(const std::string& path) {
   return [file, path, parts, room]() -> std::optional<std::string> {
     std::string bytes(room, '\0');
     const std::ptrdiff_t count = system::read(file->number, bytes.data(), bytes.size());
-    if (count < 0) throw reading_failed().in(shown_name(path));
+    if (count < 0) throw failed_to_be("read", path);
     if (count == 0) {
       if (!parts->are_whole())
         throw usage_error(

@@ -413,11 +413,19 @@ class FirstKey {
 
   /// Adds the numbers, times and texts in an object or an array, whose names are their paths.
   void add_inside(std::vector<FoundMember>& members, const FoundMember& outer) const {
-    const auto add = [&](const std::string& name, std::string step, std::size_t value, std::size_t place) {
-      FoundMember inner{.name = outer.name + name, .route = outer.route, .node = value, .place = place};
-      inner.path = outer.path + name;
-      inner.route.push_back(std::move(step));
-      if (tape_[value].is_nested()) return add_inside(members, inner);
+    std::size_t index = 0;
+    for (const std::size_t place : tape_.inside(outer.node)) {
+      const bool is_name = tape_.kind(place) == Kind::name;
+      const std::string step = is_name ? std::string(tape_.text(place)) : fmt::format("[{}]", index++);
+      const std::string end = is_name ? "." + step : step;
+      const std::size_t value = tape_.value_of(place);
+      FoundMember inner{
+          .name = outer.name + end, .route = outer.route, .path = outer.path + end, .node = value, .place = place};
+      inner.route.push_back(step);
+      if (tape_[value].is_nested()) {
+        add_inside(members, inner);
+        continue;
+      }
       const bool is_string = tape_.kind(value) == Kind::string;
       inner.value = is_string ? tape_.text(value) : tape_.written(value);
       inner.empty = false;
@@ -425,12 +433,6 @@ class FirstKey {
                    (is_string && !parse_number(inner.value) && !(find_notation(inner.value) && has_time_name(inner)));
       inner.numbers = inner.text ? 0 : 1;
       members.push_back(std::move(inner));
-    };
-    std::size_t index = 0;
-    for (const std::size_t inner : tape_.inside(outer.node)) {
-      const bool is_name = tape_.kind(inner) == Kind::name;
-      const std::string step = is_name ? std::string(tape_.text(inner)) : fmt::format("[{}]", index++);
-      add(is_name ? "." + step : step, step, tape_.value_of(inner), inner);
     }
   }
 
