@@ -1,17 +1,52 @@
-// Reader of delimited text: from bytes to keys.
+// Reader of delimited text: names and roles of the columns from the first records, and from bytes to keys.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
-#include "read/csv/header.hpp"
+#include "read/csv/tokenizer.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
 #include "read/text_bytes.hpp"
+#include "schema/columns.hpp"
 #include "schema/key_block.hpp"
+#include "schema/key_rules.hpp"
+#include "schema/units.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
+
+/// What the header and the first records determine.
+struct DelimitedHead {
+  Dialect dialect;
+  Columns columns;
+  KeyRules rules;
+  KeyUnits units;
+  NumberMarks marks = {};
+  InputFacts facts = {};                   ///< about names, texts and times
+  bool strips_units = false;               ///< units after numbers are removed
+  std::optional<TimeUnit> time_unit = {};  ///< from a row of units
+  std::vector<bool> begin_empty = {};      ///< for each column, whether its first two cells are empty
+  bool is_of_format = false;               ///< the format has the columns, not the text
+};
+
+/// The first cell with a role; beyond all of them where there is none.
+inline std::size_t cell_of(const Columns& columns, Role role) {
+  const auto found = std::ranges::find(columns.cells, role, &Columns::Column::role);
+  return static_cast<std::size_t>(found - columns.cells.begin());
+}
+
+/// A line of a format with fixed columns has another number of cells.
+Error line_unlike_format(std::size_t cells, std::size_t expected);
+
+/// Dialect and columns, from the header if there is one and the first two records after it; `rest` gets the text that
+/// was read, from the first record of numbers on. Throws: Error (data).
+DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, const InputOptions& options,
+                        std::vector<Chunk>& rest);
 
 /// Up to this line, a number in a column of text is a fault; after it, it is taken as text.
 inline constexpr std::uint64_t last_line_of_roles = 1000;

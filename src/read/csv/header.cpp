@@ -1,5 +1,5 @@
 // Header of delimited text: names and roles of the columns, from the first three records.
-#include "read/csv/header.hpp"
+#include "read/csv/csv_reader.hpp"
 
 #include <fmt/format.h>
 

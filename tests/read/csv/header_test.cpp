@@ -1,9 +1,8 @@
 // Header of delimited text: names and roles of the columns.
-#include "read/csv/header.hpp"
+#include "read/csv/csv_reader.hpp"
 
 #include <gmock/gmock.h>
 
-#include "read/csv/csv_reader.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/reading.hpp"
 
