@@ -10,14 +10,6 @@
 namespace tcb {
 namespace {
 
-TEST(Csv, the_delimiter_is_found_or_given) {
-  for (const char* text : {"t,x y\n0,1\n", "t\tx y\n0\t1\n", "t;x y\n0;1\n"}) EXPECT_EQ(read(text), "t x y\n2: 0 1\n");
-  EXPECT_EQ(read("t  x\n 0\t1 \n"), "t x\n2: 0 1\n");
-  InputOptions pipe;
-  pipe.delimited.delimiter = '|';
-  EXPECT_EQ(read("t|a,b\n0|1\n", pipe), "t a,b\n2: 0 1\n");
-}
-
 TEST(Csv, numbers_may_be_quoted) { EXPECT_EQ(read("t,x\n\"0\",\"1.5\"\n"), "t x\n2: 0 1.5\n"); }
 
 TEST(Csv, keys_without_tcb_have_the_given_one) {
@@ -80,33 +72,12 @@ TEST(Csv, rows_of_another_length_are_errors) {
             "delimiter with --delimiter");
 }
 
-TEST(Csv, one_cell_is_not_called_cells) {
-  EXPECT_EQ(read("t,x\n0\n"),
-            "f:2:1: error: the number of cells in the first row is 1, but 2 in the header; expected the same number; "
-            "correct one of them, "
-            "or give the "
-            "delimiter with --delimiter");
-}
-
 // The result does not depend on how the bytes arrive.
 void expect_same_in_pieces(const std::string& text) {
   const std::string whole = read(text);
   for (std::size_t piece = 1; piece < text.size(); ++piece) {
     ASSERT_EQ(read(text, {}, piece), whole) << text << " in pieces of " << piece;
   }
-}
-
-TEST(Csv, missing_numbers_are_treated_as_requested) {
-  InputOptions options;
-  const std::string text = "t,x,y,tension\n0,1,2,0.5\n1,,NA,\n2,3,null,1\n";
-  options.keys.missing = Missing::skip_row;
-  EXPECT_EQ(read(text, options), "t x y\n2: 0 1 2 [0.5 0 0]\n");
-  options.keys.missing = Missing::skip_cell;
-  options.keys.tcb = {0.25, 0, 0};
-  EXPECT_EQ(read(text, options), "t x y\n2: 0 1 2 [0.5 0 0]\n3: 1 nan nan [0.25 0 0]\n4: 2 3 nan [1 0 0]\n");
-  EXPECT_EQ(read("t,x\n0,1\n,2\n", options),
-            "f:3:1: error: t: found an empty cell; expected a time; fill it in, or give --missing skip-row or break")
-      << "a time cannot be skipped alone";
 }
 
 TEST(Csv, keys_have_the_texts_of_groups_and_labels) {
@@ -135,11 +106,6 @@ TEST(Csv, pieces_of_any_size_give_the_same_keys_or_the_same_error) {
         "t,l,x\n0,\"a\nü\" z,1\n", "t,x\n0,1\n1\n2,3\n", "t,x\n", "", "\n\n", "t,x\n0,1"}) {
     expect_same_in_pieces(text);
   }
-}
-
-TEST(Csv, the_delimiter_does_not_depend_on_where_a_comment_was_cut) {
-  expect_same_in_pieces("# by hand\n0;1\n1;2\n");
-  expect_same_in_pieces("\n\nt x\n0 1\n1 2\n");
 }
 
 /// Text with what delimited text may have, and the keys that it means.

@@ -17,19 +17,6 @@ TEST(Json, a_key_has_an_array_of_positions_or_is_flat) {
   EXPECT_EQ(read(R"([{"px":1,"Frame":0,"py":2}])"), "Frame px py\n1: 0 1 2\n");
 }
 
-TEST(Json, an_array_an_object_with_keys_and_json_lines_give_the_same_keys) {
-  const std::string one = R"({"t":0,"x":1,"tension":0.5})", two = R"({"t":1,"x":2,"tension":0})";
-  const std::string keys = "t x\n1: 0 1 [0.5 0 0]\n2: 1 2\n";
-  for (const std::string& text : {"[" + one + ",\n" + two + "]", "{\"keys\":[" + one + ",\n" + two + "]}",
-                                  one + "\n" + two, one + "\r\n" + two + "\r\n"}) {
-    EXPECT_EQ(read(text), keys) << text;
-  }
-}
-
-TEST(Json, a_list_may_be_laid_out_freely) {
-  EXPECT_EQ(read(" \n[\n  {\n    \"t\": 0,\n    \"x\": 1\n  },\n  {\"x\": 2, \"t\": 1}\n]\n"), "t x\n3: 0 1\n7: 1 2\n");
-}
-
 TEST(Json, a_channel_that_is_not_a_name_is_an_error) {
   EXPECT_THAT(read(R"({"channels":["a",5],"keys":[{"t":0,"position":[1,2]}]})"), HasSubstr("error"));
 }
@@ -47,11 +34,6 @@ TEST(Json, faults_after_the_keys_have_their_position) {
   EXPECT_THAT(read("{\"keys\":[\n{\"t\":0,\"x\":1}\n], }"), testing::StartsWith("f:3:4: error: not JSON"));
   EXPECT_THAT(read("{\"keys\":[{\"t\":0,\"x\":1}], }"), testing::StartsWith("f:1:26: error: not JSON"));
   EXPECT_THAT(read("{\"keys\":[{\"t\":0,\"x\":1}]}\nx"), testing::StartsWith("f:2:1: error: not JSON"));
-}
-
-TEST(Json, a_list_that_is_cut_off_is_an_error_at_its_end) {
-  EXPECT_THAT(read("[{\"t\":0,\"x\":1},\n{\"t\":1,"), testing::StartsWith("f:2:8: error: not JSON"));
-  EXPECT_THAT(read("{\"keys\":[{\"t\":0,\"x\":1},\n{\"t\":1,"), testing::StartsWith("f:2:8: error: not JSON"));
 }
 
 TEST(Json, settings_before_the_keys_do_not_change_their_positions) {
@@ -85,20 +67,6 @@ TEST(Json, text_that_is_not_json_is_an_error_in_pieces_of_any_size) {
       EXPECT_THAT(read(text, {}, piece), HasSubstr(" error: ")) << text << " in pieces of " << piece;
     }
   }
-}
-
-TEST(Json, two_keys_on_a_line_are_the_same_in_pieces_of_any_size) {
-  for (const std::string text :
-       {R"({"t":0,"x":1}{"t":1,"x":2})", R"({"t":0,"x":1} {"t":1,"x":2})", R"({"t":0,"x":1}[{"t":1,"x":2}])"}) {
-    const std::string whole = read(text);
-    for (std::size_t piece = 1; piece < text.size(); ++piece) {
-      ASSERT_EQ(read(text, {}, piece), whole) << text << " in pieces of " << piece;
-    }
-  }
-}
-
-TEST(Json, objects_may_follow_each_other_anyhow) {
-  EXPECT_EQ(read("{\"t\":0,\n\"x\":1}{\"t\":1,\"x\":2} {\n\"t\":2,\"x\":3}"), "t x\n1: 0 1\n2: 1 2\n2: 2 3\n");
 }
 
 TEST(Json, the_only_list_in_a_text_is_read_with_its_positions) {
@@ -200,18 +168,6 @@ TEST(Json, a_text_that_looks_like_a_message_is_shown_as_text) {
               testing::StartsWith("f:1:16: error: not JSON: the last character of \"'; expected \\xFF\" is not"));
   EXPECT_THAT(read("[{\"a\":\"'; expected \xFF\"}]"),
               testing::StartsWith("f:1:20: error: not JSON: the last character of \"'; expected \\xFF\" is not"));
-}
-
-TEST(Json, nothing_where_a_key_was_expected) {
-  for (const std::size_t piece : {std::size_t{1}, std::string::npos}) {
-    const auto refusal = [](int column) {
-      return "f:1:" + std::to_string(column) +
-             ": error: no key before or after a comma; expected an object; remove the comma";
-    };
-    EXPECT_EQ(read(R"([,{"t":0,"x":1}])", {}, piece), refusal(2));
-    EXPECT_EQ(read(R"([{"t":0,"x":1},,{"t":1,"x":1}])", {}, piece), refusal(16));
-    EXPECT_EQ(read(R"([{"t":0,"x":1},])", {}, piece), refusal(16));
-  }
 }
 
 TEST(Json, random_texts_give_their_keys_in_pieces_of_any_size) {
