@@ -21,13 +21,6 @@ bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') |
 
 bool is_plain(char c) { return c >= ' ' && static_cast<unsigned char>(c) < 0x80 && c != '"' && c != '\\'; }
 
-/// What a parser has read last: a character, or in the place of one a run of digits.
-struct LastRead {
-  const char *first = nullptr, *last = nullptr;
-  const char* before = nullptr;  ///< the last of what it read before
-  std::size_t count = 0;         ///< of all that it has read
-};
-
 /// The characters of a text as nlohmann-json gets them, which takes a long time for each. It would convert each number,
 /// but numbers are converted where they are used, and a zero in the place of digits has their syntax. A string of
 /// printable ASCII without escapes is an empty one, as its text is as it is written. Blanks after a comma or a colon
@@ -40,13 +33,12 @@ class Characters {
   using pointer = const char*;
   using reference = char;
 
-  Characters(const char* at, LastRead& read) : at_(at), read_(&read) {}
+  /// `read`: the place of the character that was read last.
+  Characters(const char* at, const char*& read) : at_(at), read_(&read) {}
 
   char operator*() const { return begins_digits() || is_nan() ? '0' : *at_; }
   Characters& operator++() {
-    read_->before = read_->last;
-    read_->first = read_->last = at_;
-    ++read_->count;
+    *read_ = at_;
     if (in_string_) {
       in_string_ = *at_ != '"' || is_escaped_;
       is_escaped_ = *at_ == '\\' && !is_escaped_;
@@ -59,7 +51,6 @@ class Characters {
       while (is_json_blank(at_[1])) ++at_;
     } else if (begins_digits()) {
       while (is_digit(at_[1])) ++at_;
-      read_->last = at_;
     } else if (is_nan()) {
       at_ += 2;
     }
@@ -68,16 +59,18 @@ class Characters {
   }
   bool operator==(const Characters& other) const { return at_ == other.at_; }
 
- private:
+  const char* place() const { return at_; }
   /// A zero is given by itself, as another digit may not follow one that begins a number.
   bool begins_digits() const { return *at_ >= '1' && *at_ <= '9' && !in_string_; }
+
+ private:
   bool is_nan() const {
     return *at_ == 'N' && !in_string_ && std::strncmp(at_, "NaN", 3) == 0 && !is_word(at_[3]) &&
            (before_ == ',' || before_ == ':' || before_ == '[' || is_json_blank(before_));
   }
 
   const char* at_;
-  LastRead* read_;
+  const char** read_;
   char before_ = ' ';
   bool in_string_ = false, is_escaped_ = false;
 };
@@ -129,7 +122,7 @@ class JsonTape::Events {
   bool end_array() { return close(); }
   bool parse_error(std::size_t count, const std::string&, const Json::exception&) { refuse_syntax(count); }
 
-  LastRead& read() { return read_; }
+  const char*& read() { return read_; }
   const char* now() const { return now_; }
 
  private:
@@ -144,7 +137,7 @@ class JsonTape::Events {
     return now_;
   }
 
-  bool add(Kind kind) { return add(kind, read_.first + 1); }
+  bool add(Kind kind) { return add(kind, read_ + 1); }
   bool add(Kind kind, const char* end) {
     const std::uint32_t first = place(begin());
     now_ = end;
@@ -155,11 +148,12 @@ class JsonTape::Events {
   }
 
   bool add_number(bool may_have_exponent) {
-    if (*begin() == 'N') return add(Kind::null, read_.first);
-    add(Kind::number, read_.first);
+    if (*begin() == 'N') return add(Kind::null, read_);
+    add(Kind::number, read_);
     constexpr std::size_t longest = 308;  // of a number that is no double only by its exponent
     const std::string_view number = tape_.written(tape_.size() - 1);
-    const bool has_exponent = may_have_exponent && number.find_first_of("eE") != std::string_view::npos;
+    const bool has_exponent =
+        may_have_exponent && (number.find('e') < number.size() || number.find('E') < number.size());
     if ((has_exponent || number.size() > longest) && !parse_number(number)) {
       throw data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
                        in_quotes(number))
@@ -192,7 +186,7 @@ class JsonTape::Events {
   bool close() {
     JsonNode& node = tape_.nodes_[open_.back()];
     open_.pop_back();
-    now_ = read_.first + 1;
+    now_ = read_ + 1;
     node.end = place(now_);
     node.next = static_cast<std::uint32_t>(tape_.nodes_.size());
     last_ = Last::value;
@@ -208,10 +202,20 @@ class JsonTape::Events {
     return is_separated ? skip(at + 1) : at;
   }
 
-  /// Throws: Error (data) for the last of what the parser has read and not given back, which breaks the grammar of
+  /// The place of the last one of the characters that the parser has read and not given back.
+  std::size_t last_place(std::size_t count) const {
+    const char* read = nullptr;
+    Characters last(parsed_, read);
+    for (; count > 1 && last.place() < text_.data() + text_.size(); --count) ++last;
+    const char* at = last.place();
+    while (last.begins_digits() && is_digit(at[1])) ++at;
+    return place(at);
+  }
+
+  /// Throws: Error (data) for the last one of the characters that the parser has read, which breaks the grammar of
   /// JSON.
   [[noreturn]] void refuse_syntax(std::size_t count) const {
-    const std::size_t last = place(count < read_.count ? read_.before : read_.last);
+    const std::size_t last = last_place(count);
     const bool is_end = last + (is_list_ ? 1 : 0) >= text_.size();
     bool is_separated = false;
     const std::size_t begin = next_token(last, is_separated);
@@ -258,8 +262,9 @@ class JsonTape::Events {
 
   JsonTape& tape_;
   std::string_view text_;
-  LastRead read_;
-  const char* now_;  ///< the end of the last token
+  const char* read_ = nullptr;  ///< the place of the last character that the parser has read
+  const char* now_;             ///< the end of the last token
+  const char* parsed_ = now_;   ///< where the parsing began
   bool is_list_;
   Last last_ = Last::nothing;
   std::vector<std::size_t> open_;  ///< the arrays and objects around the next value
