@@ -150,6 +150,8 @@ constexpr OtherFile other_files[] = {
     {{".jpg", ".jpeg"}, {"\xFF\xD8\xFF"}, "a JPEG picture", export_keys},
     {{".gif"}, {"GIF8"}, "a GIF picture", export_keys},
     {{".mp4"}, {"ftyp", 4}, "a video", export_keys},
+    {{}, {"%YAML", 0, {"tag:unity3d.com"}}, "a file of Unity", export_keys},
+    {{}, {"[gd_"}, "a scene of Godot", export_keys},
     {{".yaml", ".yml"}, {"%YAML"}, "a YAML document", by_yaml},
     {{}, {"---\n"}, "a YAML document", by_yaml},
     {{}, {"joint_trajectory:"}, "a YAML document", by_yaml},

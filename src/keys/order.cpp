@@ -65,8 +65,9 @@ Source<KeyBlock> through(Source<KeyBlock> blocks, Settings&&... settings) {
 /// The value of a key in a column; nothing if it distinguishes no curves.
 using Label = std::function<std::optional<std::size_t>(std::size_t key)>;
 
-/// Whether times increase for each value of a column, and there are several values, some of several keys.
-bool distinguishes(const KeyBlock& block, const Label& label) {
+/// Whether times increase for each value of a column, and there are several values, some of several keys, with so many
+/// on average.
+bool distinguishes(const KeyBlock& block, const Label& label, std::size_t keys_per_value = 1) {
   std::unordered_map<std::size_t, Time> before;
   for (std::size_t key = 0; key < block.size(); ++key) {
     const auto value = label(key);
@@ -76,7 +77,7 @@ bool distinguishes(const KeyBlock& block, const Label& label) {
     if (!is_first && !is_earlier(found->second, time)) return false;
     found->second = time;
   }
-  return before.size() > 1 && before.size() < block.size();
+  return before.size() > 1 && before.size() * keys_per_value <= block.size() && before.size() < block.size();
 }
 
 /// Where a key is in its input, for messages about later keys.
@@ -179,8 +180,11 @@ class Order : public HoldingStage {
     if (equal) {
       return data_error(
                  "{}time {} repeats the time {}; expected increasing times; remove one of the keys, or give {} first, "
-                 "last or break",
-                 beginning, time, before, option::duplicates)
+                 "last or break{}",
+                 beginning, time, before, option::duplicates,
+                 labels_.channels.empty()
+                     ? fmt::format(", or {} NUMBER if the column of this number tells curves apart", option::group)
+                     : "")
           .at(text_position);
     }
     const std::string or_none = labels_.channels.empty()
@@ -366,6 +370,10 @@ std::string CurveLabels::distinguishing(const KeyBlock& block, bool texts) const
   for (std::size_t i = 0; i < channels.size() && !texts; ++i) {
     const auto label = [&](std::size_t key) { return number(key, i); };
     if (is_usual_label(channels[i]) && distinguishes(block, label)) return channels[i];
+  }
+  for (std::size_t i = 0; i < channels.size() && channels.size() > 1 && !texts; ++i) {
+    const auto label = [&](std::size_t key) { return number(key, i); };
+    if (!is_coordinate(channels[i]) && distinguishes(block, label, 2)) return channels[i];
   }
   return "";
 }

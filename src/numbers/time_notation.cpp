@@ -127,7 +127,8 @@ std::optional<Rational> read_duration(std::string_view text) {
   const auto is_letter = [](char c) { return lower(c) >= 'a' && lower(c) <= 'z'; };
   std::string_view number = text;
   while (!number.empty() && is_letter(number.back())) number.remove_suffix(1);
-  const auto unit = std::ranges::find(time_units, text.substr(number.size()), &TimeUnitRow::name);
+  const std::string_view name = text.substr(number.size());
+  const auto unit = std::ranges::find(time_units, name == "m" ? "min" : name, &TimeUnitRow::name);
   if (unit == time_units.end() || unit->unit == TimeUnit::frames) return std::nullopt;
   const std::optional<Rational> value = parse_rational(number);
   return value ? std::optional(*value / units_per_second(unit->unit)) : std::nullopt;

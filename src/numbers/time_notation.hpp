@@ -38,7 +38,7 @@ inline const TimeUnitRow& row_of(TimeUnit unit) { return time_units[static_cast<
 /// How many units a second has. Requires: not frames.
 inline Rational units_per_second(TimeUnit unit) { return Rational(row_of(unit).units) / row_of(unit).seconds; }
 
-/// The seconds of a duration such as 30min or 20ms, in a unit other than frames; nothing for other texts.
+/// The seconds of a duration such as 30min, 30m or 20ms, in a unit other than frames; nothing for other texts.
 std::optional<Rational> read_duration(std::string_view text);
 
 /// The decimals by which the frame rates of NTSC video go. Source: SMPTE ST 12-1 (30000/1001 and its multiples).

@@ -70,7 +70,9 @@ RequestNeeds needs_of(const Input& input, const KeyOptions& options, const Sampl
   needs.chooses_metric = options.rules.metric || input.keys.curve_info.settings.metric || is_of_format;
   needs.chooses_columns = !options.input.columns.roles.empty() || options.input.columns.timeless || is_of_format;
   needs.time_gap = input.facts.time_gap;
-  if (request.mode == Mode::step && request.in_seconds.step) needs.step = nearest_double(request.step);
+  if (request.mode == Mode::step) {
+    (request.in_seconds.step ? needs.step : needs.plain_step) = nearest_double(request.step);
+  }
   return needs;
 }
 

@@ -295,15 +295,33 @@ bool holds_times(const FoundColumns& found, std::size_t cell) {
 
 Found times_without_role(const FoundColumns& found) {
   if (found.requested.timeless || found.columns.has(Role::time) || found.requested.samples) return std::nullopt;
+  const bool chooses_positions = is_requested(found, Role::position);
   for (std::size_t cell = 0; cell < found.columns.cells.size(); ++cell) {
     const Role role = found.columns.cells[cell].role;
-    if (role != Role::ignored || !holds_times(found, cell)) continue;
+    const bool is_channel =
+        role == Role::position && !chooses_positions && cell < found.names.size() && ends_like_time(found.names[cell]);
+    if (!is_channel && (role != Role::ignored || !holds_times(found, cell))) continue;
     return error(
         "column {} seems to have the times, but no column is the time; expected a time; give {} {}, or {} uniform if "
         "the keys have no times",
         shown(found, cell), option::columns, roles_of(found, "time", {cell}), option::parameter);
   }
   return std::nullopt;
+}
+
+/// Names of channels that are numbers, as where each column has the values at one time.
+Found times_as_names(const FoundColumns& found) {
+  if (found.requested.timeless || found.columns.has(Role::time) || is_requested(found, Role::position))
+    return std::nullopt;
+  const std::vector<std::string>& channels = found.columns.channels;
+  std::vector<double> times;
+  for (const std::string& channel : channels) times.push_back(parse_number(channel).value_or(nan));
+  const bool increase = std::ranges::adjacent_find(times, [](double a, double b) { return !(a < b); }) == times.end();
+  if (found.names.empty() || times.size() < 3 || !increase) return std::nullopt;
+  return error(
+      "the columns are called {}, as times are; expected a row for each time; transpose the table, or give {} uniform "
+      "if the rows are keys without times",
+      listed(channels), option::parameter);
 }
 
 Found time_in_two_numbers(const FoundColumns& found) {
@@ -483,10 +501,10 @@ Found minutes_and_seconds(const FoundColumns& found) {
 
 /// The list. The first error is the one that is shown.
 constexpr std::array about_columns{coefficients_of_pieces,   near_miss_of_role,         letters_that_are_data,
-                                   parameters_that_are_data, column_numbers_above_rows, times_without_role,
-                                   time_in_two_numbers,      date_in_three_numbers,     dates_as_numbers,
-                                   quaternion_called_wxyz,   rotation_vector_by_name,   rotation_without_names,
-                                   minutes_and_seconds};
+                                   parameters_that_are_data, column_numbers_above_rows, times_as_names,
+                                   times_without_role,       time_in_two_numbers,       date_in_three_numbers,
+                                   dates_as_numbers,         quaternion_called_wxyz,    rotation_vector_by_name,
+                                   rotation_without_names,   minutes_and_seconds};
 
 // The rows about a request.
 
@@ -566,8 +584,22 @@ Found seconds_of_unknown_times(const Schema& schema, const RequestNeeds& needs) 
       column, rows, option::time_unit, option::input_fps, option::time_unit);
 }
 
-constexpr std::array about_requests{lengths_of_degrees, lengths_of_space, lengths_of_unlike_things, time_by_its_place,
-                                    seconds_of_unknown_times};
+/// Steps without a unit have that of the times.
+Found step_in_small_units(const Schema& schema, const RequestNeeds& needs) {
+  constexpr double many = 100;
+  constexpr std::array units{TimeUnit::ms, TimeUnit::us, TimeUnit::ns};
+  const bool is_small = schema.time.unit && std::ranges::count(units, *schema.time.unit) > 0;
+  if (!is_small || !needs.plain_step || !needs.time_gap) return std::nullopt;
+  const double rows = *needs.time_gap / *needs.plain_step;
+  if (!(rows > many)) return std::nullopt;
+  return note(
+      "the step is in {}, as the times in column {} are, which gives {:.0f} rows for each key; a step such as 0.1s is "
+      "in seconds",
+      row_of(*schema.time.unit).name, in_quotes(schema.time.name), rows);
+}
+
+constexpr std::array about_requests{lengths_of_degrees, lengths_of_space,         lengths_of_unlike_things,
+                                    time_by_its_place,  seconds_of_unknown_times, step_in_small_units};
 
 /// Appends a note, or throws the error of a doubt.
 void take(std::vector<std::string>& notes, Found found) {

@@ -17,7 +17,8 @@ constexpr std::string_view time_names =
     "datestamp elapsed elapsedtime timeelapsed keytime keytimes keyframetime tick ticks tickcount unix unixtime "
     "unixtimestamp posixtime epoch epochtime utc utctime gpstime gmt localtime systime systemtime rostime simtime "
     "simulationtime walltime walltimes sampletime eventtime capturetime recordtime relativetime reltime absolutetime "
-    "abstime tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp frametime frametimestamp jdtdb "
+    "abstime jd hjd bjd bjdtdb tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp frametime "
+    "frametimestamp jdtdb "
     "jdutc juliandate mjd zeit uhrzeit datum zeitstempel zeitpunkt temps heure horodatage tiempo hora fecha tempo ora "
     "datahora dataora fechahora dateheure";
 
@@ -117,6 +118,12 @@ bool is_time(std::string_view name) {
 
 std::string_view without_unit(std::string_view name) {
   if (const std::size_t comma = name.find(", "); comma != std::string_view::npos) return name.substr(0, comma);
+  if (const std::size_t slash = name.rfind('/'); slash != std::string_view::npos && slash > 0) {  // as in t / s
+    const std::size_t unit = name.find_first_not_of(' ', slash + 1);
+    if (unit != std::string_view::npos && is_unit(name.substr(unit))) {
+      return name.substr(0, name.find_last_not_of(' ', slash - 1) + 1);
+    }
+  }
   const std::size_t begin = name.ends_with(']') ? name.rfind('[') : name.ends_with(')') ? name.rfind('(') : 0;
   if (begin == 0 || begin == std::string_view::npos) return name;
   return name.substr(0, name.find_last_not_of(' ', begin - 1) + 1);
@@ -125,7 +132,7 @@ std::string_view without_unit(std::string_view name) {
 bool is_usual_time(std::string_view name) {
   const std::string_view alone = without_unit(name);
   // T by itself is tension.
-  if (alone == "T") return find_unit(compact(name.substr(alone.size()))) != nullptr;
+  if (alone == "T") return unit_of_time(name).has_value();
   const std::size_t path = alone.find_last_of("./");  // as in header.stamp
   return is_time(compact(alone)) || (path != std::string_view::npos && is_time(compact(alone.substr(path + 1))));
 }
@@ -136,8 +143,8 @@ std::optional<TimeUnit> unit_of_time(std::string_view name) {
   const std::size_t separator = name.find_last_of("_-. ");
   const UnitNames* found = nullptr;
   if (alone.size() < name.size()) {  // in brackets
-    const std::size_t mark = name[alone.size()] == ',' ? 1 : 0;
-    found = find_unit(compact(name.substr(alone.size() + mark)), true);
+    const std::size_t unit = name.find_first_not_of(" ,/", alone.size());
+    found = unit == std::string_view::npos ? nullptr : find_unit(compact(name.substr(unit)), true);
   } else if (has(frame_names, whole)) {
     return TimeUnit::frames;
   } else if (separator != std::string_view::npos && is_time(compact(name.substr(0, separator)))) {  // as in t_s
@@ -213,6 +220,8 @@ bool names_dates(std::string_view name) {
   return ends_with_one(names, name);
 }
 
+bool ends_like_time(std::string_view name) { return ends_with_one("time timestamp stamp date datetime", name); }
+
 bool is_usual_angle(std::string_view name) {
   constexpr std::string_view names = "yaw heading bearing azimuth roll pitch";
   return ends_with_one(names, name);
@@ -235,7 +244,11 @@ bool is_unit(std::string_view text) {
       "s sec seconds ms us \u00B5s \u03BCs ns min h hr d m meter meters mm cm km um \u00B5m \u03BCm in ft mi deg "
       "degree degrees \u00B0 rad % km/h kmh kph mph kn knots m/s mm/s ft/s m/s2 m/s^2 m/s\u00B2 g kg n nm v mv a ma w "
       "kw hz khz rpm 1/min c \u00B0c degc k f \u00B0f pa kpa hpa bar mbar psi j deg/s rad/s \u00B0/s rad/s2 px pixel "
-      "pixels ut \u00B5t lx lux db l l/min ml frames utc usd";
+      "pixels ut \u00B5t lx lux db l l/min ml frames utc usd \u2103 mw uw \u00B5w w/m2 w/m\u00B2 ua \u00B5a na uv "
+      "\u00B5v j kj wh "
+      "kwh ah mah mg ug \u00B5g ppm ppb mol ohm kohm \u03A9 k\u03A9 us/cm \u00B5s/cm ms/cm mg/l ghz dbm gpa n/mm2 "
+      "n/mm\u00B2 "
+      "inhg mmhg torr atm yd in/s g/cm3 g/cm\u00B3";
   return has(units, in_lower_case(without_brackets(text)));
 }
 
@@ -257,9 +270,17 @@ bool may_be_angle(std::string_view name) {
   constexpr std::string_view spaces = "rotation rotate rot euler angle orientation";
   if (is_usual_angle(name) || ends_with_one(names, name)) return true;
   const std::string_view alone = without_unit(name);
+  constexpr std::string_view units = "deg degree degrees \u00B0 rad radians";
+  const std::size_t unit = name.find_first_not_of(" ,/", alone.size());  // as in RA [deg]
+  if (unit != std::string_view::npos && has(units, compact(name.substr(unit)))) return true;
   const std::string whole = compact(alone);  // as in rotation_z
-  return whole.size() > 1 && std::string_view("xyz").find(whole.back()) != std::string_view::npos &&
-         has(spaces, std::string_view(whole).substr(0, whole.size() - 1));
+  const bool ends_in_axis = whole.size() > 1 && std::string_view("xyz").find(whole.back()) != std::string_view::npos;
+  if (ends_in_axis && has(spaces, std::string_view(whole).substr(0, whole.size() - 1))) return true;
+  const auto ends_with = [&](std::string_view word) {  // as in Hips.Yrotation and arm.rotation.x
+    return whole.ends_with(word) ||
+           (ends_in_axis && std::string_view(whole).substr(0, whole.size() - 1).ends_with(word));
+  };
+  return ends_with("rotation") || ends_with("euler");
 }
 
 bool is_usual_channel(std::string_view name) {
@@ -298,7 +319,13 @@ bool are_of_one_kind(std::string_view one, std::string_view other) { return spac
 
 std::vector<std::size_t> spatial_channels(const std::vector<std::string>& channels) {
   std::vector<std::string> names;
-  for (const std::string& channel : channels) names.push_back(compact(without_unit(channel)));
+  for (const std::string& channel : channels) {
+    std::string_view name = without_unit(channel);
+    for (const std::string_view unit : {"_m", "_mm", "_cm", "_km"}) {
+      if (name.ends_with(unit)) name.remove_suffix(unit.size());
+    }
+    names.push_back(compact(name));
+  }
   const auto find = [&](const std::string& name) { return std::ranges::find(names, name) - names.begin(); };
   // Before the letter of an axis, in the order in which one is chosen.
   for (const std::string stem : {"", "p", "pos", "position", "loc", "location", "t", "translation"}) {

@@ -52,6 +52,9 @@ bool is_usual_label(std::string_view name);
 /// Whether a name is one of those that tell curves apart and are never positions, such as "id" or "track".
 bool tells_curves_apart(std::string_view name);
 
+/// Whether the last word of a name is one of times, as in sensor_time, which may also be a duration.
+bool ends_like_time(std::string_view name);
+
 /// Whether a name is that of an angle of a heading or an attitude, such as "yaw" or "imu.heading".
 bool is_usual_angle(std::string_view name);
 

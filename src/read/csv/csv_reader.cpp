@@ -80,13 +80,16 @@ class RecordReader {
     const std::size_t expected = head_.columns.cells.size();
     if (cells_.size() != expected) {
       const auto unlike = head_.is_of_format ? line_unlike_format : wrong_number_of_cells;
-      add_fault(cells_[std::min(cells_.size(), expected + 1) - 1], unlike(cells_.size(), expected));
+      const Error fault = unlike(cells_.size(), expected);
+      add_fault(cells_[std::min(cells_.size(), expected + 1) - 1],
+                is_footer() ? data_error("{}{}", fault.message(), if_no_key()) : fault);
       return;
     }
     keys_.begin_key();
     for (std::size_t i = 0; i < expected; ++i) read_cell(cells_[i], head_.columns.cells[i]);
     if (!keys_.complete_time()) add_fault(cells_[time_cell_], time_parts_not_whole(head_.columns.time));
     if (!keys_.end_key()) return;
+    follows_key_ = true;
     const bool timed = time_cell_ < expected;
     keys_.set_position(tokenizer_.line(), timed ? tokenizer_.column(cells_[time_cell_]) : 1);
   }
@@ -192,6 +195,13 @@ class RecordReader {
                                     name, missing_cell(text), option::missing));
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
       add_fault(cell, no_time(name, text));
+    } else if (repeats_name(index_of(cell))) {
+      if (index_of(cell) > 0 && repeats_name(0)) return;  // the first one is a fault of the line
+      add_fault(cell, data_error("the line repeats the names of the columns; expected a key; remove it, as in awk "
+                                 "'!seen[$0]++' FILE"));
+    } else if (is_footer()) {
+      const Error fault = why_not_number(name, text, head_.marks);
+      add_fault(cell, data_error("{}{}", fault.message(), if_no_key()));
     } else if (is_word(text, column)) {
       const std::string request = requested_as(column.role == Role::position ? name : "", index_of(cell));
       add_fault(
@@ -204,6 +214,26 @@ class RecordReader {
     } else {
       add_fault(cell, why_not_number(name, text, head_.marks));
     }
+  }
+
+  bool repeats_name(std::size_t cell) const {
+    return head_.columns.named && unquoted(cells_[cell]) == head_.columns.name_of(head_.columns.cells[cell]);
+  }
+
+  /// Whether a record begins with a word where the rows above have a number or a time, as totals and repeated names do.
+  bool is_footer() const {
+    const Role role = head_.columns.cells[0].role;
+    if (!follows_key_ || head_.is_of_format || role == Role::ignored || role == Role::group || role == Role::carry) {
+      return false;
+    }
+    const std::string_view word = bare(cells_[0]);
+    return !word.empty() && word.find_first_of("0123456789") == std::string_view::npos &&
+           !is_missing_sign(word, head_.rules.signs);
+  }
+
+  /// The remedy for a record that is no key.
+  std::string if_no_key() const {
+    return fmt::format(", or give {} {} if such lines are no keys", option::comment, in_shell(bare(cells_[0])));
   }
 
   /// Whether a cell without digits is in a column that may hold words by its name.
@@ -242,6 +272,7 @@ class RecordReader {
   KeyBuilder keys_;
   std::vector<std::string_view> cells_;
   const std::size_t time_cell_, clock_cell_;
+  bool follows_key_ = false;  ///< in this chunk
 };
 
 /// Drops lines at the beginning. Throws: Error (data) where there are fewer.
@@ -265,6 +296,9 @@ Source<std::string> without_lines(Source<std::string> bytes, std::uint64_t lines
   };
 }
 
+/// The most text in which a table is looked for below other lines.
+constexpr std::size_t most_of_preamble = 1UL << 16;
+
 /// Whether a line has this number of words with some delimiter, so that it may be the names of as many columns.
 bool has_words(std::string_view line, std::size_t count) {
   return std::ranges::any_of(std::string_view("\t;, "), [&](char delimiter) {
@@ -278,6 +312,8 @@ bool has_words(std::string_view line, std::size_t count) {
 struct LaterTable {
   std::uint64_t line;  ///< from 1
   std::size_t cells;   ///< in each of its lines
+  bool has_names;      ///< above them
+  std::string mark;    ///< with which all lines above it begin, and no other; empty: there is none
   bool follows_text;   ///< a line above it, below the first one, has no number
 };
 std::optional<LaterTable> find_later_table(std::string_view text, const Dialect& dialect) {
@@ -292,15 +328,18 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
       }
       return cells;
     };
-    const auto is_of_numbers = [](const std::vector<std::string_view>& cells) {
-      const auto numbers = std::ranges::count_if(cells, [](auto cell) { return parse_number(bare(cell)).has_value(); });
+    const auto is_number = [&](std::string_view cell) {
+      return parse_number(bare(cell)) || (delimiter != ',' && Decimals({','}).number(bare(cell)));
+    };
+    const auto is_of_numbers = [&](const std::vector<std::string_view>& cells) {
+      const auto numbers = std::ranges::count_if(cells, is_number);
       return cells.size() > 1 && 2 * static_cast<std::size_t>(numbers) > cells.size();
     };
     for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
       const auto one = cells_in(lines[i]), two = cells_in(lines[i + 1]);
       if (!is_of_numbers(one) || !is_of_numbers(two) || one.size() != two.size()) continue;
       std::size_t head = i;  // the last line above that is not blank, if it names the columns
-      while (head > 0 && cells_in(lines[head - 1]).size() <= 1) --head;
+      while (head > 0 && lines[head - 1].find_first_not_of(" \t\r") == std::string_view::npos) --head;
       auto names = head > 0 ? cells_in(lines[head - 1]) : std::vector<std::string_view>{};
       while (head > 1 && names.size() == one.size() && are_units(names)) names = cells_in(lines[--head - 1]);
       const bool are_names = names.size() == one.size() && !is_of_numbers(names);
@@ -320,10 +359,32 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
           });
       const bool has_preamble =
           std::any_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(line - 1), is_text);
-      return has_preamble ? std::optional(LaterTable{line, one.size(), follows_text}) : std::nullopt;
+      if (!has_preamble) return std::nullopt;
+      const char first = lines[0].empty() ? ' ' : lines[0][0];
+      const bool are_comments = std::string_view("%!;@*\\/$").find(first) != std::string_view::npos &&
+                                std::all_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(i),
+                                            [&](std::string_view above) { return above.starts_with(first); });
+      return LaterTable{line, one.size(), are_names, are_comments ? std::string(1, first) : "", follows_text};
     }
   }
   return std::nullopt;
+}
+
+/// Throws: Error (data) where lines are drawn between the cells, as programs print tables for people.
+void require_no_drawing(std::string_view text) {
+  constexpr std::string_view corner = "\xE2\x94", double_corner = "\xE2\x95";  // of box-drawing characters
+  const std::vector<std::string_view> lines = split(text.substr(0, most_of_preamble), '\n');
+  const auto is_drawn = [&](std::string_view line) {
+    const bool is_rule = line.find("---") != std::string_view::npos &&
+                         line.find_first_of("|+") != std::string_view::npos &&
+                         line.find_first_not_of("-+|:= \r") == std::string_view::npos;
+    return is_rule || line.starts_with(corner) || line.starts_with(double_corner);
+  };
+  const auto first = lines.begin(), end = first + std::min<std::ptrdiff_t>(4, std::ssize(lines));
+  if (std::none_of(first, end, is_drawn)) return;
+  throw data_error(
+      "the table is drawn with lines between its cells; expected cells between delimiters; export it as CSV, as psql "
+      "--csv, mysql --batch, sqlite3 -csv, duckdb -csv and write_csv of polars do");
 }
 
 /// Throws: Error (data) for the first fault of the records above a line.
@@ -341,9 +402,6 @@ bool has_crlf(std::string_view text) {
   const std::size_t end = text.find('\n');
   return end != std::string_view::npos && text.substr(0, end).ends_with('\r');
 }
-
-/// The most text in which a table is looked for below other lines.
-constexpr std::size_t most_of_preamble = 1UL << 16;
 
 /// Whether a quoted number with a decimal comma occurs, so that a comma outside quotes is the delimiter.
 bool has_quoted_decimal(std::string_view text) {
@@ -409,6 +467,7 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
       if (is_unlike) require_keys(rest.front(), first_line + table->line, found);
       return found;
     } catch (const Error& error) {
+      require_no_drawing(first);
       const auto table = find_table_below(first);
       if (!table || error.exit() != Exit::data) throw;
       const std::uint64_t line = first_line + table->line - 1;
@@ -417,7 +476,11 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
       throw data_error(
           "the lines above line {} are not part of the table that seems to begin there{}; expected a table from "
           "the first line on; give {} {}",
-          line, also, option::skip_lines, line - 1)
+          line, also, table->mark.empty() ? option::skip_lines : option::comment,
+          table->mark.empty()
+              ? fmt::format("{}{}", line - 1,
+                            table->has_names ? "" : ", with which columns have no names and the first is the time")
+              : in_shell(table->mark))
           .at({"", first_line, 0});
     }
   }());

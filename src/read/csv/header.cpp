@@ -42,7 +42,7 @@ std::vector<std::string> texts(const HeadCells& cells) {
 
 /// The names in a comment line such as "# timestamp tx ty tz".
 std::vector<std::string> comment_names(std::string_view comment, const Dialect& dialect) {
-  comment.remove_prefix(dialect.comment.size());
+  while (comment.starts_with(dialect.comment)) comment.remove_prefix(dialect.comment.size());
   const Chunk chunk{std::string(comment), 1, 0};
   const Dialect no_comments{dialect.delimiter, ""};
   HeadCells cells;
@@ -200,13 +200,14 @@ bool has_meaning(const std::string& name, const ColumnOptions& options) {
   return role_of_name(name) != Role::position || options.has(name);
 }
 
-/// Whether a comment names columns: one of its words gives a role, and none is a number. Otherwise it may be any text,
-/// or a key that was commented out.
+/// Whether a comment names columns: one of its words gives a role or, between delimiters, names a coordinate, and none
+/// is a number. Otherwise it may be any text, or a key that was commented out.
 bool are_names(const std::vector<std::string>& words, const DelimitedHead& head, const ColumnOptions& options) {
   const auto is_number = [&](const std::string& word) { return may_be_number(word, head); };
-  return std::ranges::none_of(words, is_number) &&
-         (options.timeless ||
-          std::ranges::any_of(words, [&](const std::string& word) { return has_meaning(word, options); }));
+  const auto is_known = [&](const std::string& word) {
+    return has_meaning(word, options) || is_usual_time(word) || (head.dialect.delimiter != ' ' && is_coordinate(word));
+  };
+  return std::ranges::none_of(words, is_number) && (options.timeless || std::ranges::any_of(words, is_known));
 }
 
 /// Throws: Error (data) if the first record has another number of cells than there are names, if there are any.
@@ -218,7 +219,8 @@ void require_names_for_cells(const std::vector<std::string>& names, const HeadRe
 }
 
 /// Throws: Error (data) if a column of text begins like a number in its first record.
-void require_text(const Chunk& data, const DelimitedHead& head, const std::vector<bool>& numeric) {
+void require_text(const Chunk& data, const DelimitedHead& head, const std::vector<std::string>& names,
+                  const std::vector<bool>& numeric) {
   Tokenizer tokenizer(data, head.dialect);
   HeadCells cells;
   tokenizer.next(cells);
@@ -229,8 +231,12 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
     const std::size_t digit = cell.starts_with(minus) ? minus.size() : cell.find_first_not_of("+-.,");
     if (digit >= cell.size() || cell[digit] < '0' || cell[digit] > '9') continue;
     if (find_notation(cell)) continue;
-    const Error fault = why_not_number(fmt::format("column {}", i + 1), cell, head.marks);
-    throw data_error("{}; or name the columns to take with {} position=NAME:NAME", fault.message(), option::columns)
+    const std::string name = i < names.size() ? names[i] : fmt::format("column {}", i + 1);
+    const Error fault = why_not_number(name, cell, head.marks);
+    if (is_coordinate(name)) throw Error(fault).at(tokenizer.position(cells[i]));
+    const std::string column = in_shell(requested_as(i < names.size() ? name : "", i));
+    throw data_error("{}; or give {} {} if these texts tell curves apart, or {} ignore={} to leave the column out",
+                     fault.message(), option::group, column, option::columns, column)
         .at(tokenizer.position(cells[i]));
   }
 }
@@ -360,6 +366,7 @@ class RolesByCells {
     if (!is_given) take_date_and_clock();
     if (!requested_.has(Role::time) && !requested_.timeless) take_equal_times();
     if (!names_.empty()) take_index();
+    if (!requested_.has(Role::time) && !requested_.timeless) names_.empty() ? leave_labels() : take_dates();
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (names_[i].empty()) names_[i] = fmt::format("column {}", i + 1);
     }
@@ -426,6 +433,29 @@ class RolesByCells {
         fmt::format("columns {} and {} have the same times; the first is taken", shown(times[0]), shown(times[1])));
   }
 
+  /// The only column of dates is the time, where no name says which is.
+  void take_dates() {
+    std::optional<std::size_t> dates;
+    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
+      if (is_time(cell)) return;
+      const bool has_dates = notation(cell) && is_date(*notation(cell));
+      if (has_dates && (dates || is_requested(cell))) return;
+      if (has_dates) dates = cell;
+    }
+    if (!dates) return;
+    request(Role::time, *dates);
+    notes_.push_back(fmt::format("the dates in column {} are taken as the times", shown(*dates)));
+  }
+
+  /// Columns of words before the first number or time, where columns have no names, are the names of the rows.
+  void leave_labels() {
+    for (std::size_t cell = 0; cell < numeric_.size() && !numeric_[cell] && !notation(cell); ++cell) {
+      if (is_requested(cell)) continue;
+      request(Role::unused, cell);
+      notes_.push_back(fmt::format("column {} is text, and is left out", cell + 1));
+    }
+  }
+
   /// Whether a column of times in words is among those that are not the index.
   bool has_times_in_words() const {
     for (std::size_t cell = 1; cell < numeric_.size(); ++cell) {
@@ -468,7 +498,8 @@ class RolesByCells {
   }
 
   static bool is_index_name(std::string_view name) {
-    constexpr std::array names{"", "index", "unnamed: 0", "row", "#", "rownames", "row_names"};
+    constexpr std::array names{"",    "index", "unnamed: 0", "row",   "#",       "rownames", "row_names", "no.",
+                               "nr.", "pt",    "point",      "ptnum", "field #", "frame#",   "sample #",  "record"};
     return std::ranges::any_of(names, [&](std::string_view known) { return same_in_any_case(known, name); });
   }
 
@@ -590,7 +621,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     if (!units.empty()) take_units(head, units, options.units);
     head.units = units_of_keys(options.units, head.columns, first_time(row.cells, head.columns));
   });
-  if (!columns.has(Role::position) && !columns.samples) require_text(rest[0], head, numeric);
+  if (!columns.has(Role::position) && !columns.samples) require_text(rest[0], head, names, numeric);
   return head;
 }
 

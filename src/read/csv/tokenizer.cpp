@@ -287,12 +287,23 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
     return data_error("{}: {} is a number with a unit; expected a number alone; remove the unit, or give {} strip",
                       column, in_quotes(cell), option::units);
   }
-  const bool may_be_time = cell.find(':') != std::string_view::npos && cell[0] >= '0' && cell[0] <= '9';
+  const bool has_digit = cell.find_first_of("0123456789") != std::string_view::npos;
+  const bool may_be_time = (cell.find(':') != std::string_view::npos && cell[0] >= '0' && cell[0] <= '9') ||
+                           (has_digit && cell.find_first_of("-/ ", 1) != std::string_view::npos &&
+                            (is_usual_time(column) || ends_like_time(column)));
   if (may_be_time) {
     return data_error(
         "{}: {} is no number, and no time in a known notation; expected a number, or a time such as "
-        "2024-03-01T13:00:00Z or 13:00:00, with hours from 0 to 23; convert the cells",
+        "2024-03-01T13:00:00Z, 2024-03-01 or 13:00:00, with hours from 0 to 23; convert the cells, as to_datetime of "
+        "pandas does",
         column, in_quotes(cell));
+  }
+  std::string as_exponent(cell);
+  std::ranges::replace_if(
+      as_exponent, [](char c) { return c == 'D' || c == 'd'; }, 'E');
+  if (parse_number(as_exponent)) {
+    return data_error("{}: {} has an exponent as Fortran writes it; expected e or E; change it, as in tr Dd Ee <FILE",
+                      column, in_quotes(cell));
   }
   const std::size_t blank = cell.find_first_of(" \t");
   const bool several = blank != std::string_view::npos && parse_number(with_point(cell.substr(0, blank)));

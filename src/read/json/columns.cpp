@@ -638,14 +638,15 @@ class FirstKey {
     if (first == members_.end() || has_quaternion(members_)) return;
     const bool is_array = first->array && !first->nested;
     if (is_array && first->numbers < 3) return;  // too few for a rotation in any form
-    throw at(*first, is_array
-                         ? data_error("the array has {}; expected four, x, y, z, w of a quaternion; correct it, or "
-                                      "give {} position=NAME:NAME for the members to take",
-                                      how_many(first->numbers, "number"), option::columns)
-                         : data_error("\"rotation\" has members other than x, y, z and w; expected the four numbers "
-                                      "of a quaternion; correct them, or give {} position=NAME:NAME for the "
-                                      "members to take",
-                                      option::columns));
+    throw at(*first,
+             is_array
+                 ? data_error("the array has {}; expected four, x, y, z, w of a quaternion; correct it, or "
+                              "give {} {} for plain channels",
+                              how_many(first->numbers, "number"), option::columns, in_shell("position=" + first->name))
+                 : data_error("\"rotation\" has members other than x, y, z and w; expected the four numbers "
+                              "of a quaternion; correct them, or give {} position=NAME:NAME for the "
+                              "members to take",
+                              option::columns));
   }
 
   /// Throws: Error (data) for a member that is an array where a number was expected, or the reverse, unless its role is
@@ -678,9 +679,16 @@ class FirstKey {
                                 option::columns, in_shell("position=" + member.name))
                    : data_error("the numbers in this value are not used, as they are in an object, or in arrays in an "
                                 "array; expected an array of numbers, or a member for each number; give {} "
-                                "position=NAME:NAME for the members to take, with their paths, such as {}.x",
-                                option::columns, member.name));
+                                "position=NAME:NAME for the members to take, with their paths, such as {}",
+                                option::columns, path_of_number(member)));
     }
+  }
+
+  /// The path of the first number in a member.
+  std::string path_of_number(const FoundMember& member) const {
+    std::size_t node = member.node;
+    while (node < tape_[member.node].next && tape_.kind(node) != JsonTape::Kind::number) ++node;
+    return node == tape_[member.node].next ? member.name : member.name + tape_.path(member.node, node);
   }
 
   /// Throws: Error (data) where there is an array of positions, no time, and a number that may be it.
