@@ -236,7 +236,7 @@ class GroupFit {
   };
 
   /// The sums over the points of a segment.
-  void set_sums(std::size_t segment) {
+  [[gnu::noinline]] void set_sums(std::size_t segment) {
     Moments moments;
     auto gaps = per_channel<Four>();
     const double scale = weight_scale_;
@@ -357,8 +357,9 @@ class GroupFit {
       for (std::size_t j = 0; j < hermite.size(); ++j) hermite[j] = targets(2 * segment + j)[c] * scale[j];
       cubics[c] = powers_of(hermite);
     }
+    const double per_tolerance = per_tolerance_;
     double largest = 0, squares = 0;
-    for (std::size_t i = begins_[segment]; i < begins_[segment + 1]; ++i) {
+    for (std::size_t i = begins_[segment], end = begins_[segment + 1]; i < end; ++i) {
       const double t = places_[i];
       double sum = 0;
       for (std::size_t c = 0; c < count(); ++c) {
@@ -367,7 +368,7 @@ class GroupFit {
         gap -= a[0] + t * (a[1] + t * (a[2] + t * a[3]));
         sum += gap * gap;
       }
-      errors_[i] = std::sqrt(sum) * per_tolerance_;
+      errors_[i] = std::sqrt(sum) * per_tolerance;
       largest = std::max(largest, errors_[i]);
       squares += weights_[i] * errors_[i] * errors_[i];
     }
