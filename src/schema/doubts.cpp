@@ -496,7 +496,8 @@ Found minutes_and_seconds(const FoundColumns& found) {
   if (found.rows.empty() || times.empty() || times[0] >= found.rows[0].size()) return std::nullopt;
   const std::string_view time = found.rows[0][times[0]];
   if (find_notation(time) != TimeNotation::clock || std::ranges::count(time, ':') != 1) return std::nullopt;
-  return note("times such as {} are taken as minutes and seconds", in_quotes(time));
+  return note("times such as {} are taken as minutes and seconds; those of hours and minutes need seconds, as in {}:00",
+              in_quotes(time), time);
 }
 
 /// The list. The first error is the one that is shown.

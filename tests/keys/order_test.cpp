@@ -40,7 +40,8 @@ TEST(InOrder, increasing_times_stay_as_they_are) {
 TEST(InOrder, equal_times_are_refused_or_one_is_kept_or_a_curve_begins) {
   const std::string keys = "0 1\n1 2\n1 3\n1 4\n2 5\n";
   const std::string remedy =
-      "; expected increasing times; remove one of the keys, or give --duplicates first, last or break]";
+      "; expected increasing times; remove one of the keys, or give --duplicates first, last or break, or "
+      "--group NUMBER if the column of this number tells curves apart]";
   EXPECT_EQ(in_any_blocks([&](std::size_t size) {
               std::string all = shown_keys(in_order(keys_of(keys, size), Duplicates::error));
               return all.substr(all.find("[f:3"), all.find(']') - all.find("[f:3") + 1);
@@ -82,7 +83,8 @@ TEST(InOrder, keys_of_json_are_named_by_their_path) {
   };
   EXPECT_EQ(shown_keys(in_order(blocks, Duplicates::error)),
             " 1:0 [f:1: error: curves[2].keys[8]: time 3 repeats the time 3 of curves[2].keys[7]; expected increasing "
-            "times; remove one of the keys, or give --duplicates first, last or break]");
+            "times; remove one of the keys, or give --duplicates first, last or break, or --group NUMBER if the "
+            "column of this number tells curves apart]");
 }
 
 TEST(PastMidnight, days_are_added_up_to_the_next_break) {

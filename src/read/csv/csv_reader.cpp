@@ -329,7 +329,9 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
       return cells;
     };
     const auto is_number = [&](std::string_view cell) {
-      return parse_number(bare(cell)) || (delimiter != ',' && Decimals({','}).number(bare(cell)));
+      const std::string_view text = bare(cell);
+      return parse_number(text) || (delimiter != ',' && Decimals({','}).number(text)) ||
+             (delimiter != ' ' && find_notation(text));
     };
     const auto is_of_numbers = [&](const std::vector<std::string_view>& cells) {
       const auto numbers = std::ranges::count_if(cells, is_number);

@@ -357,14 +357,15 @@ std::optional<double> time_gap_of(const HeadRows& rows, const Columns& columns, 
 class RolesByCells {
  public:
   RolesByCells(std::vector<std::string>& names, const std::vector<bool>& numeric, const HeadRows& rows,
-               const ColumnOptions& requested)
-      : names_(names), numeric_(numeric), rows_(rows), requested_(requested) {}
+               const ColumnOptions& requested, bool has_rate)
+      : names_(names), numeric_(numeric), rows_(rows), requested_(requested), has_rate_(has_rate) {}
 
   /// The request, with the roles that follow from cells. Throws: Error (data) where an index may be the time.
   ColumnOptions complete() {
     const bool is_given = requested_.has(Role::time) || requested_.timeless;
     if (!is_given) take_date_and_clock();
     if (!requested_.has(Role::time) && !requested_.timeless) take_equal_times();
+    if (!requested_.has(Role::time) && !requested_.timeless && !has_rate_) take_time_beside_frames();
     if (!names_.empty()) take_index();
     if (!requested_.has(Role::time) && !requested_.timeless) names_.empty() ? leave_labels() : take_dates();
     for (std::size_t i = 0; i < names_.size(); ++i) {
@@ -431,6 +432,20 @@ class RolesByCells {
     request(Role::unused, times[1]);
     notes_.push_back(
         fmt::format("columns {} and {} have the same times; the first is taken", shown(times[0]), shown(times[1])));
+  }
+
+  /// Of a column that counts frames and another one of times, the other one is the time.
+  void take_time_beside_frames() {
+    std::vector<std::size_t> times, frames;
+    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
+      if (!is_time(cell) || is_requested(cell)) continue;
+      (unit_of_time(names_[cell]) == TimeUnit::frames ? frames : times).push_back(cell);
+    }
+    if (times.size() != 1 || frames.size() != 1) return;
+    request(Role::time, times[0]);
+    request(Role::unused, frames[0]);
+    notes_.push_back(fmt::format("column {} is taken as the time, and column {}, which counts frames, is left out",
+                                 shown(times[0]), shown(frames[0])));
   }
 
   /// The only column of dates is the time, where no name says which is.
@@ -523,6 +538,7 @@ class RolesByCells {
   const std::vector<bool>& numeric_;
   const HeadRows& rows_;
   ColumnOptions requested_;
+  bool has_rate_;  ///< the times are frames by an option
   std::vector<std::string> notes_;
 };
 
@@ -537,7 +553,7 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, cons
   }
   std::vector<std::string> notes;
   if (!rows.empty() && !head.is_of_format) {
-    RolesByCells by_cells(names, numeric, rows, requested);
+    RolesByCells by_cells(names, numeric, rows, requested, options.units.frame_rate.has_value());
     requested = by_cells.complete();
     notes = by_cells.notes();
   }

@@ -417,7 +417,11 @@ Records open_json(const Format&, Source<std::string> bytes, InputOptions options
 
 std::optional<int> fit_of_json(std::string_view beginning) {
   const std::size_t at = beginning.find_first_not_of(" \t\r\n");
-  return at != std::string_view::npos && (beginning[at] == '[' || beginning[at] == '{') ? 2 : 0;
+  if (at == std::string_view::npos || (beginning[at] != '[' && beginning[at] != '{')) return 0;
+  const char next = at + 1 < beginning.size() ? lower(beginning[at + 1]) : '\0';
+  const bool is_section = beginning[at] == '[' && next >= 'a' && next <= 'z' && next != 't' && next != 'f' &&
+                          next != 'n' && next != 'i';  // of a text such as [Header], as no value begins so
+  return is_section ? 0 : 2;
 }
 
 }  // namespace
