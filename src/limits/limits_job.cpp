@@ -164,8 +164,9 @@ spline::Segments<Rational> rational(const spline::Segments<RealBall>& from) {
   const auto exact = [](const RealBall& x) { return x.middle().rational(); };
   spline::Segments<Rational> to{from.channels, {exact(from.times[0]), exact(from.times[1])}, {}, {}};
   for (const auto& x : from.cubics) {
-    to.cubics.push_back({exact(x.p0), exact(x.out), exact(x.c), exact(x.c_low), exact(x.p1), exact(x.in), exact(x.e),
-                         exact(x.e_low), exact(x.d)});
+    const Rational out = exact(x.out), in = exact(x.in), c = exact(x.c) + exact(x.c_low);
+    const Rational d = (in - out - 2 * c) / 3;  // so that a rest at the end is one
+    to.cubics.push_back({exact(x.p0), out, c, 0, exact(x.p1), in, exact(x.e), exact(x.e_low), d});
   }
   for (const auto& warp : from.warps) {
     if (warp.is_cubic()) {
