@@ -39,6 +39,9 @@ typename Middle<M>::Bound rule_error() {
 template <class M>
 struct Rule {
   std::vector<M> node, weight;
+  /// The weights that give coefficients of the polynomial through the nodes in Legendre polynomials: of the two orders
+  /// in the middle, and the last two.
+  std::array<std::vector<M>, 4> orders;
 };
 
 /// The Legendre polynomials P_n and P_(n-1) at x.
@@ -59,7 +62,8 @@ double legendre(int n, double x, double& slope) {
 
 /// Roots by Newton's method, from x_i = cos(pi (i + 3/4)/(n + 1/2)), in doubles and then in more digits.
 Rule<Real> make_rule(int n, int bits) {
-  Rule<Real> rule{std::vector<Real>(static_cast<std::size_t>(n)), std::vector<Real>(static_cast<std::size_t>(n))};
+  const std::vector<Real> numbers(static_cast<std::size_t>(n));
+  Rule<Real> rule{numbers, numbers, {numbers, numbers, numbers, numbers}};
   for (int i = 0; i < n / 2; ++i) {
     double rough = spline::sine_cosine(3.14159265358979 * (i + 0.75) / (n + 0.5)).cosine, slope = 0;
     for (int step = 0; step < 6; ++step) {
@@ -87,6 +91,14 @@ Rule<Real> make_rule(int n, int bits) {
     rule.node[first] = left + Real();
     rule.node[last] = right + Real();
     rule.weight[first] = rule.weight[last] = weight + Real();
+    for (const std::size_t last_order : {1U, 3U}) {
+      const int odd = last_order == 1 ? n / 4 * 2 - 1 : n - 1;
+      const auto [value, before] = legendre(odd, x);
+      const Real of_even = Real(2.0 * odd - 1) * weight * before, of_odd = Real(2.0 * odd + 1) * weight * value;
+      rule.orders[last_order - 1][first] = rule.orders[last_order - 1][last] = of_even;
+      rule.orders[last_order][first] = -of_odd;
+      rule.orders[last_order][last] = of_odd;
+    }
   }
   return rule;
 }
@@ -114,6 +126,9 @@ const Rule<DoubleDouble>& gauss_rule() {
     Rule<DoubleDouble> result;
     for (const Real& node : exact.node) result.node.push_back(rounded(node));
     for (const Real& weight : exact.weight) result.weight.push_back(rounded(weight));
+    for (std::size_t i = 0; i < exact.orders.size(); ++i) {
+      for (const Real& weight : exact.orders[i]) result.orders[i].push_back(rounded(weight));
+    }
     return result;
   }();
   return rule;
@@ -454,17 +469,6 @@ spline::LocalParameter<BallOf<M>> BallArc<M>::place(const B& length) const {
   return local(panel.half, B(panel.middle) + B(panel.width) * B(z, distance));
 }
 
-template <class S>
-std::vector<S> rates_of(std::span<const spline::RotationSegment<S>> rotations, const S& u) {
-  std::vector<S> rates;
-  for (const auto& rotation : rotations) std::ranges::copy(rotation.rate({u, u - S(1.0)}), std::back_inserter(rates));
-  return rates;
-}
-template <class S>
-S dot(const std::vector<S>& a, const std::vector<S>& b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), S(0.0));
-}
-
 namespace {
 
 template <class B>
@@ -635,20 +639,224 @@ bool may_be_about_one_axis(const spline::RotationSegment<B>& rotation) {
 template bool may_be_about_one_axis(const spline::RotationSegment<Ball>& rotation);
 template bool may_be_about_one_axis(const spline::RotationSegment<RealBall>& rotation);
 
+spline::RotationSegment<Ball> from_start(const spline::RotationSegment<RealBall>& rotation) {
+  const auto rounded = [](const RealBall& number) { return ball_of(number); };
+  std::array<spline::Quaternion<Ball>, 4> points{{{Ball(), Ball(), Ball(), Ball(1.0)}}};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto [x, y, z, w] = conjugate(rotation.points()[0]) * rotation.points()[i];
+    points[i] = {rounded(x), rounded(y), rounded(z), rounded(w)};
+  }
+  const auto& [x, y, z] = rotation.turn();
+  return {rotation.curve(), points, {rounded(x), rounded(y), rounded(z)}};
+}
+
+namespace {
+
+template <class B>
+spline::RotationSegment<double> rough(const spline::RotationSegment<B>& rotation) {
+  return rotation.template converted<double>([](const B& number) { return number.rough(); });
+}
+
+/// By divided differences at nodes around the place.
+NearTurn near_turn(const spline::RotationSegment<RealBall>& rotation, NearTurn result) {
+  std::array<spline::Vector3<RealBall>, NearTurn::nodes> numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const RealBall u = RealBall(result.place) + RealBall(NearTurn::node(i));
+    const auto [from, to] = rotation.pair_at(result.pair, u, RealBall(1.0) - u);
+    const auto [x, y, z, w] = conjugate(from) * to;
+    numbers[i] = {x, y, z};
+  }
+  for (std::size_t order = 1; order < numbers.size(); ++order) {
+    for (std::size_t i = numbers.size() - 1; i >= order; --i) {
+      const RealBall between(NearTurn::node(i) - NearTurn::node(i - order));
+      for (std::size_t k = 0; k < 3; ++k) numbers[i][k] = (numbers[i][k] - numbers[i - 1][k]) / between;
+    }
+  }
+  double left_out = 0;  // the next term, as an error of the second one
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) result.coefficients[i][k] = ball_of(numbers[i][k]);
+  }
+  for (const Ball& last : result.coefficients.back()) left_out += last.most();
+  for (std::size_t i = 2; i < NearTurn::nodes; ++i) left_out *= NearTurn::reach;
+  double along = 0, square = 0, least = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double value = result.coefficients[0][k].rough(), slope = result.coefficients[1][k].rough();
+    along += value * slope;
+    square += slope * slope;
+    result.coefficients[1][k] = result.coefficients[1][k].widened(left_out);
+  }
+  result.nearest = -along / square;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double value = (result.coefficients[0][k] + Ball(result.nearest) * result.coefficients[1][k]).rough();
+    least += value * value;
+  }
+  result.width = std::sqrt(least / square);
+  return result;
+}
+
+/// The turns where the dot product of two points is below this.
+constexpr double nearly_opposite = 0x1p-26 - 1;
+
+}  // namespace
+
+std::vector<NearTurn> near_turns(std::span<const spline::RotationSegment<RealBall>> rotations) {
+  std::vector<NearTurn> result;
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    for (std::size_t pair = 0; pair < rotations[i].pairs(); ++pair) {
+      for (const double place : rough(rotations[i]).opposite_places(pair, nearly_opposite)) {
+        result.push_back(near_turn(rotations[i], {i, pair, place}));
+      }
+    }
+  }
+  return result;
+}
+
+/// The rates of all rotations at a distance from a center, or near it.
 template <class M>
-typename BallTurn<M>::B BallTurn<M>::speed(const B& u) const {
-  const std::vector<B> rates = rates_of(rotations_, u);
-  return sqrt(dot(rates, rates));
+std::vector<BallOf<M>> BallTurn<M>::rates(const Center& center, const B& distance) const {
+  std::vector<B> rates;
+  const B u = B(center.place) + distance;
+  for (std::size_t i = 0; i < rotations_.size(); ++i) {
+    const spline::LocalParameter<B> place{u, u - B(1.0)};
+    spline::Vector3<B> rate;
+    if constexpr (std::is_same_v<M, DoubleDouble>) {
+      const NearTurn* const near = center.near;
+      if (near != nullptr && near->rotation == i && (distance + B(near->nearest)).most() < NearTurn::reach) {
+        using T = spline::Dual<B>;
+        const auto join = [&](std::size_t pair, const spline::Quaternion<T>& from, const spline::Quaternion<T>& to,
+                              const T& part, const T& left) {
+          if (pair != near->pair) return spline::RotationSegment<B>::join_shorter(pair, from, to, part, left);
+          const T from_place(distance + B(near->nearest), B(1.0));
+          std::array<T, 3> vector;
+          for (std::size_t k = 0; k < 3; ++k) {
+            T& sum = vector[k] = near->coefficients.back()[k];
+            for (std::size_t node = NearTurn::nodes - 1; node-- > 0;) {
+              sum = T(near->coefficients[node][k]) + (from_place - T(B(NearTurn::node(node)))) * sum;
+            }
+          }
+          const T square = vector[0] * vector[0] + (vector[1] * vector[1] + vector[2] * vector[2]), size = sqrt(square);
+          const auto [sine, cosine] = sine_cosine(part * angle_of(size, -sqrt(T(B(1.0)) - square)));
+          const T factor = sine / size;
+          return from * spline::Quaternion<T>{vector[0] * factor, vector[1] * factor, vector[2] * factor, cosine};
+        };
+        rate = rotations_[i].rate(place, join);
+      } else {
+        rate = rotations_[i].rate(place);
+      }
+    } else {
+      rate = rotations_[i].rate(place);
+    }
+    std::ranges::copy(rate, std::back_inserter(rates));
+  }
+  return rates;
+}
+
+template <class M>
+typename BallTurn<M>::Distance BallTurn<M>::distance(const Panel& panel, const B& z) {
+  const B scale(panel.scale);
+  if (!panel.is_graded) return {scale * z, scale};
+  const B left = B(4.0) - B(3.0) * z;
+  return {B(4.0) * scale * (B(1.0) + B(3.0) * z) / left, B(60.0) * scale / (left * left)};
+}
+
+/// The speed by z.
+template <class M>
+typename BallTurn<M>::B BallTurn<M>::speed(const Panel& panel, const B& z) const {
+  const auto [value, slope] = distance(panel, z);
+  const std::vector<B> all = rates(centers_[panel.center], value);
+  return sqrt(std::inner_product(all.begin(), all.end(), all.begin(), B())) * abs(slope);
+}
+
+/// The angle from the start of a panel to a place.
+template <class M>
+typename BallTurn<M>::B BallTurn<M>::sum(const Panel& panel, const B& z) const {
+  const B begin(panel.begin), width = z - begin;
+  const B way = panel.end < panel.begin ? -width : width;
+  if (panel.is_constant) return speed(panel, B(spline::halved(panel.begin + panel.end))) * way;
+  const Rule<M>& rule = gauss_rule<M>();
+  B sum;
+  const Bound rounding = Ops::power_of_two(-(Ops::bits() + 6));  // of nodes and weights
+  for (std::size_t i = 0; i < rule.node.size(); ++i) {
+    sum += B(rule.weight[i], rounding) * speed(panel, begin + width * B(rule.node[i], rounding));
+  }
+  return sum * way;
+}
+
+/// Sets the length of a panel, and returns whether the rule errs by no more than a negligible length, or noise. The
+/// coefficients of the polynomial through the speeds at the nodes decrease about as powers of a number: from the middle
+/// ones to the last ones, and as much from these to half of those that the rule misses.
+template <class M>
+bool BallTurn<M>::measure(Panel& panel, const Bound& negligible) const {
+  panel.last_distance = distance(panel, B(panel.end)).value.middle();
+  if (panel.is_constant) {
+    panel.length = sum(panel, B(panel.end));
+    return true;
+  }
+  const Rule<M>& rule = gauss_rule<M>();
+  const B begin(panel.begin), width = B(panel.end) - begin;
+  B sum;
+  Bound noise = 0.0;
+  std::array<M, 4> coefficients{};
+  const Bound rounding = Ops::power_of_two(-(Ops::bits() + 6));  // of nodes and weights
+  for (std::size_t i = 0; i < rule.node.size(); ++i) {
+    const B speed = this->speed(panel, begin + width * B(rule.node[i], rounding));
+    sum += B(rule.weight[i], rounding) * speed;
+    noise = std::max(noise, speed.radius());
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+      coefficients[k] = coefficients[k] + rule.orders[k][i] * speed.middle();
+    }
+  }
+  const auto largest = [&](std::size_t k) {
+    return std::max(Ops::most(coefficients[k]), Ops::most(coefficients[k + 1]));
+  };
+  const Bound middle = largest(0), last = largest(2);
+  const bool is_noise = last <= Bound(64.0) * noise;
+  const Bound factor = last < middle ? Bound(last / middle) : Bound(1.0);
+  const Bound error = Ops::up(is_noise ? last : last * factor * factor * Bound(16.0)) * Ops::most(width.middle());
+  panel.length = (sum * abs(width)).widened(error);
+  return is_noise || error <= negligible || panel.length.most() <= negligible;
+}
+
+/// Adds a panel if the rule is accurate on it; else its parts.
+template <class M>
+void BallTurn<M>::add(Panel panel, int depth, const Bound& negligible) {
+  const double size = centers_[panel.center].size;
+  const bool is_wide = size > 0 && panel.touches() && Ops::most(panel.scale) > Bound(16 * size);
+  if (!is_wide && measure(panel, negligible)) {
+    panel.before = total_;
+    total_ += panel.length;
+    panels_.push_back(panel);
+    return;
+  }
+  if (depth > 3 * Ops::bits() || panels_.size() > 10 * static_cast<std::size_t>(Ops::bits())) throw Undecided();
+  Panel first = panel, second = panel;
+  if (!panel.touches()) {
+    first.end = second.begin = spline::halved(panel.begin + panel.end);
+  } else {
+    const bool begins = Ops::is_zero(panel.begin);
+    const bool is_smooth = depth < 2 && size == 0;
+    Panel &inner = begins ? first : second, &outer = begins ? second : first;
+    inner.scale = panel.scale * M(is_smooth ? 0x1p-2 : 0x1p-4);
+    outer.scale = panel.scale * M(0x1p-4);
+    outer.is_graded = true;
+    (begins ? outer.begin : outer.end) = M(is_smooth ? 0.5 : 0.0);
+  }
+  add(first, depth + 1, negligible);
+  add(second, depth + 1, negligible);
 }
 
 /// The place at which it rests near another one, by the secant method; where it does not, some place nearby.
 template <class M>
 M BallTurn<M>::rest_near(double place) const {
   B before(place), next = before + B(0x1p-26);
+  const auto rates_at = [&](const B& u) { return rates({M(0.0)}, u); };
+  const auto dot = [](const std::vector<B>& a, const std::vector<B>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), B());
+  };
   try {
-    std::vector<B> rates_before = rates_of(rotations_, before);
+    std::vector<B> rates_before = rates_at(before);
     for (int step = 0; step < 5; ++step) {
-      const std::vector<B> rates = rates_of(rotations_, next);
+      const std::vector<B> rates = rates_at(next);
       std::vector<B> change;
       std::ranges::transform(rates, rates_before, std::back_inserter(change), std::minus());
       const B moved = dot(rates, change) / dot(change, change) * (next - before);
@@ -658,93 +866,6 @@ M BallTurn<M>::rest_near(double place) const {
   } catch (const Undecided&) {  // nearer than the digits show
   }
   return before.middle();
-}
-
-/// The places at which the speed is 0, or nearly so: it has no derivative there, or changes fast.
-template <class M>
-std::vector<M> BallTurn<M>::rests() const {
-  std::vector<spline::RotationSegment<double>> rough;
-  for (const auto& rotation : rotations_) {
-    rough.push_back(rotation.template converted<double>([](const B& number) { return number.rough(); }));
-  }
-  const auto speed = [&](double u) {
-    const std::vector<double> rates = rates_of<double>(rough, u);
-    return std::sqrt(dot(rates, rates));
-  };
-  constexpr int steps = 32;
-  std::array<double, steps + 1> speeds{};
-  for (int i = 0; i <= steps; ++i) speeds[static_cast<std::size_t>(i)] = speed(static_cast<double>(i) / steps);
-  const double small = 0x1p-10 * *std::ranges::max_element(speeds);
-  std::vector<M> places;
-  for (int i = 0; i <= steps; ++i) {
-    const int before = std::max(i - 1, 0), after = std::min(i + 1, steps);
-    const double here = speeds[static_cast<std::size_t>(i)];
-    const bool is_least =
-        here <= speeds[static_cast<std::size_t>(before)] && here <= speeds[static_cast<std::size_t>(after)];
-    if (!is_least) continue;
-    double low = static_cast<double>(before) / steps, high = static_cast<double>(after) / steps;
-    for (int third = 0; third < 80; ++third) {  // the speed decreases and then increases
-      const double left = low + (high - low) / 3, right = high - (high - low) / 3;
-      (speed(left) < speed(right) ? high : low) = speed(left) < speed(right) ? right : left;
-    }
-    if (speed(low) < small) places.push_back(rest_near(low));
-  }
-  return places;
-}
-
-/// The angle from the start of a panel, over a width.
-template <class M>
-typename BallTurn<M>::B BallTurn<M>::sum(const Panel& panel, const B& width) const {
-  const B begin(panel.begin);
-  if (panel.is_constant) return speed(B(panel.begin + spline::halved(panel.width))) * width;
-  const Rule<M>& rule = gauss_rule<M>();
-  B sum;
-  const Bound rounding = Ops::power_of_two(-(Ops::bits() + 6));  // of nodes and weights
-  for (std::size_t i = 0; i < rule.node.size(); ++i) {
-    sum += B(rule.weight[i], rounding) * speed(begin + width * B(rule.node[i], rounding));
-  }
-  return sum * width;
-}
-
-template <class M>
-void BallTurn<M>::accept(Panel panel) {
-  panel.before = total_;
-  total_ += panel.length;
-  panels_.push_back(std::move(panel));
-}
-
-/// Adds the halves of a panel if the rule agrees with them, which for panels as short as these err by far less than the
-/// rule on the whole, or if rounding errors hide whether it does, as they do next to a jump; else their halves.
-template <class M>
-void BallTurn<M>::add(const Panel& panel, const Bound& negligible) {
-  if (panel.is_constant) return accept(panel);
-  const M half = spline::halved(panel.width);
-  std::array<Panel, 2> halves{{{panel.begin, half}, {panel.begin + half, half}}};
-  for (Panel& part : halves) part.length = sum(part, B(half));
-  const Bound least_width = Ops::power_of_two(-Ops::bits());  // next to a jump of the speed panels get as short as that
-  const B together = halves[0].length + halves[1].length;
-  const Bound difference = Ops::most((together - panel.length).middle());
-  const bool is_full = panels_.size() > 10 * static_cast<std::size_t>(Ops::bits());
-  const bool agrees = difference <= negligible || difference <= together.radius();
-  if (!agrees && (is_full || !(Ops::most(panel.width) > least_width))) throw Undecided();
-  for (Panel& part : halves) {
-    if (agrees) {
-      part.length = part.length.widened(difference);
-      accept(part);
-    } else {
-      add(part, negligible);
-    }
-  }
-}
-
-/// Whether all rotations turn at a constant rate between two places.
-template <class M>
-bool BallTurn<M>::is_constant(const M& begin, const M& end) const {
-  const M middle = spline::halved(begin + end);
-  return std::ranges::all_of(rotations_, [&](const auto& rotation) {
-    const auto [from, to] = rotation.constant_part();
-    return from.middle() < middle && middle < to.middle();
-  });
 }
 
 /// Each part as cubics of its own, which begin and end at rest where they do so exactly.
@@ -781,88 +902,140 @@ void BallTurn<M>::assign_cubics() {
   }
 }
 
-/// The speed has no derivative where a constant rate begins or ends; these places are known but for an error, in which
-/// the speed is at most twice that next to it.
+/// The places next to which the speed changes fast: where two points are nearly opposite, where it is 0, or nearly so,
+/// where a constant rate begins or ends, and, as it may do so there, both ends and the middle. `speed`: in doubles.
 template <class M>
-void BallTurn<M>::assign(std::span<const spline::RotationSegment<B>> rotations, bool about_axes) {
+std::vector<typename BallTurn<M>::Center> BallTurn<M>::centers(const std::function<double(double)>& speed) const {
+  std::vector<Center> result{{M(0.0)}, {M(0.5)}, {M(1.0)}};
+  for (const NearTurn& near : near_) result.push_back({M(near.place) + M(near.nearest), near.width, &near});
+  for (const auto& rotation : rotations_) {
+    for (const B& place : rotation.constant_part()) result.push_back({place.middle()});
+  }
+  std::vector<double> speeds;
+  for (int i = 0; i <= rough_parts; ++i) speeds.push_back(speed(static_cast<double>(i) / rough_parts));
+  const double small = 0x1p-10 * *std::ranges::max_element(speeds);
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
+    const std::size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, speeds.size() - 1);
+    if (!(speeds[i] <= speeds[before] && speeds[i] <= speeds[after])) continue;
+    double low = static_cast<double>(before) / rough_parts, high = static_cast<double>(after) / rough_parts;
+    for (int third = 0; third < 80; ++third) {  // the speed decreases and then increases
+      const double left = low + (high - low) / 3, right = high - (high - low) / 3;
+      (speed(left) < speed(right) ? high : low) = speed(left) < speed(right) ? right : left;
+    }
+    if (speed(low) < small) result.push_back({rest_near(low)});
+  }
+  std::erase_if(result, [](const Center& center) { return center.place < M(0.0) || M(1.0) < center.place; });
+  std::ranges::sort(result, {}, &Center::place);
+  const auto same = std::ranges::unique(result, {}, &Center::place);
+  result.erase(same.begin(), same.end());
+  return result;
+}
+
+/// Whether all rotations turn at a constant rate between two places.
+template <class M>
+bool BallTurn<M>::is_constant(const M& begin, const M& end) const {
+  const M middle = spline::halved(begin + end);
+  return std::ranges::all_of(rotations_, [&](const auto& rotation) {
+    const auto [from, to] = rotation.constant_part();
+    return from.middle() < middle && middle < to.middle();
+  });
+}
+
+/// The places at which a constant rate begins or ends are known but for an error, in which the speed is at most twice
+/// that next to it.
+template <class M>
+void BallTurn<M>::assign(std::span<const spline::RotationSegment<B>> rotations, bool about_axes,
+                         std::vector<NearTurn> near) {
   rotations_ = rotations;
+  near_ = std::move(near);
   panels_.clear();
   cubics_.clear();
   total_ = B();
   if (about_axes) return assign_cubics();
-  std::vector<M> ends{M(0.0), M(1.0)};
+  std::vector<spline::RotationSegment<double>> doubles;
+  std::ranges::transform(rotations, std::back_inserter(doubles), rough<B>);
+  const auto speed = [&](double u) {
+    double square = 0;
+    for (const auto& rotation : doubles) {
+      for (const double rate : rotation.rate({u, u - 1})) square += rate * rate;
+    }
+    return std::sqrt(square);
+  };
+  for (const auto& rotation : doubles) {
+    for (std::size_t pair = 0; std::is_same_v<M, DoubleDouble> && near_.empty() && pair < rotation.pairs(); ++pair) {
+      if (!rotation.opposite_places(pair, 0x1p-46 - 1).empty()) throw Undecided();
+    }
+  }
+  double whole = 0, fastest = 0;
+  for (int i = 0; i <= rough_parts; ++i) {
+    const double here = speed(static_cast<double>(i) / rough_parts);
+    whole += here / (rough_parts + 1);
+    fastest = std::max(fastest, here);
+  }
+  if (!std::isfinite(whole)) throw Undecided();
   Bound doubt = 0.0;
   for (const auto& rotation : rotations) {
     for (const B& place : rotation.constant_part()) {
-      if (!(place.middle() > M(0.0) && place.middle() < M(1.0))) continue;
-      ends.push_back(place.middle());
-      doubt = doubt + Bound(4.0) * place.radius();
+      if (place.middle() > M(0.0) && place.middle() < M(1.0)) doubt = doubt + Bound(4.0) * place.radius();
     }
   }
-  for (const M& place : rests()) {
-    if (place > M(0.0) && place < M(1.0)) ends.push_back(place);
-  }
-  std::ranges::sort(ends);
-  std::vector<Panel> parts;
-  Bound whole = 0.0, fastest = 0.0;
-  for (std::size_t i = 1; i < ends.size(); ++i) {
-    if (ends[i - 1] == ends[i]) continue;
-    Panel part{ends[i - 1], ends[i] - ends[i - 1], is_constant(ends[i - 1], ends[i])};
-    part.length = sum(part, B(part.width));
-    whole = whole + part.length.most();
-    fastest = std::max(fastest, speed(B(part.begin + spline::halved(part.width))).most());
-    parts.push_back(part);
-  }
-  for (Panel& part : parts) {
-    if (doubt > 0.0) part.length = part.length.widened(doubt * fastest);
-    add(part, Ops::power_of_two(14 - Ops::bits()) * whole);
+  total_ = total_.widened(doubt * Bound(fastest));
+  centers_ = centers(speed);
+  const Bound negligible = Ops::power_of_two(14 - Ops::bits()) * Bound(whole);
+  for (std::size_t i = 0; i + 1 < centers_.size(); ++i) {
+    const M &from = centers_[i].place, &to = centers_[i + 1].place, half = spline::halved(to - from);
+    const bool constant = is_constant(from, to);
+    add({i, half, M(0.0), M(1.0), constant}, 0, negligible);
+    add({i + 1, -half, M(1.0), M(0.0), constant}, 0, negligible);
   }
 }
 
 template <class M>
 typename BallTurn<M>::B BallTurn<M>::to(const spline::LocalParameter<B>& place) const {
   if (place.w.is_zero()) return total_;
+  const M u = place.u.middle();
   if (!cubics_.empty()) {
-    auto part = std::ranges::find_if(
-        cubics_, [&](const Cubics& cubics) { return place.u.middle() < (cubics.begin + cubics.width).middle(); });
+    auto part =
+        std::ranges::find_if(cubics_, [&](const Cubics& cubics) { return u < (cubics.begin + cubics.width).middle(); });
     if (part == cubics_.end()) --part;
     return part->before + part->arc.to(local(0, (place.u - part->begin) / part->width));
   }
-  auto panel = std::ranges::upper_bound(panels_, place.u.middle(), {}, &Panel::begin);
-  if (panel != panels_.begin()) --panel;
-  return panel->before + sum(*panel, place.u - B(panel->begin)).widened(panel->length.radius());
+  auto panel = std::ranges::find_if(
+      panels_, [&](const Panel& one) { return u < centers_[one.center].place + one.last_distance; });
+  if (panel == panels_.end()) --panel;
+  const B distance = place.u - B(centers_[panel->center].place), scale(panel->scale);
+  const B z = panel->is_graded ? B(4.0) * (distance - scale) / (B(12.0) * scale + B(3.0) * distance) : distance / scale;
+  return panel->before + sum(*panel, z).widened(panel->length.radius());
 }
 
 /// By Newton's method, or by halves where it leaves the panel; the speed at both ends of the ball of the place shows
 /// that it does not change much there.
 template <class M>
-spline::LocalParameter<BallOf<M>> BallTurn<M>::place(const B& length) const {
+typename BallTurn<M>::Place BallTurn<M>::place(const B& length) const {
   if (!cubics_.empty()) {
     const Cubics& part = panel_at_length(cubics_, length.middle());
-    return local(0, part.begin + part.width * part.arc.place(length - part.before).u);
+    return {M(0.0), part.begin + part.width * part.arc.place(length - part.before).u};
   }
   const Panel& panel = panel_at_length(panels_, length.middle());
-  const B into = length - panel.before, begin(panel.begin);
-  if (panel.is_constant) {
-    const B u = begin + B(panel.width) * (into / panel.length);
-    return local(0, u);
-  }
-  M low = panel.begin, high = panel.end();
-  B u = begin + B(panel.width) * B((into / panel.length).middle());
+  const B into = length - panel.before;
+  const bool ascends = panel.begin < panel.end;
+  M low = ascends ? panel.begin : panel.end, high = ascends ? panel.end : panel.begin;
+  B z = B(panel.begin) + B(panel.end - panel.begin) * B((into / panel.length).middle());
   const int most_steps = Ops::bits() + 40;
   for (int step = 0; step < most_steps; ++step) {
-    if (!(low < u.middle() && u.middle() < high)) u = B(spline::halved(low + high));
-    const B rest = into - sum(panel, u - begin), speed = B(this->speed(u).middle());
+    if (!(low < z.middle() && z.middle() < high)) z = B(spline::halved(low + high));
+    const B rest = into - sum(panel, z), speed = B(this->speed(panel, z).middle());
     const Bound distance = Ops::up(Bound(2.01) * (rest.most() + panel.length.radius()) / Ops::least(speed.middle()));
     if (Ops::most(rest.middle()) <= rest.radius() && distance < Ops::power_of_two(-(Ops::bits() * 6 / 10))) {
       for (const bool below : {true, false}) {  // no step brings it nearer
         const B side(Ops::number(distance));
-        if (!(this->speed(below ? u - side : u + side) > halved(speed))) throw Undecided();
+        if (!(this->speed(panel, below ? z - side : z + side) > halved(speed))) throw Undecided();
       }
-      return local(0, B(u.middle(), distance));
+      return {centers_[panel.center].place, this->distance(panel, z.widened(distance)).value};
     }
-    (Ops::is_negative(rest.middle()) ? high : low) = u.middle();
-    u = B((u + B(rest.middle()) / speed).middle());
+    (Ops::is_negative(rest.middle()) == ascends ? high : low) = z.middle();
+    const B step_to_rest = B(rest.middle()) / speed;
+    z = B((ascends ? z + step_to_rest : z - step_to_rest).middle());
   }
   throw Undecided();
 }

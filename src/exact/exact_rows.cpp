@@ -190,8 +190,11 @@ class ExactRows::Evaluation {
   static std::vector<Level> levels_of(const RowsOfCurve& rows, const Notation& notation) {
     const bool has_turns = spline::is_turn(rows.exact.rules.metric);
     std::vector<Level> levels;
+    constexpr int of_turns = 256;  // double-doubles measure rotations that are known to twice as many digits
     const int first = first_precision(notation), last = last_precision(rows);
-    for (int bits = first; bits < last; bits *= 2) levels.push_back({bits, has_turns});
+    for (int bits = has_turns ? std::max(first, of_turns) : first; bits < last; bits *= 2) {
+      levels.push_back({bits, has_turns});
+    }
     levels.push_back({last, has_turns});
     for (int bits = first; has_turns && bits <= 2 * first; bits *= 2) levels.push_back({bits, false});
     return levels;

@@ -230,7 +230,49 @@ class RotationSegment {
     }
   }
 
+  /// The pairs of points that it joins at each place.
+  std::size_t pairs() const {
+    if (has_whole_turns()) return 0;
+    return curve_ == RotationCurve::squad ? 1 : curve_ == RotationCurve::casteljau ? 3 : 0;
+  }
+  template <class T>
+  std::array<Quaternion<T>, 2> pair_at(std::size_t pair, const T& u, const T& left) const {
+    const Quaternion<T> first = arcs_[0].at(u, left), second = arcs_[1].at(u, left);
+    if (pair == 0) return {first, second};
+    const Quaternion<T> third = arcs_[2].at(u, left);
+    if (pair == 1) return {second, third};
+    return {Arc<T>(first, second).at(u, left), Arc<T>(second, third).at(u, left)};
+  }
+  /// The places on the whole curve at which the points of a pair are nearest to opposite, and their dot product is
+  /// below a bound.
+  std::vector<S> opposite_places(std::size_t pair, const S& bound) const {
+    const auto at = [&](const S& u) {
+      const auto [from, to] = pair_at<Dual<S>>(pair, {u, S(1)}, {S(S(1) - u), S(-1)});
+      return dot(from, to);
+    };
+    constexpr int parts = 16;  // two points turn by less than two whole turns together
+    const S size = S(1) / S(parts);
+    std::vector<S> places;
+    Dual<S> before = at(S(0));
+    for (int part = 1; part <= parts; ++part) {
+      const S end = size * S(part);
+      const Dual<S> after = at(end);
+      const bool has_minimum =
+          before.slope < S(0) && after.slope > S(0) && std::min(before.value, after.value) < S(-0.5);
+      before = after;
+      if (!has_minimum) continue;
+      S low = end - size, high = end;
+      for (int halving = 0; halving < std::numeric_limits<S>::digits; ++halving) {
+        const S middle = (low + high) / S(2);
+        (at(middle).slope < S(0) ? low : high) = middle;
+      }
+      if (at(low).value < bound) places.push_back(low);
+    }
+    return places;
+  }
+
   RotationCurve curve() const { return curve_; }
+  const Vector3<S>& turn() const { return turn_; }
   /// Those that it is made from.
   const std::array<Quaternion<S>, 4>& points() const { return points_; }
   bool has_whole_turns() const { return half_turns_ > S(1.5); }
@@ -267,9 +309,9 @@ class RotationSegment {
       for (const S& place : constant_part()) add(place);
       return places;
     }
-    const std::size_t pairs = curve_ == RotationCurve::squad ? 1 : curve_ == RotationCurve::casteljau ? 3 : 0;
-    for (std::size_t pair = 0; pair < pairs; ++pair) {
-      for (const S& u : opposite_places(pair)) add(S(u - from_) / size_);
+    const S rounding = S(4096) * std::numeric_limits<S>::epsilon();
+    for (std::size_t pair = 0; pair < pairs(); ++pair) {
+      for (const S& u : opposite_places(pair, rounding - S(1))) add(S(u - from_) / size_);
     }
     return places;
   }
@@ -299,12 +341,22 @@ class RotationSegment {
   }
 
   /// 2 dq/du q^-1: the turn per u, in the frame in which the rotations are given.
-  Vector3<S> rate(const LocalParameter<S>& place) const {
+  Vector3<S> rate(const LocalParameter<S>& place) const { return rate(place, join_shorter<Dual<S>>); }
+  /// Where a function joins the points of a pair, as join_shorter() does.
+  template <class Join>
+  Vector3<S> rate(const LocalParameter<S>& place, const Join& join) const {
     const auto whole = of_whole(place);
-    const auto [x, y, z, w] = normalized(point<Dual<S>>({whole.u, size_}, {S(-whole.w), S(-size_)}));
+    const auto [x, y, z, w] = normalized(point<Dual<S>>({whole.u, size_}, {S(-whole.w), S(-size_)}, join));
     const Quaternion<S> slope{x.slope, y.slope, z.slope, w.slope};
     const Quaternion<S> turn = slope * conjugate(Quaternion<S>{x.value, y.value, z.value, w.value});
     return {S(2) * turn.x, S(2) * turn.y, S(2) * turn.z};
+  }
+
+  /// The point between those of a pair, on the shorter way.
+  template <class T>
+  static Quaternion<T> join_shorter(std::size_t /*pair*/, const Quaternion<T>& from, const Quaternion<T>& to,
+                                    const T& part, const T& left) {
+    return Arc<T>(from, to).at(part, left);
   }
 
  private:
@@ -318,14 +370,19 @@ class RotationSegment {
   /// A point of the curve, not yet normalized.
   template <class T>
   Quaternion<T> point(const T& u, const T& left) const {
+    return point(u, left, join_shorter<T>);
+  }
+  template <class T, class Join>
+  Quaternion<T> point(const T& u, const T& left, const Join& join) const {
     if (has_whole_turns()) return turned(u, left);
     if (curve_ == RotationCurve::components) return cubic_point(u, left);
     const Quaternion<T> first = arcs_[0].at(u, left);
     if (curve_ == RotationCurve::slerp) return first;
     const Quaternion<T> second = arcs_[1].at(u, left);
-    if (curve_ == RotationCurve::squad) return Arc<T>(first, second).at(T(T(2) * (u * left)), T(u * u + left * left));
-    const Arc<T> before(first, second), after(second, arcs_[2].at(u, left));
-    return Arc<T>(before.at(u, left), after.at(u, left)).at(u, left);
+    if (curve_ == RotationCurve::squad) return join(0, first, second, T(T(2) * (u * left)), T(u * u + left * left));
+    const Quaternion<T> before = join(0, first, second, u, left),
+                        after = join(1, second, arcs_[2].at(u, left), u, left);
+    return join(2, before, after, u, left);
   }
   /// A point of whole turns: on the way from the first key, along the great circle, or on the way to the last key.
   template <class T>
@@ -355,39 +412,6 @@ class RotationSegment {
     }
     return sum;
   }
-  /// The dot product of two points between which the curve interpolates.
-  template <class T>
-  T dot_of_pair(std::size_t pair, const T& u, const T& left) const {
-    const Quaternion<T> first = arcs_[0].at(u, left), second = arcs_[1].at(u, left);
-    if (pair == 0) return dot(first, second);
-    const Quaternion<T> third = arcs_[2].at(u, left);
-    if (pair == 1) return dot(second, third);
-    return dot(Arc<T>(first, second).at(u, left), Arc<T>(second, third).at(u, left));
-  }
-  /// The places on the whole curve at which two such points are opposite but for rounding.
-  std::vector<S> opposite_places(std::size_t pair) const {
-    const auto at = [&](const S& u) { return dot_of_pair<Dual<S>>(pair, {u, S(1)}, {S(S(1) - u), S(-1)}); };
-    constexpr int parts = 16;  // two points turn by less than two whole turns together
-    const S size = S(1) / S(parts), rounding = S(4096) * std::numeric_limits<S>::epsilon();
-    std::vector<S> places;
-    Dual<S> before = at(S(0));
-    for (int part = 1; part <= parts; ++part) {
-      const S end = size * S(part);
-      const Dual<S> after = at(end);
-      const bool has_minimum =
-          before.slope < S(0) && after.slope > S(0) && std::min(before.value, after.value) < S(-0.5);
-      before = after;
-      if (!has_minimum) continue;
-      S low = end - size, high = end;
-      for (int halving = 0; halving < std::numeric_limits<S>::digits; ++halving) {
-        const S middle = (low + high) / S(2);
-        (at(middle).slope < S(0) ? low : high) = middle;
-      }
-      if (at(low).value < rounding - S(1)) places.push_back(low);
-    }
-    return places;
-  }
-
   RotationCurve curve_ = RotationCurve::slerp;
   std::array<Quaternion<S>, 4> points_;
   Vector3<S> turn_{};
