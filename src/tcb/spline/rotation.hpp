@@ -114,7 +114,9 @@ class Arc {
     if (is_short_) return;
     sine_ = sqrt(square_);
     angle_ = angle_of(sine_, turn.w);
-    if constexpr (bounds_errors<value_t<T>>) to_ = turn;
+    is_turned_ = bounds_errors<value_t<T>>;
+    if constexpr (!bounds_errors<value_t<T>>) is_turned_ = value_of(square_) < 0x1p-40;
+    if (is_turned_) to_ = turn;
   }
 
   const Quaternion<T>& from() const { return from_; }
@@ -122,9 +124,7 @@ class Arc {
   /// The point after the fraction u of the arc; `left` is 1 - u.
   template <class U>
   Quaternion<U> at(const U& u, const U& left) const {
-    if constexpr (bounds_errors<value_t<T>>) {
-      if (!is_short_) return turned_by(U(u * angle_));
-    }
+    if (is_turned_) return turned_by(U(u * angle_));
     const U first = weight(left), second = weight(u);
     return {from_.x * first + to_.x * second, from_.y * first + to_.y * second, from_.z * first + to_.z * second,
             from_.w * first + to_.w * second};
@@ -158,9 +158,10 @@ class Arc {
   }
 
   Quaternion<T> from_;
-  Quaternion<T> to_;  ///< for a scalar with bounds on its errors, of an arc that is not short, the turn to it
+  Quaternion<T> to_;  ///< or the turn to it: is_turned_
   T square_{}, sine_{}, angle_{};  ///< of the angle between the two; for a short arc, the square of its sine alone
   bool is_short_ = true;
+  bool is_turned_ = false;  ///< between nearly opposite points, or of a scalar with bounds on its errors
 };
 
 /// Half the angle of a rotation along its axis. Requires: |q| = 1.
