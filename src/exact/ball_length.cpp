@@ -529,7 +529,9 @@ class AngleAboutAxis {
       const B change = angles[to] - angles[from];
       return Polynomial<B>{angles[from], change - turns_in(change), B(), B()};
     };
-    if (rotation.curve() == spline::RotationCurve::squad) {
+    if (rotation.curve() == spline::RotationCurve::slerp) {
+      join({way(0, 3)}, B(), B(1.0));
+    } else if (rotation.curve() == spline::RotationCurve::squad) {
       weight_ = {B(), B(2.0), B(-2.0)};
       join({way(0, 3), way(1, 2)}, B(), B(1.0));
     } else {
@@ -622,9 +624,7 @@ class AngleAboutAxis {
 
 template <class B>
 bool may_be_about_one_axis(const spline::RotationSegment<B>& rotation) {
-  using spline::RotationCurve;
-  const bool joins_ways = rotation.curve() == RotationCurve::squad || rotation.curve() == RotationCurve::casteljau;
-  if (!joins_ways || rotation.has_whole_turns()) return false;
+  if (rotation.curve() == spline::RotationCurve::components || rotation.has_whole_turns()) return false;
   const auto& points = rotation.points();
   std::array<spline::Quaternion<B>, 3> turns;
   std::transform(points.begin() + 1, points.end(), turns.begin(),
@@ -644,7 +644,8 @@ spline::RotationSegment<Ball> from_start(const spline::RotationSegment<RealBall>
   std::array<spline::Quaternion<Ball>, 4> points{{{Ball(), Ball(), Ball(), Ball(1.0)}}};
   for (std::size_t i = 1; i < points.size(); ++i) {
     const auto [x, y, z, w] = conjugate(rotation.points()[0]) * rotation.points()[i];
-    points[i] = {rounded(x), rounded(y), rounded(z), rounded(w)};
+    const bool is_same = x.is_zero_at_last() && y.is_zero_at_last() && z.is_zero_at_last();
+    points[i] = is_same ? points[0] : spline::Quaternion<Ball>{rounded(x), rounded(y), rounded(z), rounded(w)};
   }
   const auto& [x, y, z] = rotation.turn();
   return {rotation.curve(), points, {rounded(x), rounded(y), rounded(z)}};

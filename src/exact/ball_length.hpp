@@ -206,7 +206,7 @@ class SegmentLength<BallOf<M>> {
     if (!is_turn(metric)) {
       kind_ = Kind::arc;
       arc_.assign(cubics, metric);
-    } else if (!in_double_doubles) {
+    } else if (!in_double_doubles || (about_axes && rotations.size() == 1)) {  // those about an axis take no quadrature
       kind_ = Kind::turn;
       turn_.assign(rotations, about_axes, near_turns(rotations));
     } else {
