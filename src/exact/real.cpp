@@ -2,6 +2,7 @@
 #include "exact/real.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -25,8 +26,25 @@ using Whole =
                                       std::allocator<boost::multiprecision::limb_type>>,
                                   boost::multiprecision::et_off>;
 
-/// The bits of a whole number. Requires: > 0.
-std::int64_t width(const Whole& whole) { return static_cast<std::int64_t>(msb(whole)) + 1; }
+constexpr int limb_bits = 64;
+
+/// The bits of the size of a whole number. Requires: not 0.
+std::int64_t width(const Whole& whole) {
+  const auto& limbs = whole.backend();
+  const std::uint64_t top = limbs.limbs()[limbs.size() - 1];
+  return limb_bits * static_cast<std::int64_t>(limbs.size() - 1) + std::bit_width(top);
+}
+
+/// A number of this width over 2^width, truncated to the digits of a double.
+double leading(const Whole& whole, std::int64_t width) {
+  const auto& limbs = whole.backend();
+  const std::size_t size = limbs.size();
+  const int free = static_cast<int>(-width & (limb_bits - 1));  // bits of the first limb
+  std::uint64_t top = limbs.limbs()[size - 1] << free;
+  if (free > 0 && size > 1) top |= limbs.limbs()[size - 2] >> (limb_bits - free);
+  const double value = static_cast<double>(top >> (limb_bits - digits)) * 0x1p-53;
+  return limbs.sign() ? -value : value;
+}
 
 /// Times a power of two, truncated.
 Whole shifted(const Whole& whole, std::int64_t bits) {
@@ -96,9 +114,8 @@ bool Real::is_last() { return last_in_use; }
 Real::Real(Number number, std::int64_t exponent) {
   if (number.whole == 0) return;
   const Whole& whole = number.whole;
-  const std::int64_t bits = width(whole < 0 ? Whole(-whole) : whole), cut = std::max<std::int64_t>(bits - digits, 0);
-  leading_ =
-      std::ldexp(static_cast<double>(static_cast<std::int64_t>(shifted(whole, -cut))), static_cast<int>(cut - bits));
+  const std::int64_t bits = width(whole);
+  leading_ = leading(whole, bits);
   exponent_ = exponent;
   size_ = exponent + bits;
   number_ = std::make_shared<const Number>(std::move(number));
@@ -110,18 +127,19 @@ Real::Real(double value) {
   *this = Real(Number{Whole(static_cast<std::int64_t>(std::ldexp(mantissa, 53)))}, exponent - 53);
 }
 
+/// Whole limbs are cut off, so that some digits more may stay.
 Real::Result Real::rounded(Number number, std::int64_t exponent) {
   if (number.whole == 0) return {{}, true};
-  const bool is_negative = number.whole < 0;
-  if (is_negative) number.whole = -number.whole;
-  const std::int64_t excess = width(number.whole) - bits_in_use;
+  const std::int64_t excess = (width(number.whole) - bits_in_use) / limb_bits * limb_bits;
   bool is_exact = true;
   if (excess > 0) {
-    is_exact = static_cast<std::int64_t>(lsb(number.whole)) >= excess;
-    number.whole >>= static_cast<std::uint64_t>(excess);
+    auto& limbs = number.whole.backend();
+    const std::size_t cut = static_cast<std::size_t>(excess / limb_bits), left = limbs.size() - cut;
+    is_exact = std::all_of(limbs.limbs(), limbs.limbs() + cut, [](std::uint64_t limb) { return limb == 0; });
+    std::copy_n(limbs.limbs() + cut, left, limbs.limbs());
+    limbs.resize(static_cast<unsigned>(left), static_cast<unsigned>(left));
     exponent += excess;
   }
-  if (is_negative) number.whole = -number.whole;
   return {Real(std::move(number), exponent), is_exact};
 }
 
@@ -133,6 +151,7 @@ Real::Result Real::sum(const Real& a, const Real& b) {
   const bool a_is_finer = a.exponent_ < b.exponent_;
   const Real &fine = a_is_finer ? a : b, &coarse = a_is_finer ? b : a;
   const std::int64_t shift = coarse.exponent_ - fine.exponent_;
+  if (shift == 0) return rounded({Whole(coarse.number_->whole + fine.number_->whole)}, fine.exponent_);
   return rounded({Whole(shifted(coarse.number_->whole, shift) + fine.number_->whole)}, fine.exponent_);
 }
 
@@ -144,7 +163,7 @@ Real::Result Real::product(const Real& a, const Real& b) {
 Real::Result Real::quotient(const Real& a, const Real& b) {
   if (a.is_zero()) return {{}, true};
   const Whole &n = a.number_->whole, &d = b.number_->whole;
-  const std::int64_t shift = std::max<std::int64_t>(0, bits_in_use + 2 - width(abs(n)) + width(abs(d)));
+  const std::int64_t shift = std::max<std::int64_t>(0, bits_in_use + 2 - width(n) + width(d));
   Whole whole, rest;
   divide_qr(shifted(n, shift), d, whole, rest);
   Result result = rounded({std::move(whole)}, a.exponent_ - b.exponent_ - shift);
