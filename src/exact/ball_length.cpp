@@ -797,16 +797,22 @@ bool BallTurn<M>::measure(Panel& panel, const Bound& negligible) const {
   const B begin(panel.begin), width = B(panel.end) - begin;
   B sum;
   Bound noise = 0.0;
+  M fastest(0.0);
+  std::vector<M> speeds;
   std::array<M, 4> coefficients{};
   const Bound rounding = Ops::power_of_two(-(Ops::bits() + 6));  // of nodes and weights
   for (std::size_t i = 0; i < rule.node.size(); ++i) {
     const B speed = this->speed(panel, begin + width * B(rule.node[i], rounding));
     sum += B(rule.weight[i], rounding) * speed;
     noise = std::max(noise, speed.radius());
+    speeds.push_back(speed.middle());
+    fastest = std::max(fastest, speed.middle());
     for (std::size_t k = 0; k < coefficients.size(); ++k) {
       coefficients[k] = coefficients[k] + rule.orders[k][i] * speed.middle();
     }
   }
+  panel.speeds.clear();
+  for (const M& speed : speeds) panel.speeds.push_back(Ops::is_zero(fastest) ? 0 : rough_ratio(speed, fastest));
   const auto largest = [&](std::size_t k) {
     return std::max(Ops::most(coefficients[k]), Ops::most(coefficients[k + 1]));
   };
@@ -816,6 +822,48 @@ bool BallTurn<M>::measure(Panel& panel, const Bound& negligible) const {
   const Bound error = Ops::up(is_noise ? last : last * factor * factor * Bound(16.0)) * Ops::most(width.middle());
   panel.length = (sum * abs(width)).widened(error);
   return is_noise || error <= negligible || panel.length.most() <= negligible;
+}
+
+/// The part of a panel in which a fraction of its length lies, nearly, by the polynomial through the speeds.
+/// Source: H. Wang, S. Xiang, "On the convergence rates of Legendre approximation",
+/// doi:10.1090/S0025-5718-2011-02549-4,
+///   for the weights of the barycentric formula.
+template <class M>
+double BallTurn<M>::rough_place(const Panel& panel, double fraction) {
+  if (panel.speeds.empty()) return fraction;
+  const Rule<M>& rule = gauss_rule<M>();
+  std::vector<double> nodes, weights;
+  for (std::size_t i = 0; i < rule.node.size(); ++i) {
+    nodes.push_back(rough_ratio(rule.node[i], M(1.0)));
+    weights.push_back(rough_ratio(rule.weight[i], M(1.0)));
+  }
+  const auto speed = [&](double at) {
+    double above = 0, below = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (at == nodes[i]) return panel.speeds[i];
+      const double weight = std::sqrt(nodes[i] * (1 - nodes[i]) * weights[i]) / (at - nodes[i]);
+      above += i % 2 == 0 ? weight * panel.speeds[i] : -weight * panel.speeds[i];
+      below += i % 2 == 0 ? weight : -weight;
+    }
+    return above / below;
+  };
+  const auto sum = [&](double to) {
+    double total = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) total += weights[i] * speed(to * nodes[i]);
+    return total * to;
+  };
+  const double length = fraction * sum(1);
+  double low = 0, high = 1, at = std::clamp(fraction, 0.0, 1.0);
+  for (int step = 0; step < 60; ++step) {
+    const double excess = sum(at) - length;
+    (excess > 0 ? high : low) = at;
+    double next = at - excess / speed(at);
+    if (!(next >= low && next <= high)) next = (low + high) / 2;
+    const bool is_settled = std::abs(next - at) < 0x1p-48;
+    at = next;
+    if (is_settled) break;
+  }
+  return at;
 }
 
 /// Adds a panel if the rule is accurate on it; else its parts.
@@ -1021,13 +1069,15 @@ typename BallTurn<M>::Place BallTurn<M>::place(const B& length) const {
   const B into = length - panel.before;
   const bool ascends = panel.begin < panel.end;
   M low = ascends ? panel.begin : panel.end, high = ascends ? panel.end : panel.begin;
-  B z = B(panel.begin) + B(panel.end - panel.begin) * B((into / panel.length).middle());
+  const double part = rough_place(panel, rough_ratio(into.middle(), panel.length.middle()));
+  B z = B(panel.begin + (panel.end - panel.begin) * M(part));
   const int most_steps = Ops::bits() + 40;
   for (int step = 0; step < most_steps; ++step) {
     if (!(low < z.middle() && z.middle() < high)) z = B(spline::halved(low + high));
     const B rest = into - sum(panel, z), speed = B(this->speed(panel, z).middle());
     const Bound distance = Ops::up(Bound(2.01) * (rest.most() + panel.length.radius()) / Ops::least(speed.middle()));
-    if (Ops::most(rest.middle()) <= rest.radius() && distance < Ops::power_of_two(-(Ops::bits() * 6 / 10))) {
+    if (Ops::most(rest.middle()) <= rest.radius()) {
+      if (!(distance < Ops::power_of_two(-(Ops::bits() * 6 / 10)))) throw Undecided();
       for (const bool below : {true, false}) {  // no step brings it nearer
         const B side(Ops::number(distance));
         if (!(this->speed(panel, below ? z - side : z + side) > halved(speed))) throw Undecided();

@@ -148,7 +148,8 @@ class BallTurn {
     bool is_constant = false;  ///< the speed is
     bool is_graded = false;
     B length = {}, before = {};
-    M last_distance = {};  ///< that of its end
+    M last_distance = {};             ///< that of its end
+    std::vector<double> speeds = {};  ///< at the nodes of the rule, over the largest of them
 
     bool touches() const { return !is_graded && (Ops::is_zero(begin) || Ops::is_zero(end)); }
   };
@@ -172,6 +173,7 @@ class BallTurn {
   bool is_constant(const M& begin, const M& end) const;
   M rest_near(double place) const;
   bool measure(Panel& panel, const Bound& negligible) const;
+  static double rough_place(const Panel& panel, double fraction);
   void add(Panel panel, int depth, const Bound& negligible);
 
   std::span<const spline::RotationSegment<B>> rotations_;

@@ -58,7 +58,7 @@ class TurnLength {
 
  private:
   static constexpr int most_halvings = std::max(24, std::numeric_limits<S>::digits / 2);
-  static constexpr std::size_t most_panels = 1 << 14;  ///< more do not make a sum of more digits
+  static constexpr std::size_t most_panels = 1 << 11;  ///< more do not make a sum of more digits
   static S same_place() { return S(4096) * std::numeric_limits<S>::epsilon(); }
 
   struct Part {
