@@ -975,8 +975,8 @@ std::vector<typename BallTurn<M>::Center> BallTurn<M>::centers(const std::functi
   }
   std::erase_if(result, [](const Center& center) { return center.place < M(0.0) || M(1.0) < center.place; });
   std::ranges::sort(result, {}, &Center::place);
-  const auto same = std::ranges::unique(result, {}, &Center::place);
-  result.erase(same.begin(), same.end());
+  const auto is_same = [](const Center& a, const Center& b) { return a.place == b.place; };
+  result.erase(std::unique(result.begin(), result.end(), is_same), result.end());
   return result;
 }
 

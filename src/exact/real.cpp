@@ -32,7 +32,7 @@ constexpr int limb_bits = 64;
 std::int64_t width(const Whole& whole) {
   const auto& limbs = whole.backend();
   const std::uint64_t top = limbs.limbs()[limbs.size() - 1];
-  return limb_bits * static_cast<std::int64_t>(limbs.size() - 1) + std::bit_width(top);
+  return limb_bits * static_cast<std::int64_t>(limbs.size() - 1) + static_cast<std::int64_t>(std::bit_width(top));
 }
 
 /// A number of this width over 2^width, truncated to the digits of a double.
