@@ -158,7 +158,7 @@ class Arc {
   }
 
   Quaternion<T> from_;
-  Quaternion<T> to_;  ///< or the turn to it: is_turned_
+  Quaternion<T> to_;               ///< or the turn to it: is_turned_
   T square_{}, sine_{}, angle_{};  ///< of the angle between the two; for a short arc, the square of its sine alone
   bool is_short_ = true;
   bool is_turned_ = false;  ///< between nearly opposite points, or of a scalar with bounds on its errors
