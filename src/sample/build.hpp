@@ -16,7 +16,6 @@
 #include "sample/request.hpp"
 #include "schema/curve_channels.hpp"
 #include "stream/source.hpp"
-#include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/segments.hpp"
 
 namespace tcb::spline {

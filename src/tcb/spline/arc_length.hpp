@@ -20,13 +20,6 @@
 
 namespace tcb::spline {
 
-/// A length, and a bound on its error.
-template <class S>
-struct Length {
-  S value{};
-  S error{};
-};
-
 /// The lengths of one segment. It can be assigned one segment after another, which reuses its memory.
 template <class S>
 class ArcLength {

@@ -16,6 +16,13 @@
 
 namespace tcb::spline {
 
+/// A length, and a bound on its error.
+template <class S>
+struct Length {
+  S value{};
+  S error{};
+};
+
 /// The local parameter: u from the start of a segment, and w = u - 1 from its end, each rounded once.
 template <class S>
 struct LocalParameter {
