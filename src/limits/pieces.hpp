@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -41,6 +42,7 @@ struct Piece {
   S duration;                              ///< of the piece
   Polynomial<S> parameter;                 ///< the local parameter of the segment
   std::vector<Polynomial<S>> cubics = {};  ///< one per channel, over the local parameter
+  std::vector<bool> rests = {};            ///< of each channel: both its tangents are 0
 
   bool is_whole() const { return parameter == Polynomial<S>{S(0), S(1)}; }
 };
@@ -85,7 +87,10 @@ std::vector<Piece<S>> pieces_of(const spline::Segments<S>& segments, std::size_t
     if (!(first < last)) continue;
     const S width = (last - first) * size;
     Piece<S> piece{number, begin + first * size, width, width * duration, composed(parameter, {first, last - first})};
-    for (const spline::Cubic<S>& x : segments[segment]) piece.cubics.push_back({x.p0, x.out, x.c + x.c_low, x.d});
+    for (const spline::Cubic<S>& x : segments[segment]) {
+      piece.cubics.push_back({x.p0, x.out, x.c + x.c_low, x.d});
+      piece.rests.push_back(x.out == S(0) && x.in == S(0));
+    }
     pieces.push_back(std::move(piece));
   }
   return pieces;
@@ -145,6 +150,8 @@ std::pair<Polynomial<S>, S> rate_of(const Piece<S>& piece, std::size_t channel, 
 template <class To, class S, class Convert>
 Measured<To> measured_direction(const Piece<S>& piece, const Measure& measure, const Convert& convert) {
   const bool is_curvature = measure.kind == Measure::Kind::curvature;
+  const auto rests = [&](std::size_t channel) { return piece.rests[channel]; };
+  if (is_curvature && std::ranges::all_of(measure.channels, rests)) return {};  // it is straight
   std::vector<Polynomial<S>> v, a;
   S unit(1);  // of doubles, whose powers do not overflow
   for (const std::size_t channel : measure.channels) {
@@ -198,7 +205,10 @@ Measured<To> measured_direction(const Piece<S>& piece, const Measure& measure, c
     factor = convert(turn);
   }
   result.over = product(result.over, product(factor, factor));
-  if constexpr (std::is_same_v<S, double>) result.scale *= size_of(factor) * size_of(factor);
+  if constexpr (std::is_same_v<S, double>) {
+    result.scale *= size_of(factor) * size_of(factor);
+    if (result.scale < 1e-290) result.scale = std::numeric_limits<double>::infinity();  // doubles do not bound it
+  }
   return result;
 }
 
