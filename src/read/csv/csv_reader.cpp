@@ -89,7 +89,6 @@ class RecordReader {
     for (std::size_t i = 0; i < expected; ++i) read_cell(cells_[i], head_.columns.cells[i]);
     if (!keys_.complete_time()) add_fault(cells_[time_cell_], time_parts_not_whole(head_.columns.time));
     if (!keys_.end_key()) return;
-    follows_key_ = true;
     const bool timed = time_cell_ < expected;
     keys_.set_position(tokenizer_.line(), timed ? tokenizer_.column(cells_[time_cell_]) : 1);
   }
@@ -223,7 +222,8 @@ class RecordReader {
   /// Whether a record begins with a word where the rows above have a number or a time, as totals and repeated names do.
   bool is_footer() const {
     const Role role = head_.columns.cells[0].role;
-    if (!follows_key_ || head_.is_of_format || role == Role::ignored || role == Role::group || role == Role::carry) {
+    if (!head_.begins_with_value || head_.is_of_format || role == Role::ignored || role == Role::group ||
+        role == Role::carry) {
       return false;
     }
     const std::string_view word = bare(cells_[0]);
@@ -272,7 +272,6 @@ class RecordReader {
   KeyBuilder keys_;
   std::vector<std::string_view> cells_;
   const std::size_t time_cell_, clock_cell_;
-  bool follows_key_ = false;  ///< in this chunk
 };
 
 /// Drops lines at the beginning. Throws: Error (data) where there are fewer.

@@ -32,6 +32,7 @@ struct DelimitedHead {
   std::optional<TimeUnit> time_unit = {};  ///< from a row of units
   std::vector<bool> begin_empty = {};      ///< for each column, whether its first two cells are empty
   bool is_of_format = false;               ///< the format has the columns, not the text
+  bool begins_with_value = false;          ///< the first cell of the first record is a number or a time
 };
 
 /// The first cell with a role; beyond all of them where there is none.

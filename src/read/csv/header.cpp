@@ -620,6 +620,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     }
   }
   require_names_for_cells(names, row, head);
+  head.begins_with_value = may_be_value(row.cells[0], head);
   head.facts.encoding = convert_names(names, position);
   head.facts.names_quaternion = !columns.samples && name_quaternion(names);
   rest.assign(std::move_iterator(first.chunks.begin() + static_cast<std::ptrdiff_t>(row.chunk)),

@@ -91,11 +91,11 @@ TEST(Csv, keys_have_the_texts_of_groups_and_labels) {
 
 TEST(Csv, faults_do_not_end_the_reading) {
   EXPECT_EQ(read("t,x\n0,o\n1,2,3\n2,1\np,q\n"),
-            "f:2:3: error: x: \"o\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell "
-            "(2 errors of this kind, the last in line 5)\n"
+            "f:2:3: error: x: \"o\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell\n"
             "f:3:5: error: the number of cells in the row is 3, but 2 in the rows above; expected the same number; "
             "complete or correct the row, or give the delimiter with --delimiter\n"
-            "f:5:1: error: t: \"p\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell");
+            "f:5:1: error: t: \"p\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or give "
+            "--comment p if such lines are no keys (2 errors of this kind, the last in line 5)");
 }
 
 TEST(Csv, pieces_of_any_size_give_the_same_keys_or_the_same_error) {

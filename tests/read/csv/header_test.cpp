@@ -54,7 +54,8 @@ TEST(Header, a_header_may_be_forced_or_denied) {
   options.delimited.header = true;
   EXPECT_EQ(read("10,20\n0,1\n", options), "10 20\n2: 0 1\n");
   EXPECT_EQ(read("0,1\nx,2\n", with_header(false)),
-            "f:2:1: error: t: \"x\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell");
+            "f:2:1: error: t: \"x\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or give "
+            "--comment x if such lines are no keys");
   EXPECT_EQ(read("#t,a\n0,1\n", with_header(false)), "(t x)\n2: 0 1\n");
 }
 
