@@ -92,6 +92,9 @@ FrameTimes FrameTimes::from(const Time& origin) const {
 }
 
 Time FrameTimes::elapsed(const Time& time) const {
+  const auto is_whole = [](const Time& t) { return t.lo == 0 && std::abs(t.hi) <= 0x1p52 && t.hi == std::trunc(t.hi); };
+  // As most dates are; their difference is a double.
+  if (are_decimals_ && is_whole(time) && is_whole(decimal_origin_)) return Time(time.hi - decimal_origin_.hi);
   if (are_decimals_) return difference(named(time), named(decimal_origin_));
   const auto found = number(time);
   return found ? time_of(*found - origin_) : time - time_of(origin_);
