@@ -1,7 +1,7 @@
 """Golden rows do not depend on each other: golden_rows.py PROGRAM [CURVES] [SEED].
 
-Random curves with steps and positions from 1e-300 to 1e300, also with lengths, and rotations with steps of 1. Each list
-of places is printed in one run, in reverse, shuffled, and row by row; each row has the same bytes in all of them, and
+Random curves with steps and positions from 1e-300 to 1e300, also with lengths, and rotations. Each list of places is
+printed in one run, in reverse, shuffled, and row by row; each row has the same bytes in all of them, and
 no error is one of a library. Then numbers within a few units of powers of ten are printed with 1 to 40 digits, exactly,
 as balls and as what lies at a length, against decimals rounded once.
 Exit 1: a row differs, and its command is printed.
@@ -46,7 +46,7 @@ def hostile():
 def keys():
     count = rng.randint(2, 5)
     kind = rng.choice(["plain", "plain", "plain", "axis"])
-    times = sorted({hostile() if kind == "plain" and rng.random() < 0.4 else i for i in range(count)})
+    times = sorted({hostile() if rng.random() < 0.4 else i for i in range(count)})
     while len(times) < 2:
         times.append(times[-1] + 1)
     if kind == "plain":
@@ -55,7 +55,8 @@ def keys():
         names, rows = "xyz"[:width], [row[:width] for row in rows]
     else:
         names = ["ax", "ay", "az", "angle"]
-        rows = [["0", "0", "1", repr(rng.choice([0, 0, 1, rng.uniform(-3, 3)]))] for _ in times]
+        axes = rng.choice([[["0", "0", "1"]], [["1", "2", "-1"]], [["1", "0", "0"], ["0.6", "-0.8", "1e-9"]]])
+        rows = [[*rng.choice(axes), repr(rng.choice([0, 0, 1, rng.uniform(-3, 3)]))] for _ in times]
     lines = [",".join([repr(t), *row]) for t, row in zip(times, rows)]
     return kind, times, "\n".join([",".join(["t", *names]), *lines]) + "\n"
 
@@ -66,6 +67,7 @@ for _ in range(curves):
     options, fields = [], ["time", "position", "velocity", "acceleration", "speed", "tangent", "curvature", "torsion"]
     if kind == "axis":
         options = ["--rotation", "axis-angle=ax:ay:az:angle", "--metric", "rotation"]
+        options += ["--rotation-curve", rng.choice(["squad", "casteljau", "components", "slerp"])]
         fields = ["time", "position", "angular_velocity"]
     if kind == "axis" or rng.random() < 0.2:
         fields.append("s")
