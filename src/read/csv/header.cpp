@@ -462,9 +462,14 @@ class RolesByCells {
     notes_.push_back(fmt::format("the dates in column {} are taken as the times", shown(*dates)));
   }
 
-  /// Columns of words before the first number or time, where columns have no names, are the names of the rows.
+  /// Columns of words before the first number or time, where columns have no names, are the names of the rows. A text
+  /// that begins with a digit may be a time in an unknown notation.
   void leave_labels() {
-    for (std::size_t cell = 0; cell < numeric_.size() && !numeric_[cell] && !notation(cell); ++cell) {
+    const auto is_label = [&](std::size_t cell) {
+      const auto& row = rows_[0];
+      return !numeric_[cell] && !(cell < row.size() && !row[cell].empty() && is_digit(row[cell][0]));
+    };
+    for (std::size_t cell = 0; cell < numeric_.size() && is_label(cell); ++cell) {
       if (is_requested(cell)) continue;
       request(Role::unused, cell);
       notes_.push_back(fmt::format("column {} is text, and is left out", cell + 1));
