@@ -197,6 +197,9 @@ std::optional<Rational> simple_maximum(const Polynomial<Rational>& x, const Rati
 /// Bounds parts of pieces with exact numbers.
 class ExactSearch {
  public:
+  /// Parts are halved at most so many times.
+  explicit ExactSearch(int deepest) : deepest_(deepest) {}
+
   std::optional<Extreme> best;
   Rational place;  ///< of the best, in its piece
   std::size_t best_candidate = 0;
@@ -226,11 +229,10 @@ class ExactSearch {
     attain(at_least(value), begin + at * size);
     const std::optional<Rational> after = at < 1 ? bound_of(part_of(x, at, 1 - at)) : at_most(value);
     const std::optional<Rational> before = at > 0 ? bound_of(part_of(x, 0, at)) : at_most(value);
-    constexpr int deepest = 120;
     if (before && after) {
       const Rational most = std::max(*before, *after);
       if (most <= best->low) return;
-      if (depth == deepest || most - best->low <= close * abs(most)) {
+      if (depth == deepest_ || most - best->low <= close * abs(most)) {
         if constexpr (std::is_same_v<S, Rational>) {
           if (const auto exact = simple_maximum(x.over, value, most)) return attain(*exact, begin + at * size);
         }
@@ -238,7 +240,7 @@ class ExactSearch {
         return;
       }
     }
-    if (depth == deepest) throw Undecided();
+    if (depth == deepest_) throw Undecided();
     const auto bound_half = [&](const Rational& first) {
       bound(part_of(x, first, half), begin + first * size, size * half, depth + 1);
     };
@@ -296,6 +298,7 @@ class ExactSearch {
     return rough;
   }
 
+  int deepest_;
   std::size_t candidate_ = 0;
 };
 
@@ -388,10 +391,12 @@ class Corners {
   std::vector<End> first_, before_;
 };
 
-/// The maximum among the parts that may hold it. Throws: Error (data) where numbers are too far apart.
+/// The maximum among the parts that may hold it, with floats of so many bits. Throws: Undecided where numbers are too
+/// far apart for them.
 std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const Measure& measure,
                                      const MeasuredCurve& curve,
-                                     const std::function<const spline::Segments<Rational>&(std::size_t)>& segment) {
+                                     const std::function<const spline::Segments<Rational>&(std::size_t)>& segment,
+                                     int bits) {
   const auto piece_of = [&](const Candidate& part) -> std::optional<Piece<Rational>> {
     const spline::Segments<Rational>& one = segment(part.segment);
     const Rational duration = one.times[1] - one.times[0];
@@ -411,10 +416,9 @@ std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const 
     for (const Polynomial<Rational>& x : piece.cubics) extreme.position.push_back(nearest_double(value_at(x, u)));
     return extreme;
   };
-  constexpr int bits = 400;
   const RealPrecision precision(bits);
   const bool is_quotient = measure.kind == Measure::Kind::curvature || measure.kind == Measure::Kind::angular_speed;
-  ExactSearch search;
+  ExactSearch search(bits * 3 / 10);
   for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i) {
     const auto piece = piece_of(parts[i]);
     if (!piece) continue;
@@ -478,11 +482,16 @@ Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measur
       if (found != exact.end()) return found->second;
       return exact.emplace(key, turns ? curve.turning(segment) : curve.exact(segment)).first->second;
     };
-    try {
-      result.maxima.push_back(exact_maximum(searches[k].rest(), measures[k], curve, exact_segment));
-    } catch (const Undecided&) {
-      throw data_error("numbers are too far apart to bound; expected fewer such keys");
+    const std::vector<Candidate> parts = searches[k].rest();
+    std::optional<Extreme> maximum = Extreme{.is_unproved = true};
+    for (const int bits : {400, 2000}) {
+      try {
+        maximum = exact_maximum(parts, measures[k], curve, exact_segment, bits);
+        break;
+      } catch (const Undecided&) {
+      }
     }
+    result.maxima.push_back(std::move(maximum));
   }
   result.corners = std::move(corners.found);
   return result;

@@ -37,6 +37,7 @@ struct Extreme {
   spline::Side side = spline::Side::right;  ///< of a key there, on whose segment
   bool is_at_key = false;
   bool is_unbounded = false;  ///< it grows beyond all numbers near this time; `low` and `high` have no meaning
+  bool is_unproved = false;   ///< numbers are too far apart to bound it; nothing else has a meaning
 };
 
 /// A sudden change of the velocity.

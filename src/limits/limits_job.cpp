@@ -261,6 +261,10 @@ void measure(const MeasuredCurve& curve, const std::vector<std::string>& title, 
     const Measure& one = measures[i];
     LimitResult result{title, one, std::move(found.maxima[i]), wanted[i].limit};
     if (result.limit && result.extreme) {
+      if (result.extreme->is_unproved) {
+        throw data_error("numbers are too far apart to bound the {}; expected fewer such keys; remove this limit",
+                         one.name);
+      }
       const auto breaks = [&](const Corner& corner) {
         if (one.kind == Measure::Kind::curvature) return turns(corner, channels, one.channels);
         return one.derivative > 1 && std::ranges::any_of(corner.channels, [&](std::size_t channel) {

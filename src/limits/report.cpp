@@ -69,6 +69,7 @@ ResultTexts texts_of(const LimitResult& result) {
   }
   if (!result.extreme) return texts;
   const Extreme& extreme = *result.extreme;
+  if (extreme.is_unproved) return texts;
   texts.time = time_text(nearest_time(extreme.time));
   texts.side = extreme.side == spline::Side::left ? "left" : "right";
   if (extreme.is_unbounded) {
@@ -107,6 +108,7 @@ std::string text(const LimitResult& result) {
   std::string line = fmt::format("{}{}{}{}: ", printable(result.measure.name), is_size ? "" : " ",
                                  is_size ? "" : extreme_of(result.measure), in_curve(result.curve));
   if (!result.extreme) return line + "nothing in this range\n";
+  if (result.extreme->is_unproved) return line + "no bound is proved, as numbers are too far apart\n";
   const std::string side = result.extreme->is_at_key ? fmt::format(" on the {} side", texts.side) : "";
   line += result.extreme->is_unbounded
               ? fmt::format("without a bound at time {}{}, where the curve rests", texts.time, side)
@@ -147,7 +149,7 @@ DecimalBounds decimal_bounds(const Rational& low, const Rational& high, bool roo
 const LimitResult* LimitsReport::tightest() const {
   const LimitResult* tightest = nullptr;
   for (const LimitResult& result : results) {
-    if (!result.extreme) continue;
+    if (!result.extreme || result.extreme->is_unproved) continue;
     const auto rank = [](const LimitResult& of) { return std::pair(!of.passed, texts_of(of).part); };
     if (tightest == nullptr || rank(result) > rank(*tightest)) tightest = &result;
   }
@@ -183,7 +185,7 @@ std::string json(const LimitsReport& report) {
         "{}\n{{\"curve\":{},\"name\":{},\"extreme\":\"{}\",\"maximum\":{},\"bound\":{},\"time\":{},\"side\":{},"
         "\"limit\":{},\"factor\":{},\"passed\":{}}}",
         limits.empty() ? "" : ",", json_list(result.curve), json_text(result.measure.name), extreme_of(result.measure),
-        texts.maximum, texts.bound, texts.time, result.extreme ? json_text(texts.side) : "null", texts.limit,
+        texts.maximum, texts.bound, texts.time, texts.side == "null" ? "null" : json_text(texts.side), texts.limit,
         texts.factor, texts.passed);
   }
   for (const auto& [curve, corner] : report.corners) {
