@@ -7,7 +7,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
+#include <boost/container/static_vector.hpp>
 #include <cstddef>
 #include <initializer_list>
 #include <utility>
@@ -18,25 +18,23 @@ namespace tcb::limits {
 template <class S>
 class Polynomial {
  public:
-  Polynomial() : Polynomial({S(0)}) {}
-  Polynomial(std::initializer_list<S> coefficients) : size_(coefficients.size()) {
-    std::ranges::copy(coefficients, coefficients_.begin());
-  }
-  explicit Polynomial(std::size_t size) : size_(size) {}
+  Polynomial() : coefficients_(1) {}
+  Polynomial(std::initializer_list<S> coefficients) : coefficients_(coefficients) {}
+  explicit Polynomial(std::size_t size) : coefficients_(size) {}
 
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return coefficients_.size(); }
   S& operator[](std::size_t i) { return coefficients_[i]; }
   const S& operator[](std::size_t i) const { return coefficients_[i]; }
   const S& front() const { return coefficients_[0]; }
-  const S& back() const { return coefficients_[size_ - 1]; }
+  const S& back() const { return coefficients_.back(); }
   S* begin() { return coefficients_.data(); }
-  S* end() { return begin() + size_; }
+  S* end() { return begin() + size(); }
   const S* begin() const { return coefficients_.data(); }
-  const S* end() const { return begin() + size_; }
+  const S* end() const { return begin() + size(); }
 
   Polynomial without_last() const {
-    Polynomial result(size_ - 1);
-    std::copy(begin(), end() - 1, result.begin());
+    Polynomial result = *this;
+    result.coefficients_.pop_back();
     return result;
   }
   bool is_zero() const {
@@ -47,8 +45,7 @@ class Polynomial {
  private:
   static constexpr std::size_t most = 37;  ///< of the sixth power of a speed over the cubic of a warp
 
-  std::array<S, most> coefficients_{};
-  std::size_t size_;
+  boost::container::static_vector<S, most> coefficients_;
 };
 
 /// a + factor b.

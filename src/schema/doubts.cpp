@@ -309,7 +309,7 @@ Found times_without_role(const FoundColumns& found) {
   return std::nullopt;
 }
 
-/// Names of channels that are numbers, as where each column has the values at one time.
+/// Names of channels that are numbers and do not only count the columns, as where each has the values at one time.
 Found times_as_names(const FoundColumns& found) {
   if (found.requested.timeless || found.columns.has(Role::time) || is_requested(found, Role::position))
     return std::nullopt;
@@ -318,6 +318,8 @@ Found times_as_names(const FoundColumns& found) {
   for (const std::string& channel : channels) times.push_back(parse_number(channel).value_or(nan));
   const bool increase = std::ranges::adjacent_find(times, [](double a, double b) { return !(a < b); }) == times.end();
   if (found.names.empty() || times.size() < 3 || !increase) return std::nullopt;
+  const bool count = times.front() <= 1 && times.back() == times.front() + static_cast<double>(times.size() - 1);
+  if (count) return std::nullopt;
   return error(
       "the columns are called {}, as times are; expected a row for each time; transpose the table, or give {} uniform "
       "if the rows are keys without times",
