@@ -65,7 +65,7 @@ const std::map<std::string, std::set<std::string>> allowed{
 const std::map<std::string, std::vector<std::string>> packages{
     {"numbers/large_rational.hpp", {"numbers/rational.cpp", "exact/"}},
     {"nlohmann", {"read/json/", "write/camera_path.cpp", "write/gltf.cpp"}},
-    {"boost", {"numbers/rational.cpp", "numbers/large_rational.hpp", "exact/"}},
+    {"boost", {"numbers/rational.cpp", "numbers/large_rational.hpp", "exact/", "limits/polynomial.hpp"}},
     {"fast_float", {"numbers/"}},
     {"CLI", {"cli/"}},
     {"nettle", {"io/"}},
