@@ -486,8 +486,9 @@ class RolesByCells {
 
   /// Whether another column than the index is the time by its name or a request.
   bool is_time(std::size_t cell) const {
-    const bool is_of_role = role_of_name(names_[cell]) == Role::time;
-    return is_of_role || (is_usual_time(names_[cell]) && !is_usual_counter(names_[cell]));
+    const Role role = role_of_name(names_[cell]);
+    if (role != Role::position) return role == Role::time;
+    return is_usual_time(names_[cell]) && !is_usual_counter(names_[cell]);
   }
 
   /// A first column that counts rows is their index, and so is one without a name that repeats dates.
