@@ -15,6 +15,39 @@ constexpr std::int64_t most_ticks = std::int64_t{1}
 /// The decimal of a time: that of a double is its shortest one.
 LongDecimal named(const Time& time) { return decimal_of(with_all_digits(time)); }
 
+/// The whole number nearest to a number. Requires: |number| < 2^51.
+double rounded_to_whole(double number) {
+  constexpr double round_to_whole = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves no fraction bits
+  return (number + round_to_whole) - round_to_whole;
+}
+
+constexpr int micro = 6;
+
+/// A time in microseconds, where that is the whole number that its shortest decimal names, as those of most dates are:
+/// below 2^51 the times of two such numbers are two doubles.
+std::optional<std::int64_t> microseconds(const Time& time) {
+  constexpr double in_second = 1e6;
+  if (time.lo != 0 || !(std::abs(time.hi) < 0x1p51 / in_second)) return std::nullopt;
+  const double number = rounded_to_whole(time.hi * in_second);
+  return number / in_second == time.hi ? std::optional(static_cast<std::int64_t>(number)) : std::nullopt;
+}
+
+/// units / 10^decimals as the double-double that depends on this quotient alone.
+template <class Whole>
+Time quotient(Whole units, int decimals) {
+  double power = 1;
+  for (int i = 0; i < decimals; ++i) {
+    if (units % 10 == 0) {
+      units /= 10;
+    } else {
+      power *= 10;
+    }
+  }
+  const auto high = static_cast<double>(units);
+  const auto low = static_cast<double>(units - static_cast<Whole>(high));
+  return spline::DoubleDouble::normalized(high, low) / Time(power);
+}
+
 /// The difference of two decimals as the double-double that depends on it alone.
 Time difference(const LongDecimal& a, const LongDecimal& b) {
   __extension__ using Whole = __int128;
@@ -33,18 +66,7 @@ Time difference(const LongDecimal& a, const LongDecimal& b) {
     for (int i = exponent; digits != 0 && i < decimal.exponent; ++i) digits *= 10;
     return decimal.negative ? -digits : digits;
   };
-  Whole units = whole(a) - whole(b);
-  double power = 1;
-  for (int i = exponent; i < 0; ++i) {
-    if (units % 10 == 0) {
-      units /= 10;
-    } else {
-      power *= 10;
-    }
-  }
-  const auto high = static_cast<double>(units);
-  const auto low = static_cast<double>(units - static_cast<Whole>(high));
-  return spline::DoubleDouble::normalized(high, low) / Time(power);
+  return quotient<Whole>(whole(a) - whole(b), -exponent);
 }
 
 }  // namespace
@@ -73,8 +95,7 @@ std::optional<double> FrameTimes::number(const Time& time) const {
   if (time.lo != 0 || ticks_ == 0) return std::nullopt;
   const double near = time.hi * ticks_ / seconds_;
   if (!(std::abs(near) < 0x1p51)) return std::nullopt;
-  constexpr double round_to_whole = 6755399441055744.0;  // 1.5 * 2^52: adding it leaves no fraction bits
-  const double number = (near + round_to_whole) - round_to_whole;
+  const double number = rounded_to_whole(near);
   return time_of(number).hi == time.hi ? std::optional(number) : std::nullopt;
 }
 
@@ -93,9 +114,12 @@ FrameTimes FrameTimes::from(const Time& origin) const {
 
 Time FrameTimes::elapsed(const Time& time) const {
   const auto is_whole = [](const Time& t) { return t.lo == 0 && std::abs(t.hi) <= 0x1p52 && t.hi == std::trunc(t.hi); };
-  // As most dates are; their difference is a double.
-  if (are_decimals_ && is_whole(time) && is_whole(decimal_origin_)) return Time(time.hi - decimal_origin_.hi);
-  if (are_decimals_) return difference(named(time), named(decimal_origin_));
+  if (are_decimals_) {
+    if (is_whole(time) && is_whole(decimal_origin_)) return Time(time.hi - decimal_origin_.hi);
+    const auto micros = microseconds(time), origin = microseconds(decimal_origin_);
+    if (micros && origin) return quotient(*micros - *origin, micro);
+    return difference(named(time), named(decimal_origin_));
+  }
   const auto found = number(time);
   return found ? time_of(*found - origin_) : time - time_of(origin_);
 }

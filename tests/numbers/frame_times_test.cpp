@@ -1,9 +1,15 @@
 // Frame times: frames are found by their doubles, and elapsed times have the digits that these omit.
 #include "numbers/frame_times.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <random>
+#include <string>
 
 namespace tcb {
 namespace {
@@ -49,6 +55,34 @@ TEST(FrameTimes, decimals_are_what_their_texts_name) {
   const Time nanoseconds = *parse_long_time("1714564800.123456789", 1714564800.123456789);
   EXPECT_EQ(late.elapsed(nanoseconds), early.elapsed(0.123456789));
   EXPECT_EQ(late.key_time(late.elapsed(nanoseconds)), nanoseconds);
+}
+
+TEST(FrameTimes, elapsed_times_of_decimals_are_their_differences) {
+  std::mt19937_64 random(20240301);
+  const auto power = [](int exponent) { return exponent == 0 ? Rational(1) : Rational(std::pow(10.0, exponent)); };
+  const auto time_of = [](std::int64_t units, int decimals) {  // by its text
+    const std::string text = fmt::format("{}e-{}", units, decimals);
+    const double nearest = std::strtod(text.c_str(), nullptr);
+    return parse_long_time(text, nearest).value_or(Time(nearest));
+  };
+  for (int i = 0; i < 20'000; ++i) {
+    const auto number = [&](int decimals) {  // often at a bound of the ways to compute it
+      const std::int64_t most = i % 3 == 0 ? 2'300'000'000 : i % 3 == 1 ? 10 : 4'200'000'000'000;
+      const auto whole = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(most)) - most / 4;
+      std::int64_t unit = 1;
+      for (int k = 0; k < decimals; ++k) unit *= 10;
+      return whole * unit + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(unit));
+    };
+    constexpr std::array most_decimals{6, 9, 6};  // with which numbers are below 2^63
+    const auto of = static_cast<std::uint64_t>(most_decimals[static_cast<std::size_t>(i) % 3]) + 1;
+    const auto one = static_cast<int>(random() % of), two = static_cast<int>(random() % of);
+    const std::int64_t origin = number(one), units = number(two);
+    const Rational exact = Rational(units) / power(two) - Rational(origin) / power(one);
+    const FrameTimes times = FrameTimes::decimals().from(time_of(origin, one));
+    const Time elapsed = times.elapsed(time_of(units, two));
+    EXPECT_LE(abs(value(elapsed) - exact), abs(exact) * Rational(0x1p-99)) << units << "e-" << two << ' ' << origin;
+    EXPECT_EQ(times.key_time(elapsed), time_of(units, two)) << units << "e-" << two << ' ' << origin;
+  }
 }
 
 TEST(FrameTimes, times_between_frames_are_doubles) {
