@@ -237,12 +237,13 @@ class GroupFit {
 
   /// The sums over the points of a segment.
   [[gnu::noinline]] void set_sums(std::size_t segment) {
+    const std::size_t begin = begins_[segment], end = begins_[segment + 1];
+    const double scale = weight_scale_;
+    for (std::size_t i = begin; i < end; ++i) weights_[i] = std::max(weights_[i] * scale, 1e-9);
     Moments moments;
     auto gaps = per_channel<Four>();
-    const double scale = weight_scale_;
-    for (std::size_t i = begins_[segment], end = begins_[segment + 1]; i < end; ++i) {
-      const double w = weights_[i] = std::max(weights_[i] * scale, 1e-9);
-      const double t = places_[i], t2 = t * t, t3 = t2 * t;
+    for (std::size_t i = begin; i < end; ++i) {
+      const double w = weights_[i], t = places_[i], t2 = t * t, t3 = t2 * t;
       const Four part{w, w * t, w * t2, w * t3};
       for (std::size_t k = 0; k < part.size(); ++k) {
         moments.low[k] += part[k];
