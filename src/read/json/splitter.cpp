@@ -60,13 +60,9 @@ void JsonSplitter::skip_plain_object() {
   // Without another brace and without a backslash, quotes come in pairs up to a brace outside of strings.
   const std::size_t end = text_.find('}', at_);
   if (end == std::string::npos) return;
-  std::uint8_t odd = 0, doubtful = 0;
-  for (const char c : std::string_view(text_).substr(at_ + 1, end - at_ - 1)) {
-    odd = static_cast<std::uint8_t>(odd ^ static_cast<std::uint8_t>(c == '"'));
-    doubtful = static_cast<std::uint8_t>(doubtful | static_cast<std::uint8_t>(c == '{') |
-                                         static_cast<std::uint8_t>(c == '\\'));
-  }
-  if (odd == 0 && doubtful == 0) at_ = end - 1;
+  const std::string_view members = std::string_view(text_).substr(at_ + 1, end - at_ - 1);
+  const auto has = [&](char c) { return members.find(c) != std::string_view::npos; };
+  if (!has('{') && !has('\\') && std::ranges::count(members, '"') % 2 == 0) at_ = end - 1;
 }
 
 /// Cuts off and returns the text up to `end`.
