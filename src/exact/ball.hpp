@@ -62,7 +62,7 @@ struct Middle<spline::DoubleDouble> {
     error += 0x1p-100 * std::abs(product.hi) + underflow;
     return product;
   }
-  static M quotient(const M& a, const M& b, double& error) {
+  [[gnu::flatten]] static M quotient(const M& a, const M& b, double& error) {
     const M quotient = a / b;
     error += 0x1p-99 * std::abs(quotient.hi) + underflow;
     return quotient;

@@ -143,8 +143,8 @@ class CellWriter<BallOf<M>> {
   void add(const BallOf<M>& value) { next_({value}); }
   void add(const Quantity<BallOf<M>>& value) { next_(value); }
   void add_of_channel(const BallOf<M>& value, std::size_t channel, bool moves) {
-    const bool is_constant = moves ? facts_.constant[channel] : facts_.zero[channel];
-    add(is_constant && value.may_be_zero() ? BallOf<M>() : value);
+    const std::vector<bool>& is_zero = moves ? facts_.constant : facts_.zero;
+    add(value.may_be_zero() && is_zero[channel] ? BallOf<M>() : value);
   }
 
  private:

@@ -164,9 +164,12 @@ class ExactRows::Evaluation {
 
   void add_row(FastRow row, std::span<const std::size_t> chosen, Table& table) {
     times_.set(row);
-    if (!has_balls_) balls_ = BallRows::in_double_doubles(rows_, {chosen.begin(), chosen.end()});
-    has_balls_ = true;
-    cells_.assign(width(chosen), {});
+    if (!has_balls_) {
+      balls_ = BallRows::in_double_doubles(rows_, {chosen.begin(), chosen.end()});
+      cells_.resize(width(chosen));
+      has_balls_ = true;
+    }
+    std::ranges::fill(cells_, RowCell{});
     chosen_ = chosen;
     const bool is_placed = balls_ != nullptr && balls_->set(row, notation_, cells_);
     if (is_open()) complete(row, chosen, is_placed);

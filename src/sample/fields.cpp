@@ -29,20 +29,17 @@ std::vector<PositionCell> position_cells(std::size_t channels, std::span<const R
     count += rotation.shown.numbers() - rotation.channels.size();
   }
   std::vector<PositionCell> cells(count);
-  std::vector<bool> taken(count);
   for (std::size_t i = 0; i < rotations.size(); ++i) {
     for (std::size_t k = 0; !rotations[i].shown.is_quaternion() && k < rotations[i].shown.numbers(); ++k) {
       cells[rotations[i].places[k]] = {PositionCell::none, i, k};
-      taken[rotations[i].places[k]] = true;
     }
   }
-  auto next = taken.begin();
+  auto next = cells.begin();
   for (std::size_t channel = 0; channel < channels; ++channel) {
     const PositionCell cell = cell_of_channel(channel, rotations);
     if (cell.rotation != PositionCell::none && !rotations[cell.rotation].shown.is_quaternion()) continue;
-    next = std::find(next, taken.end(), false);
-    cells[static_cast<std::size_t>(next - taken.begin())] = cell;
-    ++next;
+    next = std::ranges::find(next, cells.end(), PositionCell::none, &PositionCell::rotation);
+    *next++ = cell;
   }
   return cells;
 }
