@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "stream/ordered_map.hpp"
+#include "tcb/spline/double_pair.hpp"
 
 namespace tcb {
 
@@ -88,6 +89,10 @@ class Banded {
 /// The numbers of a cubic: the position and slope at its start and at its end; or the factors of powers of t, which
 /// goes from -1 to 1.
 using Four = std::array<double, 4>;
+
+/// Four numbers as pairs, whose sums take half as long.
+using Pairs = std::array<spline::DoublePair, 2>;
+Four four(const Pairs& pairs) { return {pairs[0][0], pairs[0][1], pairs[1][0], pairs[1][1]}; }
 
 /// The factors of powers of t of a cubic with these positions and slopes, these per half the duration.
 Four powers_of(const Four& hermite) {
@@ -230,30 +235,29 @@ class GroupFit {
   /// Of the points of a segment: weighted sums, and the largest weight.
   struct Sums {
     Moments moments;
-    PerChannel<Four, channels> gaps{};  ///< with t^0 to t^3
-    double squares = 0;                 ///< of errors, after the cubics moved
+    PerChannel<Pairs, channels> gaps{};  ///< with t^0 to t^3
+    double squares = 0;                  ///< of errors, after the cubics moved
     double largest_weight = 1;
   };
 
   /// The sums over the points of a segment.
   [[gnu::noinline]] void set_sums(std::size_t segment) {
-    const std::size_t begin = begins_[segment], end = begins_[segment + 1];
+    Pairs low{}, high{};
+    auto gaps = per_channel<Pairs>();
     const double scale = weight_scale_;
-    for (std::size_t i = begin; i < end; ++i) weights_[i] = std::max(weights_[i] * scale, 1e-9);
-    Moments moments;
-    auto gaps = per_channel<Four>();
-    for (std::size_t i = begin; i < end; ++i) {
-      const double w = weights_[i], t = places_[i], t2 = t * t, t3 = t2 * t;
-      const Four part{w, w * t, w * t2, w * t3};
+    for (std::size_t i = begins_[segment], end = begins_[segment + 1]; i < end; ++i) {
+      const double w = weights_[i] = std::max(weights_[i] * scale, 1e-9);
+      const double t = places_[i], t2 = t * t, t3 = t2 * t;
+      const Pairs part{spline::DoublePair(w, w * t), spline::DoublePair(w * t2, w * t3)};
       for (std::size_t k = 0; k < part.size(); ++k) {
-        moments.low[k] += part[k];
-        moments.high[k] += part[k] * t3;
+        low[k] = low[k] + part[k];
+        high[k] = high[k] + part[k] * t3;
       }
       for (std::size_t c = 0; c < count(); ++c) {
-        for (std::size_t k = 0; k < part.size(); ++k) gaps[c][k] += part[k] * gaps_[i * count() + c];
+        for (std::size_t k = 0; k < part.size(); ++k) gaps[c][k] = gaps[c][k] + part[k] * gaps_[i * count() + c];
       }
     }
-    sums_[segment].moments = moments;
+    sums_[segment].moments = {four(low), four(high)};
     sums_[segment].gaps = gaps;
   }
 
@@ -272,7 +276,7 @@ class GroupFit {
         }
       }
       for (std::size_t c = 0; c < count(); ++c) {
-        const Four target = hermite_targets(sums_[segment].gaps[c]);
+        const Four target = hermite_targets(four(sums_[segment].gaps[c]));
         for (std::size_t j = 0; j < target.size(); ++j) targets(2 * segment + j)[c] += target[j] * scale[j];
       }
     }
