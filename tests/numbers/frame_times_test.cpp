@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <random>
 #include <string>
+#include <utility>
 
 namespace tcb {
 namespace {
@@ -57,31 +58,30 @@ TEST(FrameTimes, decimals_are_what_their_texts_name) {
   EXPECT_EQ(late.key_time(late.elapsed(nanoseconds)), nanoseconds);
 }
 
-TEST(FrameTimes, elapsed_times_of_decimals_are_their_differences) {
+TEST(FrameTimes, elapsed_times_of_decimals_depend_on_their_differences_alone) {
   std::mt19937_64 random(20240301);
-  const auto power = [](int exponent) { return exponent == 0 ? Rational(1) : Rational(std::pow(10.0, exponent)); };
   const auto time_of = [](std::int64_t units, int decimals) {  // by its text
     const std::string text = fmt::format("{}e-{}", units, decimals);
     const double nearest = std::strtod(text.c_str(), nullptr);
     return parse_long_time(text, nearest).value_or(Time(nearest));
   };
-  for (int i = 0; i < 20'000; ++i) {
-    const auto number = [&](int decimals) {  // often at a bound of the ways to compute it
-      const std::int64_t most = i % 3 == 0 ? 2'300'000'000 : i % 3 == 1 ? 10 : 4'200'000'000'000;
-      const auto whole = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(most)) - most / 4;
-      std::int64_t unit = 1;
-      for (int k = 0; k < decimals; ++k) unit *= 10;
-      return whole * unit + static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(unit));
+  // Below which number they are, about a fourth of them negative; the most decimals leave them below 2^63.
+  constexpr std::array<std::pair<std::int64_t, int>, 3> kinds{{{2'300'000'000, 6}, {10, 9}, {4'200'000'000'000, 6}}};
+  for (std::size_t i = 0; i < 20'000; ++i) {
+    const std::int64_t most = kinds[i % kinds.size()].first;
+    const int most_decimals = kinds[i % kinds.size()].second;
+    const auto decimals = static_cast<int>(random() % (static_cast<unsigned>(most_decimals) + 1));
+    std::int64_t unit = 1;
+    for (int k = 0; k < decimals; ++k) unit *= 10;
+    const auto number = [&] {
+      return static_cast<std::int64_t>(random() % std::uint64_t(most * unit)) - most / 4 * unit;
     };
-    constexpr std::array most_decimals{6, 9, 6};  // with which numbers are below 2^63
-    const auto of = static_cast<std::uint64_t>(most_decimals[static_cast<std::size_t>(i) % 3]) + 1;
-    const auto one = static_cast<int>(random() % of), two = static_cast<int>(random() % of);
-    const std::int64_t origin = number(one), units = number(two);
-    const Rational exact = Rational(units) / power(two) - Rational(origin) / power(one);
-    const FrameTimes times = FrameTimes::decimals().from(time_of(origin, one));
-    const Time elapsed = times.elapsed(time_of(units, two));
-    EXPECT_LE(abs(value(elapsed) - exact), abs(exact) * Rational(0x1p-99)) << units << "e-" << two << ' ' << origin;
-    EXPECT_EQ(times.key_time(elapsed), time_of(units, two)) << units << "e-" << two << ' ' << origin;
+    const std::int64_t origin = number(), units = number();
+    const Time elapsed = FrameTimes::decimals().from(time_of(origin, decimals)).elapsed(time_of(units, decimals));
+    const Rational exact = Rational(units - origin) / Rational(unit);
+    EXPECT_LE(abs(value(elapsed) - exact), abs(exact) * Rational(0x1p-99)) << units << ' ' << origin << ' ' << decimals;
+    const Time early = FrameTimes::decimals().from(0.0).elapsed(time_of(units - origin, decimals));
+    EXPECT_EQ(elapsed, early) << units << ' ' << origin << ' ' << decimals;
   }
 }
 
