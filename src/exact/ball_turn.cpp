@@ -1,201 +1,22 @@
-// Lengths in balls: panels under one quadrature rule, with bounds on the errors of the rule and of its rounding.
-//
-// The bound of the rule is that of tcb/spline/detail/panel.hpp. On a smooth panel the quartic q under the root has no
-// zero in the disc |z| <= R = 1.7. So with root = sqrt(q(0)) and rho = R + sqrt(R^2 - 1) the rule with n points errs by
-// less than 64/15 * 4 root / (rho^2n - rho^(2n - 2)) < e root, where e bounds the relative error of one operation
-// (2^-99 of double-doubles, two units of the last digit of other floats), and for |z| <= 1
-//   sqrt(q) >= (1 - 1/R)^2 root > 0.16 root,   the sum of the sizes of the terms of q < (1 + 1/R)^4 root^2 < 7 root^2.
-// Each operation errs by less than e of a term, so that q errs by less than 2^6 e root^2, its root by less than
-// 2^9 e root, and the rule by less than 2^11 e root; sums of up to 500 terms add 2^11 e root. The coefficients of q
-// have errors of their own. Where all derivatives are exactly 0 at an end, they are divided by the place, so that the
-// panel there is smooth, too. Other cusps are in panels that are halved until their lengths have no effect.
-#include "exact/ball_length.hpp"
+// Angles of rotations in balls: cubics where all rotations are about axes, else panels next to the places where the
+// speed changes fast.
+#include "exact/ball_turn.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <functional>
 #include <iterator>
-#include <map>
 #include <numeric>
 #include <type_traits>
 #include <utility>
 
+#include "exact/ball_angle.hpp"
+#include "exact/ball_quadrature.hpp"
+
 namespace tcb {
-namespace {
 
 using spline::DoubleDouble;
-
-constexpr double disc = 1.7;
-
-/// A bound on the errors of a rule and of its rounding, per root and width: 2^-88 of double-doubles.
-template <class M>
-typename Middle<M>::Bound rule_error() {
-  return Middle<M>::power_of_two(12 - Middle<M>::bits());
-}
-
-/// A Gauss-Legendre rule on [0, 1]. Each number errs by at most a unit of its last digit.
-template <class M>
-struct Rule {
-  std::vector<M> node, weight;
-  /// The weights that give coefficients of the polynomial through the nodes in Legendre polynomials: of the two orders
-  /// in the middle, and the last two.
-  std::array<std::vector<M>, 4> orders;
-};
-
-/// The Legendre polynomials P_n and P_(n-1) at x.
-std::pair<Real, Real> legendre(int n, const Real& x) {
-  Real before(1.0), value = x;
-  for (int k = 2; k <= n; ++k) {
-    const Real next = (Real(2.0 * k - 1) * x * value - Real(k - 1.0) * before) / Real(static_cast<double>(k));
-    before = std::exchange(value, next);
-  }
-  return {value, before};
-}
-double legendre(int n, double x, double& slope) {
-  double before = 1, value = x;
-  for (int k = 2; k <= n; ++k) before = std::exchange(value, ((2 * k - 1) * x * value - (k - 1) * before) / k);
-  slope = n * (x * value - before) / (x * x - 1);
-  return value;
-}
-
-/// Roots by Newton's method, from x_i = cos(pi (i + 3/4)/(n + 1/2)), in doubles and then in more digits.
-Rule<Real> make_rule(int n, int bits) {
-  const std::vector<Real> numbers(static_cast<std::size_t>(n));
-  Rule<Real> rule{numbers, numbers, {numbers, numbers, numbers, numbers}};
-  for (int i = 0; i < n / 2; ++i) {
-    double rough = spline::sine_cosine(3.14159265358979 * (i + 0.75) / (n + 0.5)).cosine, slope = 0;
-    for (int step = 0; step < 6; ++step) {
-      const double value = legendre(n, rough, slope);
-      rough -= value / slope;
-    }
-    constexpr int guard = 60;
-    std::vector<int> digits{bits + guard};  // of each step; the first one begins with those of a double
-    while (digits.back() > 90) digits.push_back(digits.back() / 2 + 25);
-    Real x(rough), rate;
-    for (auto step = digits.rbegin(); step != digits.rend(); ++step) {
-      const RealPrecision precision(*step);
-      const auto [value, before] = legendre(n, x);
-      const Real degree(static_cast<double>(n)), rest = Real(1.0) - x * x;
-      const Real derivative = degree * (before - x * value) / rest, off = value / derivative;
-      // The derivative at the root, by Legendre's equation; the next term has the square of `off`.
-      rate = derivative - off * (Real(2.0) * x * derivative - degree * (degree + Real(1.0)) * value) / rest;
-      x = x - off;
-    }
-    const RealPrecision wide(bits + guard);
-    const Real weight = Real(1.0) / ((Real(1.0) - x * x) * rate * rate), left = halved(Real(1.0) - x),
-               right = halved(Real(1.0) + x);
-    const RealPrecision precision(bits);
-    const auto first = static_cast<std::size_t>(i), last = static_cast<std::size_t>(n - 1 - i);
-    rule.node[first] = left + Real();
-    rule.node[last] = right + Real();
-    rule.weight[first] = rule.weight[last] = weight + Real();
-    for (const std::size_t last_order : {1U, 3U}) {
-      const int odd = last_order == 1 ? n / 4 * 2 - 1 : n - 1;
-      const auto [value, before] = legendre(odd, x);
-      const Real of_even = Real(2.0 * odd - 1) * weight * before, of_odd = Real(2.0 * odd + 1) * weight * value;
-      rule.orders[last_order - 1][first] = rule.orders[last_order - 1][last] = of_even;
-      rule.orders[last_order][first] = -of_odd;
-      rule.orders[last_order][last] = of_odd;
-    }
-  }
-  return rule;
-}
-
-/// An even number of points, for the digits in use.
-template <class M>
-const Rule<M>& gauss_rule();
-template <>
-const Rule<Real>& gauss_rule() {
-  thread_local std::map<int, Rule<Real>> known;
-  const int bits = Real::bits();
-  Rule<Real>& rule = known[bits];
-  if (rule.node.empty()) rule = make_rule((bits * 10 / 32 + 5) / 2 * 2, bits);
-  return rule;
-}
-template <>
-const Rule<DoubleDouble>& gauss_rule() {
-  static const Rule<DoubleDouble> rule = [] {
-    const Rule<Real> exact = make_rule(32, 140);
-    const auto rounded = [](const Real& number) {
-      const RealPrecision precision(140);
-      const double high = number.rough();
-      return DoubleDouble::normalized(high, Real(number - Real(high)).rough());
-    };
-    Rule<DoubleDouble> result;
-    for (const Real& node : exact.node) result.node.push_back(rounded(node));
-    for (const Real& weight : exact.weight) result.weight.push_back(rounded(weight));
-    for (std::size_t i = 0; i < exact.orders.size(); ++i) {
-      for (const Real& weight : exact.orders[i]) result.orders[i].push_back(rounded(weight));
-    }
-    return result;
-  }();
-  return rule;
-}
-
-template <class M>
-M power_of(const M& base, int exponent) {
-  M power(1.0);
-  for (int i = 0; i < exponent; ++i) power = power * (base < M(0.0) ? -base : base);
-  return power;
-}
-
-template <class T>
-T quartic(const spline::Quartic<T>& q, const T& z) {
-  return q[0] + z * (q[1] + z * (q[2] + z * (q[3] + z * q[4])));
-}
-
-template <class B>
-bool is_zero_at_end(std::span<const spline::Quadratic<B>> channels) {
-  return std::ranges::all_of(channels, [](const auto& x) { return x.k0.is_zero(); });
-}
-
-template <class B>
-spline::LocalParameter<B> local(std::size_t half, const B& place) {
-  return half == 0 ? spline::LocalParameter<B>{place, place - B(1.0)}
-                   : spline::LocalParameter<B>{place + B(1.0), place};
-}
-
-/// Whether a cubic moves in one direction: the Bernstein coefficients of its derivative have one sign.
-template <class B>
-bool is_monotone(const spline::Cubic<B>& x) {
-  const std::array slopes{x.out, x.out + x.c, x.in};
-  const auto has_sign = [&](bool negative) {
-    return std::ranges::all_of(slopes, [&](const B& slope) {
-      return slope.is_zero() || (!slope.may_be_zero() && (slope.rough() < 0) == negative);
-    });
-  };
-  return has_sign(false) || has_sign(true);
-}
-
-/// The last panel that begins at a length or before it.
-template <class Panel, class M>
-const Panel& panel_at_length(const std::vector<Panel>& panels, const M& length) {
-  const auto after =
-      std::ranges::upper_bound(panels, length, {}, [](const Panel& panel) { return panel.before.middle(); });
-  return after == panels.begin() ? *after : *(after - 1);
-}
-
-/// A quartic over its first coefficient, in doubles; without sense if that is 0.
-spline::Quartic<double> relative(const spline::Quartic<DoubleDouble>& q) {
-  spline::Quartic<double> result{};
-  for (std::size_t i = 0; i < q.size(); ++i) result[i] = q[i].hi / q[0].hi;
-  return result;
-}
-spline::Quartic<double> relative(const spline::Quartic<Real>& q) {
-  spline::Quartic<double> result{};
-  const double first = q[0].over_power_of_two(q[0].exponent());
-  for (std::size_t i = 0; i < q.size(); ++i) result[i] = q[i].over_power_of_two(q[0].exponent()) / first;
-  return result;
-}
-
-double rough_ratio(const DoubleDouble& a, const DoubleDouble& b) { return a.hi / b.hi; }
-double rough_ratio(const Real& a, const Real& b) {
-  return a.over_power_of_two(b.exponent()) / b.over_power_of_two(b.exponent());
-}
-
-}  // namespace
 
 Ball ball_of(const RealBall& ball) {
   const ErrorBound& radius = ball.radius();
@@ -217,256 +38,6 @@ Ball from_ball<Ball>(const Ball& ball) {
 template <>
 RealBall from_ball<RealBall>(const Ball& ball) {
   return (RealBall(ball.middle().hi) + RealBall(ball.middle().lo)).widened(ball.radius());
-}
-
-/// A bound on |place|^zeros near a panel.
-template <class M>
-typename BallArc<M>::Bound BallArc<M>::farthest(const Panel& panel) const {
-  Bound result = 1.0;
-  const Bound distance = Ops::most(panel.middle) + Ops::most(panel.width) + Ops::most(panel.width);
-  for (int i = 0; i < halves_[panel.half].zeros; ++i) result = result * distance;
-  return Ops::up(result);
-}
-
-template <class M>
-typename BallArc<M>::Panel BallArc<M>::panel(std::size_t half, const M& middle, const M& width) const {
-  using std::sqrt;
-  spline::Quartic<B> square{};
-  for (const auto& channel : halves_[half].channels) spline::add_square(square, channel, B(middle), B(width));
-  Panel result{half, middle, width};
-  Bound largest = 0.0;  // of q for |z| <= 1
-  for (std::size_t i = 0; i < square.size(); ++i) {
-    result.square[i] = square[i].middle();
-    result.spread = result.spread + square[i].radius();
-    largest = largest + square[i].most();
-  }
-  double disc_power = disc;
-  for (int i = 0; i < spline::squarings; ++i) disc_power *= disc_power;
-  const bool is_clear = !Ops::is_zero(result.square[0]) && !Ops::is_negative(result.square[0]) &&
-                        result.spread < Bound(0x1p-40) * Ops::least(result.square[0]);
-  result.is_smooth = is_clear && spline::OtherTerms<double>(relative(result.square)).within(disc_power) < 0.99;
-  if (result.is_smooth) {
-    result.length = length(result, M(1.0));
-  } else {
-    const B most(Ops::number(Ops::up(sqrt(largest) * Ops::most(width) * farthest(result))));  // half of a bound
-    result.length = most.widened(most.most());
-  }
-  return result;
-}
-
-/// Adds a panel that is smooth, or whose length is at most `negligible`; else its halves. A cusp takes about as many
-/// panels as there are bits; where there are far more, the coefficients have too few digits.
-template <class M>
-void BallArc<M>::add(const Panel& panel, const Bound& negligible) {
-  const int bits = Ops::bits();
-  if (panels_.size() > 10 * static_cast<std::size_t>(bits)) throw Undecided();
-  if (panel.is_smooth || panel.length.most() <= negligible ||
-      Ops::most(panel.width) < Ops::power_of_two(-bits * 7 / 10)) {
-    panels_.push_back(panel);
-    panels_.back().before = total_;
-    total_ += panel.length;
-    return;
-  }
-  const M half = spline::halved(panel.width);
-  add(this->panel(panel.half, panel.middle - half, half), negligible);
-  add(this->panel(panel.half, panel.middle + half, half), negligible);
-}
-
-template <class M>
-void BallArc<M>::assign(std::span<const spline::Cubic<B>> segment, std::span<const std::size_t> metric) {
-  panels_.clear();
-  total_ = B();
-  monotone_.reset();
-  std::size_t moving = 0;
-  for (Half& half : halves_) {
-    half.channels.clear();
-    half.zeros = 0;
-  }
-  Bound longest = 0.0, error = 0.0;
-  const std::size_t size = metric.empty() ? segment.size() : metric.size();
-  for (std::size_t i = 0; i < size; ++i) {
-    const spline::Cubic<B>& x = segment[metric.empty() ? i : metric[i]];
-    const B two(2.0), three(3.0);
-    if (!(x.out.is_zero() && x.c.is_zero() && x.d.is_zero())) {
-      monotone_ = ++moving == 1 && is_monotone(x) ? std::optional(x) : std::nullopt;
-    }
-    halves_[0].channels.push_back({x.out, two * x.c, three * x.d});
-    halves_[1].channels.push_back({x.in, two * x.e, three * x.d});
-    error =
-        error + x.out.radius() + x.in.radius() + Bound(2.0) * (x.c.radius() + x.e.radius()) + Bound(3.0) * x.d.radius();
-    longest = longest + x.out.most() + x.in.most() + Bound(2.0) * (x.c.most() + x.e.most()) + Bound(3.0) * x.d.most();
-  }
-  if (longest == 0.0) return;
-  for (std::size_t i = 0; i < halves_.size(); ++i) {
-    Half& half = halves_[i];
-    for (; half.zeros < 2 && is_zero_at_end<B>(half.channels); ++half.zeros) {
-      for (auto& x : half.channels) x = {x.k1, x.k2, B()};
-    }
-    // Near a cusp the errors of the coefficients leave no panel smooth: one is short beside these errors, too.
-    add(panel(i, M(i == 0 ? 0.25 : -0.25), M(0.25)),
-        Ops::power_of_two(-Ops::bits() - 2) * longest + Bound(0.25) * error);
-  }
-  if (monotone_) total_ = abs(monotone_->p1 - monotone_->p0);
-}
-
-/// The rule on a panel from its start to z, without a bound.
-template <class M>
-M BallArc<M>::sum(const Panel& panel, const M& z) const {
-  const Rule<M>& rule = gauss_rule<M>();
-  const int zeros = halves_[panel.half].zeros;
-  const M whole = z + M(1.0);
-  M sum(0.0);
-  for (std::size_t i = 0; i < rule.node.size(); ++i) {
-    const M at = whole * rule.node[i] + M(-1.0);
-    M speed = sqrt(quartic(panel.square, at));
-    if (zeros > 0) speed = speed * power_of(M(panel.middle + panel.width * at), zeros);
-    sum = sum + rule.weight[i] * speed;
-  }
-  return sum * whole * panel.width;
-}
-
-/// In double-doubles, by pairs.
-template <>
-DoubleDouble BallArc<DoubleDouble>::sum(const Panel& panel, const DoubleDouble& z) const {
-  using spline::DoublePair;
-  using Pair = spline::DoubleDoubleOf<DoublePair>;
-  const auto both = [](const DoubleDouble& a, const DoubleDouble& b) {
-    return Pair(DoublePair(a.hi, b.hi), DoublePair(a.lo, b.lo));
-  };
-  const auto& rule = gauss_rule<DoubleDouble>();
-  spline::Quartic<Pair> q;
-  std::ranges::transform(panel.square, q.begin(), [&](const DoubleDouble& x) { return both(x, x); });
-  const int zeros = halves_[panel.half].zeros;
-  const DoubleDouble whole = z + DoubleDouble(1.0);
-  const Pair wholes = both(whole, whole);
-  DoubleDouble sum(0.0);
-  for (std::size_t i = 0; i < rule.node.size(); i += 2) {
-    const Pair at = wholes * both(rule.node[i], rule.node[i + 1]) + Pair(DoublePair(-1.0));
-    const Pair square = quartic(q, at);
-    for (std::size_t j = 0; j < 2; ++j) {
-      DoubleDouble speed = sqrt(DoubleDouble(square.hi[j], square.lo[j]));
-      if (zeros > 0) speed = speed * power_of(panel.middle + panel.width * DoubleDouble(at.hi[j], at.lo[j]), zeros);
-      sum = sum + rule.weight[i + j] * speed;
-    }
-  }
-  return sum * whole * panel.width;
-}
-
-/// From the start of a smooth panel to z. The disc about the middle of that part, R times as wide as it, is within the
-/// panel's disc. Where one channel moves in one direction, it is the difference of its positions: this has fewer digits
-/// next to a rest, but floats have more of them, and the rule hundreds of points.
-template <class M>
-typename BallArc<M>::B BallArc<M>::length(const Panel& panel, const M& z) const {
-  if (std::is_same_v<M, Real> && monotone_) {
-    const auto position = [&](const M& at) {
-      return spline::position(*monotone_, local(panel.half, B(panel.middle) + B(panel.width) * B(at)));
-    };
-    return abs(position(z) - position(M(-1.0)));
-  }
-  const M root = sqrt(panel.square[0]);
-  const Bound width = Ops::most(panel.width) * (Ops::most(z + M(1.0)) + Bound(0x1p-40));
-  return B(sum(panel, z))
-      .widened(width * farthest(panel) *
-               (rule_error<M>() * Ops::most(root) + Bound(7.0) * panel.spread / Ops::least(root)));
-}
-
-template <class M>
-M BallArc<M>::speed(const Panel& panel, const M& z) const {
-  const M speed = sqrt(quartic(panel.square, z)) * panel.width;
-  const int zeros = halves_[panel.half].zeros;
-  return zeros == 0 ? speed : speed * power_of(M(panel.middle + panel.width * z), zeros);
-}
-
-template <class M>
-typename BallArc<M>::B BallArc<M>::to(const spline::LocalParameter<B>& place) const {
-  if (place.u.is_zero() || panels_.empty()) return {};
-  if (place.w.is_zero()) return total_;
-  if (monotone_) return abs(spline::position(*monotone_, place) - monotone_->p0);
-  const std::size_t half = M(0.5) < place.u.middle() ? 1 : 0;  // either will do in the middle
-  const B& at = half == 0 ? place.u : place.w;
-  const auto ends_before = [&](const Panel& panel) {
-    return panel.half < half || (panel.half == half && panel.middle + panel.width < at.middle());
-  };
-  auto panel = std::ranges::find_if_not(panels_, ends_before);
-  if (panel == panels_.end()) --panel;
-  if (!panel->is_smooth) return panel->before + panel->length.widened(panel->length.most());
-  const B z = (at - B(panel->middle)) / B(panel->width);
-  if (!(z.most() < Bound(1 + 0x1p-40))) throw Undecided();
-  const Bound largest_speed = Bound(2.7) * Ops::most(sqrt(panel->square[0]));  // sqrt(7), per root
-  const Bound moved = largest_speed * Ops::most(panel->width) * farthest(*panel) * z.radius();
-  return panel->before + length(*panel, z.middle()).widened(moved);
-}
-
-/// The place on a smooth panel at which a fraction of its length is reached, nearly.
-template <class M>
-double BallArc<M>::rough_place(const Panel& panel, double fraction) const {
-  const auto q = relative(panel.square);
-  const double middle = halves_[panel.half].zeros == 0 ? 0 : rough_ratio(panel.middle, panel.width);
-  const auto speed = [&](double z) {
-    return std::sqrt(quartic(q, z)) * power_of(middle + z, halves_[panel.half].zeros);
-  };
-  const auto sum = [&](double z) {
-    const auto& rule = spline::gauss_rule<double, 16>();
-    double total = 0;
-    for (std::size_t i = 0; i < rule.node.size(); ++i) total += rule.weight[i] * speed((z + 1) * rule.node[i] - 1);
-    return total * (z + 1);
-  };
-  const double length = fraction * sum(1);
-  double low = -1, high = 1, z = std::clamp(2 * fraction - 1, -1.0, 1.0);
-  for (int step = 0; step < 60; ++step) {
-    const double excess = sum(z) - length;
-    (excess > 0 ? high : low) = z;
-    double next = z - excess / speed(z);
-    if (!(next >= low && next <= high)) next = (low + high) / 2;
-    const bool is_settled = std::abs(next - z) < 0x1p-48;
-    z = next;
-    if (is_settled) break;
-  }
-  return z;
-}
-
-/// Where the search for a place on a smooth panel begins: next to a rest at its end, where lengths are a power of the
-/// distance to it, with as many digits of that distance.
-template <class M>
-M BallArc<M>::first_guess(const Panel& panel, const B& into) const {
-  const int zeros = halves_[panel.half].zeros;
-  const M end(panel.half == 0 ? -1.0 : 1.0);
-  const M part = panel.half == 0 ? into.middle() : (panel.length - into).middle();  // between the rest and the place
-  const bool ends_at_rest = zeros > 0 && Ops::is_zero(panel.middle + panel.width * end);
-  const double fraction = rough_ratio(part, panel.length.middle());
-  if (!ends_at_rest || !(fraction > 0 && fraction < (zeros == 1 ? 0x1p-60 : 0x1p-90))) {
-    return M(rough_place(panel, rough_ratio(into.middle(), panel.length.middle())));
-  }
-  const M speed_at_one = sqrt(quartic(panel.square, end)) * power_of(panel.width, zeros) * panel.width;
-  const double power = (zeros + 1) * rough_ratio(part, speed_at_one);
-  double distance = std::sqrt(power);
-  for (int step = 0; zeros == 2 && step < 24; ++step) distance = std::sqrt(std::sqrt(power * distance));  // cube root
-  return end + M(panel.half == 0 ? distance : -distance);
-}
-
-template <class M>
-spline::LocalParameter<BallOf<M>> BallArc<M>::place(const B& length) const {
-  if (panels_.empty()) throw Undecided();
-  const Panel& panel = panel_at_length(panels_, length.middle());
-  if (!panel.is_smooth) return local(panel.half, B(panel.middle).widened(Ops::most(panel.width)));
-  const B into = length - panel.before;
-  const int zeros = halves_[panel.half].zeros;
-  M z = first_guess(panel, into);
-  for (int known = zeros > 0 ? 8 : 48; known < Ops::bits(); known *= 2) {
-    const M missing = into.middle() - this->length(panel, z).middle();
-    z = z + missing / speed(panel, z);
-  }
-  // The speed v is at least half of v(z) up to a distance d from z, if the integral of |v'/v| over it is below ln 2:
-  // each of the four zeros beyond R contributes at most d/2/(R - 1 - d), and `zeros` those at the end.
-  const B rest = into - this->length(panel, z);
-  const M at_z = speed(panel, z);
-  if (!(at_z > M(0.0))) throw Undecided();
-  const Bound distance = Ops::up(Bound(2.01) * rest.most() / Ops::least(at_z));
-  const Bound to_end = Ops::least(panel.middle + panel.width * z) / Ops::most(panel.width);
-  const bool is_clear =
-      distance < Bound(0.01) && Ops::most(z) < Bound(1 + 0x1p-40) && (zeros == 0 || distance * Bound(17.0) < to_end);
-  if (!is_clear) throw Undecided();
-  return local(panel.half, B(panel.middle) + B(panel.width) * B(z, distance));
 }
 
 namespace {
@@ -712,41 +283,74 @@ std::vector<NearTurn> near_turns(std::span<const spline::RotationSegment<RealBal
   return result;
 }
 
-/// The rates of all rotations at a distance from a center, or near it.
+namespace {
+
+/// The rate of a rotation near a turn that is known there, at a distance from its place.
+spline::Vector3<Ball> rate_near(const NearTurn& near, const spline::RotationSegment<Ball>& rotation,
+                                const spline::LocalParameter<Ball>& place, const Ball& distance) {
+  using T = spline::Dual<Ball>;
+  const auto join = [&](std::size_t pair, const spline::Quaternion<T>& from, const spline::Quaternion<T>& to,
+                        const T& part, const T& left) {
+    if (pair != near.pair) return spline::RotationSegment<Ball>::join_shorter(pair, from, to, part, left);
+    const T from_place(distance, Ball(1.0));
+    std::array<T, 3> vector;
+    for (std::size_t k = 0; k < 3; ++k) {
+      T& sum = vector[k] = near.coefficients.back()[k];
+      for (std::size_t node = NearTurn::nodes - 1; node-- > 0;) {
+        sum = T(near.coefficients[node][k]) + (from_place - T(Ball(NearTurn::node(node)))) * sum;
+      }
+    }
+    const T square = vector[0] * vector[0] + (vector[1] * vector[1] + vector[2] * vector[2]), size = sqrt(square);
+    const auto [sine, cosine] = sine_cosine(part * angle_of(size, -sqrt(T(Ball(1.0)) - square)));
+    const T factor = sine / size;
+    return from * spline::Quaternion<T>{vector[0] * factor, vector[1] * factor, vector[2] * factor, cosine};
+  };
+  return rotation.rate(place, join);
+}
+/// Floats have digits enough to tell the turn themselves.
+spline::Vector3<RealBall> rate_near(const NearTurn&, const spline::RotationSegment<RealBall>& rotation,
+                                    const spline::LocalParameter<RealBall>& place, const RealBall&) {
+  return rotation.rate(place);
+}
+
+/// The polynomial through the speeds at the nodes of the rule, by the barycentric formula.
+/// Source: H. Wang, S. Xiang, "On the convergence rates of Legendre approximation",
+///   doi:10.1090/S0025-5718-2011-02549-4, for its weights.
+template <class M>
+std::function<double(double)> polynomial_through(const std::vector<double>& speeds) {
+  const BallRule<M>& rule = ball_rule<M>();
+  std::vector<double> nodes, weights;
+  for (std::size_t i = 0; i < rule.node.size(); ++i) {
+    const double node = rough_ratio(rule.node[i], M(1.0)), weight = rough_ratio(rule.weight[i], M(1.0));
+    nodes.push_back(node);
+    weights.push_back((i % 2 == 0 ? 1 : -1) * std::sqrt(node * (1 - node) * weight));
+  }
+  return [speeds, nodes, weights](double at) {
+    double above = 0, below = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (at == nodes[i]) return speeds[i];
+      const double weight = weights[i] / (at - nodes[i]);
+      above += weight * speeds[i];
+      below += weight;
+    }
+    return above / below;
+  };
+}
+
+}  // namespace
+
+/// The rates of all rotations at a distance from a center.
 template <class M>
 std::vector<BallOf<M>> BallTurn<M>::rates(const Center& center, const B& distance) const {
   std::vector<B> rates;
   const B u = B(center.place) + distance;
+  const spline::LocalParameter<B> place{u, u - B(1.0)};
+  const NearTurn* const near = center.near;
   for (std::size_t i = 0; i < rotations_.size(); ++i) {
-    const spline::LocalParameter<B> place{u, u - B(1.0)};
-    spline::Vector3<B> rate;
-    if constexpr (std::is_same_v<M, DoubleDouble>) {
-      const NearTurn* const near = center.near;
-      if (near != nullptr && near->rotation == i && (distance + B(near->nearest)).most() < NearTurn::reach) {
-        using T = spline::Dual<B>;
-        const auto join = [&](std::size_t pair, const spline::Quaternion<T>& from, const spline::Quaternion<T>& to,
-                              const T& part, const T& left) {
-          if (pair != near->pair) return spline::RotationSegment<B>::join_shorter(pair, from, to, part, left);
-          const T from_place(distance + B(near->nearest), B(1.0));
-          std::array<T, 3> vector;
-          for (std::size_t k = 0; k < 3; ++k) {
-            T& sum = vector[k] = near->coefficients.back()[k];
-            for (std::size_t node = NearTurn::nodes - 1; node-- > 0;) {
-              sum = T(near->coefficients[node][k]) + (from_place - T(B(NearTurn::node(node)))) * sum;
-            }
-          }
-          const T square = vector[0] * vector[0] + (vector[1] * vector[1] + vector[2] * vector[2]), size = sqrt(square);
-          const auto [sine, cosine] = sine_cosine(part * angle_of(size, -sqrt(T(B(1.0)) - square)));
-          const T factor = sine / size;
-          return from * spline::Quaternion<T>{vector[0] * factor, vector[1] * factor, vector[2] * factor, cosine};
-        };
-        rate = rotations_[i].rate(place, join);
-      } else {
-        rate = rotations_[i].rate(place);
-      }
-    } else {
-      rate = rotations_[i].rate(place);
-    }
+    const bool is_near =
+        near != nullptr && near->rotation == i && (distance + B(near->nearest)).most() < Bound(NearTurn::reach);
+    const auto rate =
+        is_near ? rate_near(*near, rotations_[i], place, distance + B(near->nearest)) : rotations_[i].rate(place);
     std::ranges::copy(rate, std::back_inserter(rates));
   }
   return rates;
@@ -774,7 +378,7 @@ typename BallTurn<M>::B BallTurn<M>::sum(const Panel& panel, const B& z) const {
   const B begin(panel.begin), width = z - begin;
   const B way = panel.end < panel.begin ? -width : width;
   if (panel.is_constant) return speed(panel, B(spline::halved(panel.begin + panel.end))) * way;
-  const Rule<M>& rule = gauss_rule<M>();
+  const BallRule<M>& rule = ball_rule<M>();
   B sum;
   const Bound rounding = Ops::power_of_two(-(Ops::bits() + 6));  // of nodes and weights
   for (std::size_t i = 0; i < rule.node.size(); ++i) {
@@ -793,7 +397,7 @@ bool BallTurn<M>::measure(Panel& panel, const Bound& negligible) const {
     panel.length = sum(panel, B(panel.end));
     return true;
   }
-  const Rule<M>& rule = gauss_rule<M>();
+  const BallRule<M>& rule = ball_rule<M>();
   const B begin(panel.begin), width = B(panel.end) - begin;
   B sum;
   Bound noise = 0.0;
@@ -821,56 +425,14 @@ bool BallTurn<M>::measure(Panel& panel, const Bound& negligible) const {
   const Bound factor = last < middle ? Bound(last / middle) : Bound(1.0);
   const Bound error = Ops::up(is_noise ? last : last * factor * factor * Bound(16.0)) * Ops::most(width.middle());
   panel.length = (sum * abs(width)).widened(error);
-  return is_noise || error <= negligible || panel.length.most() <= negligible;
-}
-
-/// The part of a panel in which a fraction of its length lies, nearly, by the polynomial through the speeds.
-/// Source: H. Wang, S. Xiang, "On the convergence rates of Legendre approximation",
-/// doi:10.1090/S0025-5718-2011-02549-4,
-///   for the weights of the barycentric formula.
-template <class M>
-double BallTurn<M>::rough_place(const Panel& panel, double fraction) {
-  if (panel.speeds.empty()) return fraction;
-  const Rule<M>& rule = gauss_rule<M>();
-  std::vector<double> nodes, weights;
-  for (std::size_t i = 0; i < rule.node.size(); ++i) {
-    nodes.push_back(rough_ratio(rule.node[i], M(1.0)));
-    weights.push_back(rough_ratio(rule.weight[i], M(1.0)));
-  }
-  const auto speed = [&](double at) {
-    double above = 0, below = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (at == nodes[i]) return panel.speeds[i];
-      const double weight = std::sqrt(nodes[i] * (1 - nodes[i]) * weights[i]) / (at - nodes[i]);
-      above += i % 2 == 0 ? weight * panel.speeds[i] : -weight * panel.speeds[i];
-      below += i % 2 == 0 ? weight : -weight;
-    }
-    return above / below;
-  };
-  const auto sum = [&](double to) {
-    double total = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) total += weights[i] * speed(to * nodes[i]);
-    return total * to;
-  };
-  const double length = fraction * sum(1);
-  double low = 0, high = 1, at = std::clamp(fraction, 0.0, 1.0);
-  for (int step = 0; step < 60; ++step) {
-    const double excess = sum(at) - length;
-    (excess > 0 ? high : low) = at;
-    double next = at - excess / speed(at);
-    if (!(next >= low && next <= high)) next = (low + high) / 2;
-    const bool is_settled = std::abs(next - at) < 0x1p-48;
-    at = next;
-    if (is_settled) break;
-  }
-  return at;
+  return is_noise || error <= negligible;
 }
 
 /// Adds a panel if the rule is accurate on it; else its parts.
 template <class M>
 void BallTurn<M>::add(Panel panel, int depth, const Bound& negligible) {
   const double size = centers_[panel.center].size;
-  const bool is_wide = size > 0 && panel.touches() && Ops::most(panel.scale) > Bound(16 * size);
+  const bool is_wide = size > 0 && !panel.is_graded && Ops::most(panel.scale) > Bound(16 * size);
   if (!is_wide && measure(panel, negligible)) {
     panel.before = total_;
     total_ += panel.length;
@@ -879,7 +441,7 @@ void BallTurn<M>::add(Panel panel, int depth, const Bound& negligible) {
   }
   if (depth > 3 * Ops::bits() || panels_.size() > 10 * static_cast<std::size_t>(Ops::bits())) throw Undecided();
   Panel first = panel, second = panel;
-  if (!panel.touches()) {
+  if (panel.is_graded) {
     first.end = second.begin = spline::halved(panel.begin + panel.end);
   } else {
     const bool begins = Ops::is_zero(panel.begin);
@@ -1047,7 +609,8 @@ typename BallTurn<M>::B BallTurn<M>::to(const spline::LocalParameter<B>& place) 
     auto part =
         std::ranges::find_if(cubics_, [&](const Cubics& cubics) { return u < (cubics.begin + cubics.width).middle(); });
     if (part == cubics_.end()) --part;
-    return part->before + part->arc.to(local(0, (place.u - part->begin) / part->width));
+    const B at = (place.u - part->begin) / part->width;
+    return part->before + part->arc.to({at, at - B(1.0)});
   }
   auto panel = std::ranges::find_if(
       panels_, [&](const Panel& one) { return u < centers_[one.center].place + one.last_distance; });
@@ -1069,7 +632,8 @@ typename BallTurn<M>::Place BallTurn<M>::place(const B& length) const {
   const B into = length - panel.before;
   const bool ascends = panel.begin < panel.end;
   M low = ascends ? panel.begin : panel.end, high = ascends ? panel.end : panel.begin;
-  const double part = rough_place(panel, rough_ratio(into.middle(), panel.length.middle()));
+  double part = rough_ratio(into.middle(), panel.length.middle());
+  if (!panel.speeds.empty()) part = rough_place(polynomial_through<M>(panel.speeds), part);
   B z = B(panel.begin + (panel.end - panel.begin) * M(part));
   const int most_steps = Ops::bits() + 40;
   for (int step = 0; step < most_steps; ++step) {
@@ -1091,8 +655,6 @@ typename BallTurn<M>::Place BallTurn<M>::place(const B& length) const {
   throw Undecided();
 }
 
-template class BallArc<DoubleDouble>;
-template class BallArc<Real>;
 template class BallTurn<DoubleDouble>;
 template class BallTurn<Real>;
 
