@@ -332,10 +332,12 @@ class RotationSegment {
     if (u == S(0)) return points_[0];
     if (w == S(0)) return points_[3];
     if constexpr (bounds_errors<S>) {
-      if (!is_exactly_zero(u - without_radius(u))) {  // near opposite points, bounds on the points would be wide
+      const S off = (u - without_radius(u)) / size_;
+      if (!is_exactly_zero(off)) {  // by the mean value theorem: bounds on the points would be wide near opposite ones
         const auto [x, y, z] = rate(place);
-        return widened(normalized(point<S>(without_radius(u), S(1) - without_radius(u))),
-                       S(sqrt(x * x + (y * y + z * z))), u);
+        const Quaternion<S> middle = normalized(point<S>(without_radius(u), S(1) - without_radius(u)));
+        const Quaternion<S> nearby = widened(middle, S(sqrt(x * x + (y * y + z * z))), off);
+        return middle + Quaternion<S>{x, y, z, S(0)} * nearby * (off / S(2));
       }
     }
     return normalized(point<S>(u, -w));
