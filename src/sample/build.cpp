@@ -26,10 +26,17 @@ void measure(SegmentBlock& block, const Rules& rules) {
   block.lengths = spline::lengths_of<double>(block.segments, rules.metric);
   for (std::size_t i = 0; i < block.segments.size(); ++i) {
     if (std::isfinite(block.lengths[i].value)) continue;
+    const std::string from = time_text(block.segments.times[i]), to = time_text(block.segments.times[i + 1]);
+    if (spline::is_turn(rules.metric)) {
+      throw data_error(
+          "the rotation from time {} to {} has a tangent of more than 1e27 radians, as a step next to it is far "
+          "shorter; expected steps of which none is 1e-27 of the next one; correct the times, or use {} slerp",
+          from, to, option::rotation_curve);
+    }
     throw data_error(
         "the curve from time {} to {} has tangents beyond the range of doubles; expected less than 1.8e308 in size; "
         "scale the keys down",
-        time_text(block.segments.times[i]), time_text(block.segments.times[i + 1]));
+        from, to);
   }
 }
 

@@ -39,6 +39,19 @@ TEST(Angle, sine_and_cosine_are_within_an_ulp) {
   EXPECT_EQ(sine_cosine(0.0).cosine, 1);
 }
 
+TEST(Angle, sine_and_cosine_of_large_angles_have_all_digits) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> size(1, 2);
+  for (int i = 0; i < 2'000; ++i) {
+    const double angle = std::ldexp(i % 2 == 0 ? size(random) : -size(random), 20 + i % 70);
+    const auto [sine, cosine] = sine_cosine(angle);
+    EXPECT_LT(static_cast<double>(abs(Reference(sine) - sin(Reference(angle)))), 0x1p-52) << angle;
+    EXPECT_LT(static_cast<double>(abs(Reference(cosine) - cos(Reference(angle)))), 0x1p-52) << angle;
+  }
+  EXPECT_EQ(sine_cosine(1e22).sine, -0.8522008497671888);
+  EXPECT_TRUE(std::isnan(sine_cosine(0x1p90).sine));
+}
+
 TEST(Angle, the_angle_of_a_vector_is_within_an_ulp) {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> near(-1, 1), exponent(-60, 60);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include "tcb/spline/scalar.hpp"
@@ -32,10 +33,12 @@ S sine(const S& angle) {
   return sin(angle);
 }
 
-/// A double as whole quarters of a turn and a rest x + low in [-pi/4, pi/4]. Requires: |angle| <= 2^20.
+/// A double as whole quarters of a turn and a rest x + low in [-pi/4, pi/4]. That of 2^90 or more is not a number.
 class ReducedAngle {
  public:
-  explicit ReducedAngle(double angle) : quarters_(static_cast<int>(angle * two_over_pi + (angle < 0 ? -0.5 : 0.5))) {
+  explicit ReducedAngle(double angle) {
+    if (!(std::abs(angle) <= 0x1p20)) return reduce_large(angle);
+    quarters_ = static_cast<int>(angle * two_over_pi + (angle < 0 ? -0.5 : 0.5));
     // pi/2 in three parts; the first two have 33 bits, so that their products with `count` are exact.
     constexpr double first = 0x1.921fb544p+0, second = 0x1.0b4611a6p-34, third = 0x1.3198a2e037073p-69;
     const auto count = static_cast<double>(quarters_);
@@ -80,6 +83,26 @@ class ReducedAngle {
 
   ReducedAngle() = default;
 
+  /// By pi/2 in 159 bits: the first count of quarters is known to 53 bits.
+  void reduce_large(double angle) {
+    constexpr std::array half_pi{0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54, -0x1.f1976b7ed8fbcp-110};
+    if (!(std::abs(angle) < 0x1p90)) {
+      x_ = low_ = std::numeric_limits<double>::quiet_NaN();
+      return;
+    }
+    DoubleDouble rest(angle);
+    for (int step = 0; step < 3; ++step) {
+      const double count = std::floor(rest.hi * two_over_pi + 0.5);
+      quarters_ += static_cast<int>(count - 4 * std::floor(count / 4));
+      for (const double part : half_pi) {
+        const auto product = two_product(count, part);
+        rest = rest - DoubleDouble(product.value, product.error);
+      }
+    }
+    x_ = rest.hi;
+    low_ = rest.lo;
+  }
+
   double sine_of_rest() const {
     const double z = x_ * x_;
     double series = 1.0 / 355687428096000;
@@ -104,7 +127,7 @@ class ReducedAngle {
   double x_ = 0, low_ = 0;
 };
 
-/// For doubles. Requires: |angle| <= 2^20. Promises: within 1 ulp.
+/// For doubles. Promises: within 1 ulp for |angle| <= 2^20; within 2^-52 for others below 2^90.
 inline SineCosine<double> sine_cosine(double angle) {
   const ReducedAngle reduced(angle);
   return {reduced.sine(), reduced.cosine()};
