@@ -37,7 +37,10 @@ S sine(const S& angle) {
 class ReducedAngle {
  public:
   explicit ReducedAngle(double angle) {
-    if (!(std::abs(angle) <= 0x1p20)) return reduce_large(angle);
+    if (!(std::abs(angle) <= 0x1p20)) {
+      reduce_large(angle);
+      return;
+    }
     quarters_ = static_cast<int>(angle * two_over_pi + (angle < 0 ? -0.5 : 0.5));
     // pi/2 in three parts; the first two have 33 bits, so that their products with `count` are exact.
     constexpr double first = 0x1.921fb544p+0, second = 0x1.0b4611a6p-34, third = 0x1.3198a2e037073p-69;
