@@ -11,7 +11,6 @@
 // have errors of their own. Where all derivatives are exactly 0 at an end, they are divided by the place, so that the
 // panel there is smooth, too. Other cusps are in panels that are halved until their lengths have no effect.
 #include "exact/ball_arc.hpp"
-#include "exact/ball_length.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +69,7 @@ bool is_monotone(const spline::Cubic<B>& x) {
   });
 }
 
-/// A quartic over its first coefficient, in doubles; without sense if that is 0.
+/// The coefficients of a quartic over the first one, in doubles. Requires: the first one is not 0.
 spline::Quartic<double> relative(const spline::Quartic<DoubleDouble>& q) {
   spline::Quartic<double> result{};
   for (std::size_t i = 0; i < q.size(); ++i) result[i] = q[i].hi / q[0].hi;

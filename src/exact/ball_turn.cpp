@@ -50,7 +50,7 @@ B value(const Polynomial<B>& p, const B& u) {
   return p[0] + u * (p[1] + u * (p[2] + u * p[3]));
 }
 
-/// Sorted by size; those that may be equal are one.
+/// Places by size; those that may be equal are merged into one.
 template <class B>
 std::vector<B> merged(std::vector<B> places) {
   std::ranges::sort(places, {}, &B::middle);
@@ -65,7 +65,7 @@ std::vector<B> merged(std::vector<B> places) {
   return result;
 }
 
-/// Adds the zeros of a quadratic from one place to another, and perhaps others next to these.
+/// Adds the zeros of a quadratic between two places, and perhaps zeros just outside.
 template <class B>
 void add_zeros(const B& c0, const B& c1, const B& c2, const B& begin, const B& end, std::vector<B>& zeros) {
   const auto add = [&](const B& above, const B& below) {
@@ -83,8 +83,8 @@ void add_zeros(const B& c0, const B& c1, const B& c2, const B& begin, const B& e
   add(c0, half);
 }
 
-/// The angle of a rotation about one axis, over two: it is a cubic on each part of a segment between the places at
-/// which the shorter way between two of its points changes sides, and it moves in one direction.
+/// Half the angle of a rotation about one axis. It is a cubic on each part of a segment between the places at which the
+/// shorter way between two of its points changes sides; each part moves in one direction.
 template <class B>
 class AngleAboutAxis {
  public:
@@ -229,7 +229,7 @@ spline::RotationSegment<double> rough(const spline::RotationSegment<B>& rotation
   return rotation.template converted<double>([](const B& number) { return number.rough(); });
 }
 
-/// By divided differences at nodes around the place.
+/// The turn with its polynomial, by divided differences at the nodes.
 NearTurn near_turn(const spline::RotationSegment<RealBall>& rotation, NearTurn result) {
   std::array<spline::Vector3<RealBall>, NearTurn::nodes> numbers;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -266,7 +266,7 @@ NearTurn near_turn(const spline::RotationSegment<RealBall>& rotation, NearTurn r
   return result;
 }
 
-/// The turns where the dot product of two points is below this.
+/// Two points whose dot product is below this are nearly opposite.
 constexpr double nearly_opposite = 0x1p-26 - 1;
 
 }  // namespace
@@ -307,7 +307,7 @@ spline::Vector3<Ball> rate_near(const NearTurn& near, const spline::RotationSegm
   };
   return rotation.rate(place, join);
 }
-/// Floats have digits enough to tell the turn themselves.
+/// Floats have enough digits for the turn between the points themselves.
 spline::Vector3<RealBall> rate_near(const NearTurn&, const spline::RotationSegment<RealBall>& rotation,
                                     const spline::LocalParameter<RealBall>& place, const RealBall&) {
   return rotation.rate(place);
@@ -456,7 +456,7 @@ void BallTurn<M>::add(Panel panel, int depth, const Bound& negligible) {
   add(second, depth + 1, negligible);
 }
 
-/// The place at which it rests near another one, by the secant method; where it does not, some place nearby.
+/// The place near another one at which the rotations rest, by the secant method; some place nearby if they do not.
 template <class M>
 M BallTurn<M>::rest_near(double place) const {
   B before(place), next = before + B(0x1p-26);
@@ -479,7 +479,8 @@ M BallTurn<M>::rest_near(double place) const {
   return before.middle();
 }
 
-/// Each part as cubics of its own, which begin and end at rest where they do so exactly.
+/// Divides the segment into parts on which each angle about an axis is one cubic, from rest or to rest where it is so
+/// exactly.
 template <class M>
 void BallTurn<M>::assign_cubics() {
   std::vector<AngleAboutAxis<B>> angles;
@@ -514,7 +515,7 @@ void BallTurn<M>::assign_cubics() {
 }
 
 /// The places next to which the speed changes fast: where two points are nearly opposite, where it is 0, or nearly so,
-/// where a constant rate begins or ends, and, as it may do so there, both ends and the middle. `speed`: in doubles.
+/// and where a constant rate begins or ends; also both ends and the middle, where it may do so. `speed`: in doubles.
 template <class M>
 std::vector<typename BallTurn<M>::Center> BallTurn<M>::centers(const std::function<double(double)>& speed) const {
   std::vector<Center> result{{M(0.0)}, {M(0.5)}, {M(1.0)}};
@@ -552,8 +553,8 @@ bool BallTurn<M>::is_constant(const M& begin, const M& end) const {
   });
 }
 
-/// The places at which a constant rate begins or ends are known but for an error, in which the speed is at most twice
-/// that next to it.
+/// The places at which a constant rate begins or ends have an error; within it the speed is at most twice that next to
+/// it.
 template <class M>
 void BallTurn<M>::assign(std::span<const spline::RotationSegment<B>> rotations, bool about_axes,
                          std::vector<NearTurn> near) {

@@ -19,14 +19,13 @@ Ball ball_of(const RealBall& ball);
 template <class B>
 B from_ball(const Ball& ball);
 
-/// Whether the points of a rotation's curve between keys, each an arc from the first one, have one axis, as far as
-/// balls tell: then it turns about that axis alone, but for the ways that it joins at each place, which may change
-/// sides.
+/// Whether the turns from the first point of a rotation's segment to the others have one axis, as far as balls tell.
+/// Then the rotation turns about that axis alone; the shorter way between two of its points may change sides.
 template <class B>
 bool may_be_about_one_axis(const spline::RotationSegment<B>& rotation);
 
-/// Next to a place at which two points that a rotation's curve joins are nearly opposite: the turn from one to the
-/// other. Balls around the points do not tell it from others there, and it changes fast.
+/// The turn between two points that a rotation's curve joins, next to a place at which they are nearly opposite. It
+/// changes fast there, and balls around the points do not determine it.
 struct NearTurn {
   static constexpr std::size_t nodes = 11;
   static constexpr double step = 0x1p-16, reach = 5 * step;
@@ -35,7 +34,7 @@ struct NearTurn {
   double place;
   double nearest = 0;  ///< the distance from the place at which the points are nearest to opposite
   double width = 0;    ///< of the part in which the turn changes most
-  /// Those of Newton's polynomials of the vector of the turn by the distance from the place, at the nodes.
+  /// The vector of the turn by the distance from the place, as a polynomial in Newton's form at the nodes.
   std::array<spline::Vector3<Ball>, nodes> coefficients = {};
 
   /// 0, 1, -1, 2, -2 and so on steps.
@@ -44,11 +43,11 @@ struct NearTurn {
     return i % 2 == 0 ? -distance : distance;
   }
 };
-/// Those of the rotations of a segment, where these are known to many digits.
+/// All near turns of the rotations of a segment. Double-doubles have too few digits to compute any.
 std::vector<NearTurn> near_turns(std::span<const spline::RotationSegment<RealBall>> rotations);
 inline std::vector<NearTurn> near_turns(std::span<const spline::RotationSegment<Ball>>) { return {}; }
 
-/// The same turns in double-doubles, in the frame of the first rotation, so that small ones keep their digits.
+/// A rotation in double-doubles, in the frame of its first point, so that small turns keep their digits.
 spline::RotationSegment<Ball> from_start(const spline::RotationSegment<RealBall>& rotation);
 inline const spline::RotationSegment<Ball>& from_start(const spline::RotationSegment<Ball>& rotation) {
   return rotation;

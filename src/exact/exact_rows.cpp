@@ -199,7 +199,9 @@ class ExactRows::Evaluation {
       levels.push_back({bits, has_turns});
     }
     levels.push_back({last, has_turns});
-    for (int bits = first; has_turns && bits <= 2 * first; bits *= 2) levels.push_back({bits, false});
+    if (has_turns) {
+      for (const int bits : {first, 2 * first, last}) levels.push_back({bits, false});
+    }
     return levels;
   }
 
@@ -242,7 +244,8 @@ class ExactRows::Evaluation {
       try {
         const bool has_place = rows_at(level, chosen).set(row, notation_, cells_);
         if (rows_.arc && has_place) set_rationals(row, chosen, level.rows->key_at_end());
-        is_placed_here = is_placed_here || has_place;
+        // Double-doubles do not measure a place to more digits at later levels; that of a key is exact.
+        is_placed_here = is_placed_here || (has_place && !level.rows->key_at_end());
       } catch (const Undecided&) {
         continue;
       }

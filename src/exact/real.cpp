@@ -27,6 +27,7 @@ using Whole =
                                   boost::multiprecision::et_off>;
 
 constexpr int limb_bits = 64;
+static_assert(sizeof(boost::multiprecision::limb_type) * 8 == limb_bits);
 
 /// The bits of the size of a whole number. Requires: not 0.
 std::int64_t width(const Whole& whole) {
