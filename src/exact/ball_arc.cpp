@@ -17,7 +17,6 @@
 #include <type_traits>
 
 #include "exact/ball_quadrature.hpp"
-#include "tcb/spline/detail/panel.hpp"
 
 namespace tcb {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "exact/ball.hpp"
-#include "tcb/spline/detail/panel.hpp"
+#include "tcb/spline/arc_length.hpp"
 
 namespace tcb {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "tcb/spline/angle.hpp"
-#include "tcb/spline/detail/quadrature.hpp"
+#include "tcb/spline/arc_length.hpp"
 
 namespace tcb {
 
