@@ -46,10 +46,11 @@ def largest(curve):
             places = [begin + (end - begin) * min(max(a + (b - a) * k / 64, a + inside), b - inside) for k in range(65)]
             speeds = [speed(curve, i, t) for t in places]
             best = max(best, *speeds)
-            for k in range(1, 64):
-                if speeds[k] < max(speeds[k - 1], speeds[k + 1]) or speeds[k] < best * mpf("0.9"):
+            for k in range(65):  # also beside a stop, where the largest sample may be the stop itself
+                near = range(max(k - 1, 0), min(k + 1, 64) + 1)
+                if speeds[k] < max(speeds[j] for j in near) or speeds[k] < best * mpf("0.9"):
                     continue
-                low, high = places[k - 1], places[k + 1]
+                low, high = places[near[0]], places[near[-1]]
                 for _ in range(60):
                     third = (high - low) / 3
                     if speed(curve, i, low + third) < speed(curve, i, high - third):

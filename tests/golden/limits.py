@@ -83,10 +83,21 @@ def whole(a):
     return [c // divisor for c in numbers]
 
 
+def remainder(a, b):
+    """A positive multiple of the remainder, for whole coefficients."""
+    a, lead = list(a), b[-1]
+    while len(a) >= len(b):
+        top = a.pop() * (1 if lead > 0 else -1)
+        a = [abs(lead) * c for c in a]
+        for i in range(len(b) - 1):
+            a[len(a) - len(b) + 1 + i] -= top * b[i]
+    return trim(a or [0])
+
+
 def sturm(p):
     chain = [whole(p), whole(trim(derive(p)))]
     while len(chain[-1]) > 1:
-        r = divide(chain[-2], chain[-1])[1]
+        r = remainder(chain[-2], chain[-1])
         if not any(r):
             break
         chain.append(whole([-c for c in r]))
@@ -98,8 +109,8 @@ def changes(chain, x):
     return sum((a < 0) != (b < 0) for a, b in zip(signs, signs[1:]))
 
 
-def roots(p):
-    """Points within 2^-80 of each root in (0, 1)."""
+def roots(p, bits=80):
+    """Points within 2^-bits of each root in (0, 1)."""
     p = trim(p)
     if len(p) < 2:
         return
@@ -116,7 +127,7 @@ def roots(p):
                 yield b
                 continue
             falls = value(chain[0], b) < 0
-            for _ in range(80):
+            for _ in range(bits):
                 m = (a + b) / 2
                 y = value(chain[0], m)
                 if y == 0:
@@ -130,18 +141,29 @@ def roots(p):
         todo += [(a, m, at_a, at_m), (m, b, at_m, at_b)]
 
 
+def common(a, b):
+    """The common divisor of the largest degree."""
+    a, b = trim(list(a)), trim(list(b))
+    while any(b):
+        a, b = b, trim(divide(a, b)[1])
+    return a
+
+
 def largest(over, under):
-    """The largest value on [0, 1], within 2^-100 of the size of the terms; None: it has no bound."""
+    """The largest value on [0, 1]."""
     slope = trim(add(times(derive(over), under), [-x for x in times(over, derive(under))]))
-    if not any(over):
-        return F(0)
-    best = None
-    for x in [F(0), F(1), *roots(slope), *(roots(under) if len(trim(under)) > 1 else ())]:
-        y = value(under, x)
-        if y < F(1, 2 ** 120) * sum(abs(c) for c in under):
-            return None
-        best = value(over, x) / y if best is None else max(best, value(over, x) / y)
-    return best
+    places = [F(0), F(1), *roots(slope)]
+    if any(value(under, x) < F(1, 2 ** 100) * sum(abs(c) for c in under) for x in places):  # values change fast there
+        places = [F(0), F(1), *roots(slope, 600)]
+    return max(value(over, x) / value(under, x) for x in places)
+
+
+def rests(velocity):
+    """Whether all components of a velocity are 0 at the same place of [0, 1]."""
+    shared = [F(0)]
+    for x in velocity:
+        shared = common(shared, x)
+    return value(shared, F(0)) == 0 or value(shared, F(1)) == 0 or any(True for _ in roots(shared))
 
 
 def pieces(cubics, eases, steps):
@@ -175,10 +197,10 @@ def exact_maximum(parts, name, kind, channels):
             v = [derive(by_u[c]) for c in channels]
             crosses = [add(times(v[i], derive(v[j])), [-x for x in times(derive(v[i]), v[j])])
                        for i in channels for j in channels if i < j]
-            s = squares(v)
-            found = largest(trim(squares(crosses)), trim(times(times(s, s), s)))
-            if found is None:
+            over, s = trim(squares(crosses)), squares(v)
+            if any(over) and rests(v):
                 return None
+            found = largest(over, trim(times(times(s, s), s))) if any(over) else F(0)
         else:
             vectors = []
             for c in channels:
@@ -222,7 +244,7 @@ def random_curve():
         keys.append((t, p, tcb, ease))
         t += (1.0 if is_whole else rng.uniform(0.05, 2)) * pace
     if closed and keys[-1][1] == keys[0][1]:  # it would be the end of the period
-        keys[-1][1][0] += size
+        keys[-1][1][0] += 1.0 if is_whole else size
     return keys, t if closed else None, eased, kind
 
 
