@@ -197,8 +197,9 @@ std::optional<Rational> simple_maximum(const Polynomial<Rational>& x, const Rati
 /// Bounds parts of pieces with exact numbers.
 class ExactSearch {
  public:
-  /// Parts are halved at most so many times.
-  explicit ExactSearch(int deepest) : deepest_(deepest) {}
+  /// Parts are halved at most `deepest` times. A bound that is then far from what is attained is taken, or is
+  /// Undecided.
+  ExactSearch(int deepest, bool takes_far_bounds) : deepest_(deepest), takes_far_bounds_(takes_far_bounds) {}
 
   std::optional<Extreme> best;
   Rational place;  ///< of the best, in its piece
@@ -232,7 +233,8 @@ class ExactSearch {
     if (before && after) {
       const Rational most = std::max(*before, *after);
       if (most <= best->low) return;
-      if (depth == deepest_ || most - best->low <= close * abs(most)) {
+      const bool is_close = most - best->low <= close * abs(most);
+      if (is_close || (depth == deepest_ && takes_far_bounds_)) {
         if constexpr (std::is_same_v<S, Rational>) {
           if (const auto exact = simple_maximum(x.over, value, most)) return attain(*exact, begin + at * size);
         }
@@ -299,6 +301,7 @@ class ExactSearch {
   }
 
   int deepest_;
+  bool takes_far_bounds_;
   std::size_t candidate_ = 0;
 };
 
@@ -392,11 +395,11 @@ class Corners {
 };
 
 /// The maximum among the parts that may hold it, with floats of so many bits. Throws: Undecided where numbers are too
-/// far apart for them.
+/// far apart for them, and unless this is the last try where a bound is far from what is attained.
 std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const Measure& measure,
                                      const MeasuredCurve& curve,
                                      const std::function<const spline::Segments<Rational>&(std::size_t)>& segment,
-                                     int bits) {
+                                     int bits, bool is_last) {
   const auto piece_of = [&](const Candidate& part) -> std::optional<Piece<Rational>> {
     const spline::Segments<Rational>& one = segment(part.segment);
     const Rational duration = one.times[1] - one.times[0];
@@ -418,7 +421,7 @@ std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const 
   };
   const RealPrecision precision(bits);
   const bool is_quotient = measure.kind == Measure::Kind::curvature || measure.kind == Measure::Kind::angular_speed;
-  ExactSearch search(bits * 3 / 10);
+  ExactSearch search(bits * 3 / 10, is_last);
   for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i) {
     const auto piece = piece_of(parts[i]);
     if (!piece) continue;
@@ -486,7 +489,7 @@ Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measur
     std::optional<Extreme> maximum = Extreme{.is_unproved = true};
     for (const int bits : {400, 2000}) {
       try {
-        maximum = exact_maximum(parts, measures[k], curve, exact_segment, bits);
+        maximum = exact_maximum(parts, measures[k], curve, exact_segment, bits, bits == 2000);
         break;
       } catch (const Undecided&) {
       }

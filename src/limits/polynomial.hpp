@@ -7,7 +7,7 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/container/static_vector.hpp>
+#include <boost/container/small_vector.hpp>
 #include <cstddef>
 #include <initializer_list>
 #include <utility>
@@ -43,9 +43,7 @@ class Polynomial {
   friend bool operator==(const Polynomial& a, const Polynomial& b) { return std::ranges::equal(a, b); }
 
  private:
-  static constexpr std::size_t most = 37;  ///< of the sixth power of a speed over the cubic of a warp
-
-  boost::container::static_vector<S, most> coefficients_;
+  boost::container::small_vector<S, 7> coefficients_;  ///< as many as most have, without memory of their own
 };
 
 /// a + factor b.
