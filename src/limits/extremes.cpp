@@ -420,12 +420,11 @@ std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const 
     return extreme;
   };
   const RealPrecision precision(bits);
-  const bool is_quotient = measure.kind == Measure::Kind::curvature || measure.kind == Measure::Kind::angular_speed;
   ExactSearch search(bits * 3 / 10, is_last);
   for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i) {
     const auto piece = piece_of(parts[i]);
     if (!piece) continue;
-    if (is_quotient) {
+    if (measure.is_of_direction()) {
       const auto x = measured_direction<RealBall>(*piece, measure, as_balls);
       const auto rest = x.power == 3 ? sharp_rest(*piece, measure) : std::nullopt;
       if (rest) return extreme_at({.is_unbounded = true}, parts[i], *rest);
@@ -436,7 +435,7 @@ std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const 
   }
   if (!search.best) return std::nullopt;
   Extreme& best = *search.best;
-  if (is_quotient) best.low = measured(*piece_of(parts[search.best_candidate]), measure).at(search.place);
+  if (measure.is_of_direction()) best.low = measured(*piece_of(parts[search.best_candidate]), measure).at(search.place);
   if (parts.size() > most_parts) {
     if (!std::isfinite(parts.back().upper)) throw Undecided();
     best.high = std::max(best.high, Rational(parts.back().upper));
@@ -475,15 +474,16 @@ Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measur
     }
   }
   if (curve.closed && !curve.from && !curve.to) corners.close(end);
-  std::map<std::pair<bool, std::size_t>, spline::Segments<Rational>> exact;
+  std::map<std::pair<const void*, std::size_t>, spline::Segments<Rational>> exact;
   Extremes result;
   for (std::size_t k = 0; k < measures.size(); ++k) {
-    const bool turns = measures[k].is_of_rotation;
+    const auto& segment_of = measures[k].is_of_rotation      ? curve.turning
+                             : measures[k].is_of_direction() ? curve.directed
+                                                             : curve.exact;
     const auto exact_segment = [&](std::size_t segment) -> const spline::Segments<Rational>& {
-      const std::pair key(turns, segment);
+      const std::pair key(&segment_of, segment);
       const auto found = exact.find(key);
-      if (found != exact.end()) return found->second;
-      return exact.emplace(key, turns ? curve.turning(segment) : curve.exact(segment)).first->second;
+      return found != exact.end() ? found->second : exact.emplace(key, segment_of(segment)).first->second;
     };
     const std::vector<Candidate> parts = searches[k].rest();
     std::optional<Extreme> maximum = Extreme{.is_unproved = true};

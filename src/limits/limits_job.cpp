@@ -202,8 +202,9 @@ void add_angles(spline::Segments<S>& segments) {
   }
 }
 
-/// A segment of a curve by its number, as exact numbers; where these are irrational, to 120 digits.
-std::function<spline::Segments<Rational>(std::size_t)> exact_segments(ExactCurve exact, bool with_rotations) {
+/// A segment of a curve by its number, as exact numbers; where these are irrational, of so many bits.
+std::function<spline::Segments<Rational>(std::size_t)> exact_segments(ExactCurve exact, int bits,
+                                                                      bool with_rotations = false) {
   if (exact.keys.size() == 1) {
     auto one = spline::constant_segment(exact.keys, exact.rules);
     one.channels += exact.rules.rotations.size();
@@ -216,9 +217,8 @@ std::function<spline::Segments<Rational>(std::size_t)> exact_segments(ExactCurve
       return curve->segments(number, number + 1);
     };
   }
-  constexpr int bits = 400;
   const RealPrecision precision(bits, true);
-  return [curve = std::shared_ptr(curve_at<RealBall>(exact))](std::size_t number) {
+  return [bits, curve = std::shared_ptr(curve_at<RealBall>(exact))](std::size_t number) {
     const RealPrecision used(bits, true);
     auto segment = curve->segments(number, number + 1);
     if (!segment.rotations.empty()) add_angles(segment);
@@ -348,9 +348,11 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
       add_angles(block.segments);
       return block;
     };
+    constexpr int bits = 400, bits_of_directions = 2400;
     const MeasuredCurve curve{[=] { return turns ? mapped(streamed.segments(), with_angles) : streamed.segments(); },
-                              exact_segments(pipeline.exact(streamed), false),
-                              turns ? exact_segments(pipeline.exact(streamed), true) : nullptr,
+                              exact_segments(pipeline.exact(streamed), bits),
+                              exact_segments(pipeline.exact(streamed), bits_of_directions),
+                              turns ? exact_segments(pipeline.exact(streamed), bits, true) : nullptr,
                               pipeline.spec().frames,
                               pipeline.request().from,
                               pipeline.request().to,
