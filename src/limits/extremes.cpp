@@ -243,6 +243,7 @@ class ExactSearch {
       }
     }
     if (depth == deepest_) throw Undecided();
+    attain(at_least(x.at(scalar_of<S>(half))), begin + half * size);  // so that a half that rests may be left out
     const auto bound_half = [&](const Rational& first) {
       bound(part_of(x, first, half), begin + first * size, size * half, depth + 1);
     };
