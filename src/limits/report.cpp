@@ -110,10 +110,14 @@ std::string text(const LimitResult& result) {
   if (!result.extreme) return line + "nothing in this range\n";
   if (result.extreme->is_unproved) return line + "no bound is proved, as numbers are too far apart\n";
   const std::string side = result.extreme->is_at_key ? fmt::format(" on the {} side", texts.side) : "";
-  line += result.extreme->is_unbounded
-              ? fmt::format("without a bound at time {}{}, where the curve rests", texts.time, side)
-              : fmt::format("{} at time {}{}, certainly {} {}", texts.maximum, texts.time, side,
-                            result.measure.kind == Measure::Kind::smallest ? "at least" : "at most", texts.bound);
+  if (result.extreme->is_unbounded) {
+    line += fmt::format("without a bound at time {}{}, where the curve rests", texts.time, side);
+  } else if (texts.bound == "null") {
+    line += fmt::format("beyond the range of doubles at time {}{}", texts.time, side);
+  } else {
+    line += fmt::format("{} at time {}{}, certainly {} {}", texts.maximum, texts.time, side,
+                        result.measure.kind == Measure::Kind::smallest ? "at least" : "at most", texts.bound);
+  }
   if (!result.limit) return line + '\n';
   return line + fmt::format("; limit {}{}: {}\n", texts.limit,
                             texts.factor == "null" ? "" : fmt::format(", {} of it", texts.factor),
