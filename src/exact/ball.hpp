@@ -306,7 +306,7 @@ class std::numeric_limits<tcb::BallOf<M>> {
   static constexpr int digits = 100, digits10 = 30;  // at least
   /// At the last precision, more than the noise of a few operations: what is smaller is 0.
   static tcb::BallOf<M> epsilon() {
-    return ldexp(tcb::BallOf<M>(1.0), (tcb::Middle<M>::is_last() ? 20 : 1) - tcb::Middle<M>::bits());
+    return ldexp(tcb::BallOf<M>(1.0), (tcb::Middle<M>::is_last() ? 60 : 1) - tcb::Middle<M>::bits());
   }
 };
 
