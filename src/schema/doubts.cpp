@@ -140,6 +140,8 @@ std::optional<Role> near_role(std::string_view name) {
 
 /// Tension, continuity or bias, if a text is the name of one or a near miss; not as in x_T, which may be anything.
 std::optional<Role> tcb_role(std::string_view text) {
+  constexpr std::size_t longest = 64;  // with a unit
+  if (text.size() > longest) return std::nullopt;
   const Role role = near_role(text).value_or(role_of_name(text));
   const bool is_tcb = role == Role::tension || role == Role::continuity || role == Role::bias;
   return is_tcb && text.size() > 1 ? std::optional(role) : std::nullopt;
@@ -185,9 +187,8 @@ Found near_miss_of_role(const FoundColumns& found) {
     const Role role = found.columns.cells[cell].role;
     const std::string& name = found.names[cell];
     if (role != Role::position && (role != Role::ignored || !found.numeric[cell])) continue;
-    if (std::ranges::count(found.meant, name) > 0) continue;
     const auto near = near_miss(name, found.columns, found.requested.roles, found.requested.timeless);
-    if (!near) continue;
+    if (!near || std::ranges::count(found.meant, name) > 0) continue;
     return error(
         "column {} would be a channel, but its name is close to the role {}; expected {}, or a name that is not close "
         "to it; rename the column, or give {} {} if it has this role, or {} {} if it has not",
@@ -230,10 +231,8 @@ std::vector<std::size_t> parameters_by_name(const FoundColumns& found) {
     const Role role = found.columns.cells[cell].role;
     const bool is_parameter = std::ranges::count(tcb_roles, role) > 0 || role == Role::channel_tension ||
                               role == Role::channel_continuity || role == Role::channel_bias;
-    const bool is_by_request =
-        std::ranges::any_of(found.requested.roles, [&](const RoleRequest& request) { return request.role == role; });
-    const bool is_meant = std::ranges::count(found.meant, found.names[cell]) > 0;
-    if (is_parameter && !is_by_request && !is_meant) cells.push_back(cell);
+    if (!is_parameter || is_requested(found, role)) continue;
+    if (std::ranges::count(found.meant, found.names[cell]) == 0) cells.push_back(cell);
   }
   return cells;
 }

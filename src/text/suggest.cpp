@@ -41,6 +41,8 @@ std::string joined(std::span<const Text> names) {
 }  // namespace
 
 std::string nearest_name(std::string_view name, std::span<const std::string_view> known) {
+  const auto is_too_long = [&](std::string_view other) { return 2 * name.size() > 3 * other.size(); };
+  if (std::ranges::all_of(known, is_too_long)) return "";
   const auto nearest =
       std::ranges::min_element(known, {}, [&](std::string_view other) { return edit_distance(name, other); });
   if (nearest == known.end() || edit_distance(name, *nearest) * 3 > std::max(name.size(), nearest->size())) return "";
