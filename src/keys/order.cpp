@@ -211,6 +211,9 @@ class Order : public HoldingStage {
   std::optional<KeyLocation> before_;  ///< of the last key that remained
 };
 
+/// The exact times of the keys of a block that are changed.
+using WrittenTimes = std::vector<std::optional<Rational>>;
+
 /// Sets the times of keys as written, if the numbers of keys are kept so. No text is changed for a key without a time.
 void set_written_times(KeyBlock& block, std::span<const std::optional<Rational>> times) {
   const auto is_changed = [](const auto& time) { return time.has_value(); };
@@ -239,36 +242,38 @@ class Spreader : public HoldingStage {
     for (const std::size_t key : block.breaks.before) all.breaks.before.push_back(all.size() + key);
     all.append(block, 0, block.size());
     all.take_block_data(block);
+    WrittenTimes times(all.size());
     std::size_t group = 0;  // the first key with the current time
     for (std::size_t key = 1; key < all.size(); ++key) {
       if (all.has_break_before(key)) {
-        divide(all, std::exchange(group, key), key);
+        divide(all.keys, times, std::exchange(group, key), key);
         step_.reset();
       } else if (all.keys.times[key] != all.keys.times[group]) {
         step_ = exact_time(all.keys.times[key]) - exact_time(all.keys.times[group]);
-        divide(all, group, key);
+        divide(all.keys, times, group, key);
         group = key;
       }
     }
+    set_written_times(all, times);
     held_ = all.cut(group);
     return all;
   }
 
   void end_curve() override {
-    divide(held_, 0, held_.size());
+    WrittenTimes times(held_.size());
+    divide(held_.keys, times, 0, held_.size());
+    set_written_times(held_, times);
     step_.reset();
   }
 
   /// Gives keys with the same time equal parts of the step. Where there is none, or they go back, they stay.
-  void divide(KeyBlock& block, std::size_t first, std::size_t last) const {
+  void divide(Keys& keys, WrittenTimes& times, std::size_t first, std::size_t last) const {
     if (last - first < 2 || !step_ || *step_ <= 0) return;
-    const Rational start = exact_time(block.keys.times[first]), part = *step_ / (last - first);
-    std::vector<std::optional<Rational>> times(block.size());
+    const Rational start = exact_time(keys.times[first]), part = *step_ / (last - first);
     for (std::size_t key = first + 1; key < last; ++key) {
       times[key] = start + part * (key - first);
-      block.keys.times[key] = nearest_time(*times[key]);
+      keys.times[key] = nearest_time(*times[key]);
     }
-    set_written_times(block, times);
   }
 
   std::optional<Rational> step_;  ///< between the last two times of the curve
