@@ -109,10 +109,10 @@ class SettingsReader {
       }
       found.channels.push_back(text);
     }
-    if (member_ == "closed" && kind != Kind::boolean) {
-      throw at(value, data_error("found {}; expected true or false; correct it", in_quotes(text)));
+    text_ += (is_first ? "" : ",") + text;
+    if (member_ == "closed" && (kind != Kind::boolean || !is_first)) {
+      throw at(value, data_error("found {}; expected true or false; correct it", in_quotes(text_)));
     }
-    text_ = is_first || member_ != "ends" ? text : text_ + "," + text;
   }
 
   /// Sets the setting that is the member.
