@@ -144,8 +144,8 @@ class FirstRecord {
   }
 
   void add_nested(FoundMember& member, std::size_t value, bool in_array) {
-    const Role role = role_of_name(member.name);
-    if (!in_array && !texts_.contains(member.name) && role != Role::position && role != Role::time) {
+    const Role role = in_array ? Role::position : role_of_name(member.name);
+    if (role != Role::position && role != Role::time && !texts_.contains(member.name)) {
       throw at(member, value, data_error("this is not a number; expected one; correct it"));
     }
     member.nested = true;
@@ -164,7 +164,7 @@ class FirstRecord {
     member.empty = false;
     const bool is_quoted = kind != Kind::boolean;
     const std::string_view text = is_quoted ? tape_.text(value) : tape_.written(value);
-    const Role role = role_of_name(member.name);
+    const Role role = in_array ? Role::position : role_of_name(member.name);
     const bool is_sign = is_quoted && is_missing_sign(text, signs_);
     if (!in_array && is_quoted && find_notation(text)) {
       member.value = text;
@@ -324,21 +324,22 @@ void complete(const JsonColumns& columns, std::vector<Member>& members, std::siz
 }
 
 /// Takes a member of a record, and what is in it, as texts in a row of cells.
-void take_cells(std::vector<std::string_view>& row, const JsonTape& tape, const std::vector<Member>& members,
-                std::string_view name, std::size_t value) {
-  const auto member = std::ranges::find(members, name, &Member::name);
-  if (member == members.end() || value == JsonCell::missing) return;
+void take_cells(std::vector<std::string_view>& row, const JsonTape& tape, MemberFinder& finder,
+                const std::vector<Member>& members, std::string_view name, std::size_t value, std::size_t& expected) {
+  if (value == JsonCell::missing) return;
+  const Member* const member = finder.find(members, name, tape.kind(value), expected);
+  if (member == nullptr) return;
   const auto text = [&](std::size_t scalar) {
     const Kind kind = tape.kind(scalar);
     return kind == Kind::string ? tape.text(scalar) : kind == Kind::null ? "" : tape.written(scalar);
   };
-  std::size_t index = 0;
+  std::size_t index = 0, expected_inside = 0;
   if (!tape[value].is_nested() && member->cells > 0) row[member->cell] = text(value);
   for (const std::size_t inner : tape.inside(value)) {
     if (tape.kind(inner) == Kind::name) {
-      take_cells(row, tape, member->inner, tape.text(inner), inner + 1);
+      take_cells(row, tape, finder, member->inner, tape.text(inner), inner + 1, expected_inside);
     } else if (member->is_nested()) {
-      take_cells(row, tape, member->inner, fmt::format("[{}]", index++), inner);
+      take_cells(row, tape, finder, member->inner, fmt::format("[{}]", index++), inner, expected_inside);
     } else if (index < member->cells && !tape[inner].is_nested()) {
       row[member->cell + index++] = text(inner);
     }
@@ -412,7 +413,7 @@ class FirstKey {
   }
 
   /// Adds the numbers, times and texts in an object or an array, whose names are their paths.
-  void add_inside(std::vector<FoundMember>& members, const FoundMember& outer) const {
+  void add_inside(std::vector<FoundMember>& members, const FoundMember& outer) {
     std::size_t index = 0;
     for (const std::size_t place : tape_.inside(outer.node)) {
       const bool is_name = tape_.kind(place) == Kind::name;
@@ -422,6 +423,8 @@ class FirstKey {
       FoundMember inner{
           .name = outer.name + end, .route = outer.route, .path = outer.path + end, .node = value, .place = place};
       inner.route.push_back(step);
+      constexpr std::size_t copies = 8;  // of the names around a number, which may be long
+      paths_.add(copies * inner.path.size());
       if (tape_[value].is_nested()) {
         add_inside(members, inner);
         continue;
@@ -709,10 +712,14 @@ class FirstKey {
     constexpr std::size_t most = 50;
     std::vector<std::vector<std::string_view>> rows(std::min(records_.size(), most));
     JsonCells cells;
+    MemberFinder finder;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       rows[i].resize(header.size());
       records_.get_cells(i, cells);
-      for (const JsonCell& cell : cells) take_cells(rows[i], tape_, columns.members, cell.name, cell.value);
+      std::size_t expected = 0;
+      for (const JsonCell& cell : cells) {
+        take_cells(rows[i], tape_, finder, columns.members, cell.name, cell.value, expected);
+      }
     }
     std::vector<bool> numeric;
     std::vector<std::string> meant;
@@ -737,6 +744,7 @@ class FirstKey {
   const InputOptions& options_;
   const ColumnOptions& requested_;
   const std::vector<std::string>& channels_;
+  MemoryUse paths_{options_.max_memory};
   std::vector<FoundMember> members_;
 };
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <unordered_map>
 #include <utility>
 
 #include "numbers/parse_number.hpp"
@@ -97,28 +96,10 @@ class KeyReader {
     }
   }
 
-  /// The member with a name, of the kind of a value. `expected`: its place, if all keys have the same order.
-  const Member* find(const Members& members, std::string_view name, Kind kind, std::size_t& expected) {
-    const auto is_it = [&](const Member& member) {
-      return member.name == name && member.is_nested() == (kind == Kind::object);
-    };
-    if (expected < members.size() && is_it(members[expected])) return &members[expected++];
-    auto& by_name = by_name_[&members];
-    if (by_name.empty()) {
-      for (const Member& member : members) by_name.emplace(member.name, &member);
-    }
-    const auto [first, last] = by_name.equal_range(name);
-    if (first == last) return nullptr;
-    const auto found = std::find_if(first, last, [&](const auto& named) { return is_it(*named.second); });
-    const Member* const member = (found == last ? first : found)->second;
-    expected = static_cast<std::size_t>(member - members.data()) + 1;
-    return member;
-  }
-
   void read_member(const JsonCell& cell, std::size_t& expected) {
     cell_ = &cell;
     is_provenance_ = is_provenance_ || cell.name == "meta";
-    const Member* const member = find(columns_.members, cell.name, tape_.kind(cell.value), expected);
+    const Member* const member = finder_.find(columns_.members, cell.name, tape_.kind(cell.value), expected);
     const bool is_spread = (cell.name == "tcb" || cell.name == "rotation") && tape_.kind(cell.value) == Kind::object;
     if (member != nullptr && (!is_spread || member->is_nested())) return read_value(*member, cell.value);
     if (!is_spread) return refuse_unknown(cell.value);
@@ -184,7 +165,7 @@ class KeyReader {
       const std::string step = is_object ? "" : fmt::format("[{}]", index++);
       const std::size_t of_inner = tape_.value_of(inner);
       const Member* const found =
-          find(member.inner, is_object ? tape_.text(inner) : step, tape_.kind(of_inner), expected);
+          finder_.find(member.inner, is_object ? tape_.text(inner) : step, tape_.kind(of_inner), expected);
       if (found != nullptr) {
         read_value(*found, of_inner);
       } else if (is_object && member.is_whole) {
@@ -313,7 +294,7 @@ class KeyReader {
   std::uint64_t number_;             ///< of the current or the next record
   std::vector<unsigned char> seen_;  ///< 1 for the members of the current key; bits would take longer
   std::vector<const Member*> required_;
-  std::unordered_map<const Members*, std::unordered_multimap<std::string_view, const Member*>> by_name_;
+  MemberFinder finder_;
   JsonCells cells_;                 ///< of the current key
   const JsonCell* cell_ = nullptr;  ///< the current member
   bool is_provenance_ = false;      ///< the object has "meta", and is no key if it has no member of a key

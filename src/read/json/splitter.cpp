@@ -55,14 +55,17 @@ bool JsonSplitter::skip_string() {
   return text_[at_] == '"';
 }
 
-/// Skips from an opening brace to just before the closing one, where no other brace and no backslash is between.
+/// Skips from an opening brace to just before the closing one, where that is near, and no other brace and no backslash
+/// is between.
 void JsonSplitter::skip_plain_object() {
   // Without another brace and without a backslash, quotes come in pairs up to a brace outside of strings.
-  const std::size_t end = text_.find('}', at_);
-  if (end == std::string::npos) return;
-  const std::string_view members = std::string_view(text_).substr(at_ + 1, end - at_ - 1);
+  constexpr std::size_t longest = 1024;  // so that braces that nothing closes take linear time
+  const std::string_view near = std::string_view(text_).substr(at_, longest);
+  const std::string_view object = near.substr(0, near.find('}'));
+  if (object.size() == near.size()) return;
+  const std::string_view members = object.substr(1);
   const auto has = [&](char c) { return members.find(c) != std::string_view::npos; };
-  if (!has('{') && !has('\\') && std::ranges::count(members, '"') % 2 == 0) at_ = end - 1;
+  if (!has('{') && !has('\\') && std::ranges::count(members, '"') % 2 == 0) at_ += members.size();
 }
 
 /// Cuts off and returns the text up to `end`.
@@ -178,31 +181,27 @@ JsonPart JsonSplitter::cut_object(std::size_t end) {
   return part;
 }
 
-/// Skips commas and blanks to the next curve, or to the end of their list, where the object around them continues.
+/// Skips a comma and blanks to the next curve, or to the end of their list, where the object around them continues.
 void JsonSplitter::scan_to_curve() {
   stage_ = Stage::object;
-  for (bool has_comma = curve_ == 0;; has_comma = true) {
-    const char c = skip_blanks(at_);
-    (void)take(at_);
-    if (c == '{' && has_comma) {
-      has_list_ = false;
-      name_begin_ = name_end_ = 0;
-      before_ = {};
-      return;
-    }
-    if (c == '\0' || (c == ']' && (curve_ == 0 || !has_comma))) {
-      before_ = std::move(before_curves_);
-      before_.text.pop_back();  // the opening bracket, which cut_object() adds
-      has_list_ = true;
-      shape_ = JsonShape::object;  // from here on
-      depth_ = 2;
-      return;
-    }
-    if (has_comma) throw here(data_error("no curve here; expected an object with \"keys\"; correct the text"));
-    if (c != ',') {
-      throw here(data_error("no comma after a curve; expected one, or the end of \"curves\"; correct the text"));
-    }
-    (void)take(1);
+  char c = skip_blanks(at_);
+  const bool has_comma = curve_ == 0 || c == ',';
+  if (curve_ > 0 && c == ',') c = skip_blanks(++at_);
+  (void)take(at_);
+  if (c == '{' && has_comma) {
+    has_list_ = false;
+    name_begin_ = name_end_ = 0;
+    before_ = {};
+  } else if (c == '\0' || (c == ']' && (curve_ == 0 || !has_comma))) {
+    before_ = std::move(before_curves_);
+    before_.text.pop_back();  // the opening bracket, which cut_object() adds
+    has_list_ = true;
+    shape_ = JsonShape::object;  // from here on
+    depth_ = 2;
+  } else if (has_comma) {
+    throw here(data_error("no curve here; expected an object with \"keys\"; correct the text"));
+  } else {
+    throw here(data_error("no comma after a curve; expected one, or the end of \"curves\"; correct the text"));
   }
 }
 

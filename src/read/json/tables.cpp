@@ -365,23 +365,41 @@ struct Place {
   std::string path;
 };
 
-/// A member, by its name, or an element of an object or array.
-Place place_in(const JsonTape& tape, const Place& outer, std::size_t inner, std::size_t index) {
-  if (tape.kind(inner) != Kind::name) return {inner, fmt::format("{}[{}]", outer.path, index)};
-  return {inner + 1, fmt::format("{}{}{}", outer.path, outer.path.empty() ? "" : ".", tape.text(inner))};
-}
+/// A path with a step to a member, by its name, or to an element, for as long as this lives.
+class Step {
+ public:
+  Step(std::string& path, const JsonTape& tape, std::size_t inner, std::size_t index)
+      : path_(path), size_(path.size()) {
+    if (tape.kind(inner) != Kind::name) {
+      path += fmt::format("[{}]", index);
+    } else {
+      if (!path.empty()) path += '.';
+      path += tape.text(inner);
+    }
+  }
+  Step(const Step&) = delete;
+  Step& operator=(const Step&) = delete;
+  ~Step() { path_.resize(size_); }
+
+ private:
+  std::string& path_;
+  std::size_t size_;
+};
 
 /// Finds the values that fit, of which none holds another one. A list of objects without times that hold lists
 /// themselves is none: these are the keys.
 template <class F>
-void find_fits(const JsonTape& tape, const Place& place, const F& found) {
-  const Fit fit = fit_of(tape, place.value);
-  const bool holds_lists =
-      fit == Fit::without_times && tape.kind(place.value) == Kind::array && holds_list(tape, place.value);
-  if (fit != Fit::none && !holds_lists) return found(place, fit);
+void find_fits(const JsonTape& tape, std::size_t value, std::string& path, const F& found) {
+  const Fit fit = fit_of(tape, value);
+  const bool holds_lists = fit == Fit::without_times && tape.kind(value) == Kind::array && holds_list(tape, value);
+  if (fit != Fit::none && !holds_lists) return found(value, fit);
   std::size_t index = 0;
-  for (const std::size_t inner : tape.inside(place.value)) {
-    if (tape[tape.value_of(inner)].is_nested()) find_fits(tape, place_in(tape, place, inner, index), found);
+  for (const std::size_t inner : tape.inside(value)) {
+    const std::size_t of_inner = tape.value_of(inner);
+    if (tape[of_inner].is_nested()) {
+      const Step step(path, tape, inner, index);
+      find_fits(tape, of_inner, path, found);
+    }
     ++index;
   }
 }
@@ -397,15 +415,19 @@ std::optional<std::string_view> after_step(std::string_view path, std::string_vi
   return std::nullopt;
 }
 
-/// Finds the values at the end of a path.
-void follow(const JsonTape& tape, const Place& place, std::string_view path, std::vector<Place>& found) {
-  if (path.empty()) return found.push_back(place);
+/// Finds the values at the end of a path, of which `path` was followed to this value.
+template <class F>
+void follow(const JsonTape& tape, std::size_t value, std::string& path, std::string_view left, const F& found) {
+  if (left.empty()) return found(value);
   std::size_t index = 0;
-  for (const std::size_t inner : tape.inside(place.value)) {
+  for (const std::size_t inner : tape.inside(value)) {
     const bool is_name = tape.kind(inner) == Kind::name;
-    auto rest = after_step(path, is_name ? std::string(tape.text(inner)) : fmt::format("[{}]", index));
-    if (!rest && !is_name && path.starts_with("[*]")) rest = after_step(path, "[*]");
-    if (rest) follow(tape, place_in(tape, place, inner, index), *rest, found);
+    auto rest = after_step(left, is_name ? std::string(tape.text(inner)) : fmt::format("[{}]", index));
+    if (!rest && !is_name && left.starts_with("[*]")) rest = after_step(left, "[*]");
+    if (rest) {
+      const Step step(path, tape, inner, index);
+      follow(tape, tape.value_of(inner), path, *rest, found);
+    }
     ++index;
   }
 }
@@ -461,18 +483,25 @@ void refuse_other_json(const JsonTape& tape) {
 
 bool holds_table(const JsonTape& tape, std::size_t value) {
   bool found = false;
-  find_fits(tape, {value, ""}, [&](const Place&, Fit fit) { found = found || fit != Fit::none; });
+  std::string path;
+  find_fits(tape, value, path, [&](std::size_t, Fit) { found = true; });
   return found;
 }
 
 std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& options) {
   const std::string_view path = options.records;
   std::vector<Place> with_times, others, requested;
-  find_fits(tape, {0, ""},
-            [&](const Place& place, Fit fit) { (fit == Fit::with_times ? with_times : others).push_back(place); });
+  MemoryUse paths(options.max_memory);
+  std::string current;
+  const auto add = [&](std::vector<Place>& places, std::size_t value) {
+    paths.add(current.size());
+    places.push_back({value, current});
+  };
+  find_fits(tape, 0, current,
+            [&](std::size_t value, Fit fit) { add(fit == Fit::with_times ? with_times : others, value); });
   const std::vector<Place>& fitting = with_times.empty() ? others : with_times;
   if (!path.empty()) {
-    follow(tape, {0, ""}, path, requested);
+    follow(tape, 0, current, path, [&](std::size_t value) { add(requested, value); });
     if (requested.empty()) {
       throw usage_error("{} {}: there is no such value; expected the path of a list of records{}{}; correct it",
                         option::records, path, fitting.empty() ? "" : ", such as ", listed_paths(fitting));

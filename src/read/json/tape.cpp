@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "numbers/parse_number.hpp"
@@ -271,6 +272,11 @@ class JsonTape::Events {
 };
 
 JsonTape::JsonTape(const JsonPart& part, std::uint64_t max_memory) : part_(part), max_memory_(max_memory) {
+  if (part.chunk.text.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw data_error(
+        "the text has more than 4 GiB and is read as a whole; expected less; write a list of objects, which is read in "
+        "parts");
+  }
   if (part.kind != JsonPart::Kind::values) parse(0, true);
 }
 
