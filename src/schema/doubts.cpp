@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "numbers/time_notation.hpp"
@@ -315,10 +316,12 @@ Found times_as_names(const FoundColumns& found) {
   const std::vector<std::string>& channels = found.columns.channels;
   std::vector<double> times;
   for (const std::string& channel : channels) times.push_back(parse_number(channel).value_or(nan));
-  const bool increase = std::ranges::adjacent_find(times, [](double a, double b) { return !(a < b); }) == times.end();
-  if (found.names.empty() || times.size() < 3 || !increase) return std::nullopt;
-  const bool count = times.front() <= 1 && times.back() == times.front() + static_cast<double>(times.size() - 1);
-  if (count) return std::nullopt;
+  if (found.names.empty() || times.size() < 3) return std::nullopt;
+  const auto all_steps = [&times](const auto& step) {
+    return std::ranges::adjacent_find(times, [&](double a, double b) { return !step(a, b); }) == times.end();
+  };
+  const bool count = (times[0] == 0 || times[0] == 1) && all_steps([](double a, double b) { return b == a + 1; });
+  if (count || !all_steps(std::less<>())) return std::nullopt;
   return error(
       "the columns are called {}, as times are; expected a row for each time; transpose the table, or give {} uniform "
       "if the rows are keys without times",
