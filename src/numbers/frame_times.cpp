@@ -131,6 +131,8 @@ Time FrameTimes::time(const Time& elapsed) const {
 Time FrameTimes::key_time(const Time& elapsed) const {
   const Time near = time(elapsed);
   if (!are_decimals_ || this->elapsed(near.hi) == elapsed) return as_double(near);
+  const Time decimal = tcb::time_of(decimal_of(near));
+  if (this->elapsed(decimal) == elapsed) return decimal;
   return rounded_to(Rational(elapsed.hi) + Rational(elapsed.lo) + exact_time(decimal_origin_), digits_of_time);
 }
 
