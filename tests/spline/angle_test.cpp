@@ -67,6 +67,8 @@ TEST(Angle, the_angle_of_a_vector_is_within_an_ulp) {
   EXPECT_EQ(angle_of(0.0, 1.0), 0);
   EXPECT_EQ(angle_of(0.0, -1.0), 3.141592653589793);
   EXPECT_EQ(angle_of(1.0, 0.0), 1.5707963267948966);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(angle_of(nan, 1.0)) && std::isnan(angle_of(0.0, nan)));
 }
 
 TEST(Angles, are_wrapped_into_a_whole_turn) {

@@ -150,7 +150,7 @@ S angle_of(const S& y, const S& x) {
   return atan2(y, x);
 }
 
-/// For doubles. Requires: y >= 0, not both 0. Promises: within 1 ulp.
+/// For doubles. Requires: y >= 0, not both 0, or NaN. Promises: within 1 ulp; NaN for NaN.
 inline double angle_of(double y, double x) {
   // The arc tangents of 0, 1/8, ..., 1. Up to 3/16 the series is used alone, as the first of them would cancel.
   static constexpr std::array<DoubleDouble, 9> eighths{DoubleDouble{0, 0},
@@ -167,7 +167,7 @@ inline double angle_of(double y, double x) {
   const bool steep = y > width;
   const double shorter = steep ? width : y, longer = steep ? y : width;
   const double ratio = shorter / longer;
-  const std::size_t index = ratio <= 0.1875 ? 0 : static_cast<std::size_t>(ratio * 16 + 1) / 2;
+  const std::size_t index = ratio > 0.1875 ? static_cast<std::size_t>(ratio * 16 + 1) / 2 : 0;
   const double tangent = 0.125 * static_cast<double>(index);
   const DoubleDouble r = (DoubleDouble(shorter) - DoubleDouble(longer) * tangent) /
                          (DoubleDouble(longer) + DoubleDouble(shorter) * tangent);
