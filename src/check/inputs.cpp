@@ -60,9 +60,9 @@ Names names_of(const Fields& chosen, const Schema& keys) {
 }
 
 /// The index of each name.
-using NameIndex = std::unordered_map<std::string_view, std::size_t>;
+using ColumnIndex = std::unordered_map<std::string_view, std::size_t>;
 
-std::optional<std::size_t> index_of(const NameIndex& index, std::string_view name) {
+std::optional<std::size_t> index_of(const ColumnIndex& index, std::string_view name) {
   const auto found = index.find(name);
   return found == index.end() ? std::nullopt : std::optional(found->second);
 }
@@ -167,7 +167,7 @@ class Matcher {
   const SampleTable& table_;
   const Schema& keys_;
   const Fields& given_;
-  NameIndex columns_;  ///< of the table
+  ColumnIndex columns_;  ///< of the table
   std::vector<bool> is_compared_;
   std::size_t cells_ = 0;  ///< of the fields in the result
   MatchedColumns result_;
@@ -285,7 +285,7 @@ void MatchedColumns::align(std::span<Cell> computed, std::span<const double> giv
 
 MatchedColumns match_columns(const SampleTable& table, const Schema& keys, const std::vector<std::size_t>& given) {
   MatchedColumns columns = table.named ? Matcher(table, keys, given).match() : match_by_order(table, keys, given);
-  NameIndex compared;
+  ColumnIndex compared;
   for (std::size_t i = 0; i < columns.compared.size(); ++i) compared.try_emplace(columns.compared[i].name, i);
   for (const AngleColumn& angle : keys.angles) {
     if (const auto found = index_of(compared, keys.channels[angle.channel])) {
