@@ -57,7 +57,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple, TypedDict
 
 Value = Any  # a number, a text, a list, or a dict; see the description of the module
-VERSION = {version!r}
+__version__ = {version!r}
 
 
 class Option(NamedTuple):

@@ -48,7 +48,7 @@ from ._functions import identify as identify
 from ._functions import plot as plot
 from ._functions import presets as presets
 from ._functions import resample as resample
-from ._options import VERSION as __version__
+from ._options import __version__ as __version__
 from ._options import Options as Options
 from ._program import Error as Error
 from ._program import Note as Note

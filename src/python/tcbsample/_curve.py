@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import copy
-import json
 import os
+import re
 from bisect import bisect_right
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
 from ._options import Options
-from ._program import Error, Run
-from ._rows import rows_of
-from ._tables import contents, decimal_seconds, is_missing, is_pandas, is_table
+from ._program import Error, Run, source_of
+from ._rows import dates_of, durations_of, rows_of
+from ._tables import Table, array_of, decimal_seconds, is_missing
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -23,7 +22,6 @@ if TYPE_CHECKING:
 
 _BLOCK = 1 << 13  # places that are evaluated together, which fit into the cache of a processor
 _RUN = 1 << 10  # so many places on a piece are faster together than with those of other pieces
-_LARGEST_WHOLE = 2**53  # up to here, every whole number is a double
 _SAMPLING = {"step", "rate", "fps", "count", "segments", "per_segment", "at", "arc_step", "arc_count", "arc_at",
              "tolerance", "emit", "fit_keys", "keep_times", "corner", "from_", "to", "end", "keys", "fields"}  # fmt: skip
 _DERIVATIVES = ("position", "velocity", "acceleration", "jerk")
@@ -90,15 +88,20 @@ class _Pieces:
 
     def _parts(self, times: Array) -> Iterator[tuple[slice, Any]]:
         """Parts of times, and the half, or the halves, on which they are."""
-        if len(times) >= _RUN * len(self._breaks) and (times[1:] >= times[:-1]).all():
-            begins = [0, *times.searchsorted(self._breaks[1:]).tolist(), len(times)]
-            for half, (begin, end) in enumerate(zip(begins, begins[1:])):
-                for first in range(begin, end, _BLOCK):
-                    yield slice(first, min(first + _BLOCK, end)), half
-            return
+        count = len(self._breaks)
+        if len(times) < count or (times[1:] < times[:-1]).any():
+            halves = self._breaks.searchsorted(times, "right") - 1
+        else:
+            begins = np.concatenate([[0], times.searchsorted(self._breaks[1:]), [len(times)]])
+            if len(times) >= _RUN * count:
+                for half, (begin, end) in enumerate(zip(begins.tolist(), begins[1:].tolist())):
+                    for first in range(begin, end, _BLOCK):
+                        yield slice(first, min(first + _BLOCK, end)), half
+                return
+            halves = np.repeat(np.arange(count), np.diff(begins))
         for first in range(0, len(times), _BLOCK):
             part = slice(first, first + _BLOCK)
-            yield part, self._breaks.searchsorted(times[part], "right") - 1
+            yield part, halves[part]
 
     def evaluate(self, times: Array, order: int) -> Array:
         """A derivative of order 0 to 3 at each time, (times, channels). Requires: first <= times <= last."""
@@ -118,10 +121,6 @@ class _Pieces:
         return result
 
 
-def _nanoseconds(dates: Any) -> Any:
-    return np.asarray(dates, dtype="datetime64[ns]").astype(np.int64)
-
-
 class Curve:
     """A curve through keys, to evaluate at any times.
 
@@ -136,7 +135,8 @@ class Curve:
     Times are numbers in the unit of the keys, or dates or durations where those of the keys are; derivatives are per
     unit of time, or per second. Positions and derivatives are computed in this process, by NumPy; they are within 4
     units in the last place of what resample() returns, counted at the largest control value of the piece. What is no
-    cubic in time (rotations, ease), lengths, places outside the keys and golden=True take a run of the program.
+    cubic in time (rotations, ease), lengths, places outside the keys and golden=True take a run of the program, which
+    reads a file again.
 
     Raises Error if keys or options are rejected, and TypeError for an unknown option or what is not a table.
 
@@ -155,119 +155,97 @@ class Curve:
         samples = _SAMPLING.intersection(name for name, value in options.items() if value is not None)
         if samples:
             raise TypeError(f"{samples.pop()}: a Curve has no samples until it is called with times; leave it out")
-        in_memory = is_table(keys)
-        self._keys = keys.copy() if is_pandas(keys) else copy.deepcopy(keys) if in_memory else (
-            keys if isinstance(keys, (str, os.PathLike, bytes)) else contents(keys))  # fmt: skip
+        self._keys = keys if isinstance(keys, (str, os.PathLike)) else source_of(keys, "keys")
         self._options: dict[str, Any] = dict(options, preset=preset)
         self._extrapolate = self._options.pop("extrapolate", None)
         self._metric = options.get("metric")
         if not options.get("equal_speed") and options.get("parameter") is None:
             self._options.pop("metric", None)  # only lengths depend on it
         self._pieces: Optional[_Pieces] = None
-        self._origin: Optional[int] = None  # of dates, in nanoseconds, and of large whole numbers; None for others
-        self._is_whole = False  # times are whole numbers, some of them beyond those that are doubles
-        self.times: np.ndarray[Any, np.dtype[Any]]
+        self._origin: Any = None  # where dates, and whole numbers beyond those that are doubles, count from
         try:
-            with Run(self._keys).add({**self._options, "emit": "bezier"}) as run:
-                rows = [json.loads(line) for line in run.result(["--output-format=jsonl"])]
-        except Error:
-            self._set_from_keys()
+            rows, table = self._rows(emit="bezier")
+        except Error:  # no cubics in time, or rejected keys
+            rows, table = self._rows(per_segment=1, fields="time,position")
+            time, *self.names = rows.dtype.names
+            times = self._times(rows[time])
         else:
-            self._set_pieces(rows)
+            times = self._set_pieces(rows)
+        has_durations = table is not None and any(column.dtype.kind == "m" for column in table.columns)
+        self.times: np.ndarray[Any, np.dtype[Any]] = durations_of(times) if has_durations else times
 
-    def _set_pieces(self, rows: list[dict[str, Any]]) -> None:
-        if None in rows:
-            raise TypeError("the keys are several curves; expected one; make a Curve for each")
-        self.names = [name[: -len("_b0")] for name in rows[0] if name.endswith("_b0")]
-        durations = np.array([row["duration"] for row in rows], dtype=np.float64)
-        bezier = np.array([[[row[f"{name}_b{i}"] for name in self.names] for i in range(4)] for row in rows], dtype=float)
-        starts = [row["start"] for row in rows]
-        if isinstance(starts[0], str):
-            dates = _nanoseconds([start.rstrip("Z") for start in starts])
-            end = dates[-1] + round(durations[-1] * 1e9)
-            self._origin = int(dates[0])
-            self.times = np.append(dates, end).astype("datetime64[ns]")
-            edges = (np.append(dates, end) - self._origin) / 1e9
-        elif self._has_large(starts) and self._origin is not None:
-            self.times = np.append(np.array(starts, dtype=np.int64), starts[-1] + round(durations[-1]))
-            edges = (self.times - self._origin).astype(np.float64)
-        else:
-            edges = np.array(starts, dtype=np.float64)
-            edges = np.append(edges, edges[-1] + durations[-1])
-            self.times = edges
-        self._pieces = _Pieces(edges[:-1], edges[1:], durations, bezier)
-
-    def _set_from_keys(self) -> None:
-        """For curves without cubics in time. Raises Error."""
-        with Run(self._keys).add({**self._options, "per_segment": 1, "fields": "time,position"}) as run:
-            rows = [json.loads(line) for line in run.result(["--output-format=jsonl"])]
-        time, *self.names = rows[0]
-        times = [row[time] for row in rows]
-        if isinstance(times[0], str):
-            dates = _nanoseconds([date.rstrip("Z") for date in times])
-            self._origin = int(dates[0])
-            self.times = dates.astype("datetime64[ns]")
-        else:
-            self.times = np.array(times, dtype=np.int64 if self._has_large(times) else np.float64)
-
-    def _has_large(self, times: list[Any]) -> bool:
-        """Whether times are whole numbers beyond those that are doubles; then they count from the first one."""
-        if all(isinstance(time, int) for time in times) and max(abs(time) for time in times) > _LARGEST_WHOLE:
-            self._origin, self._is_whole = times[0], True
-        return self._is_whole
-
-    def _flat(self, t: Any) -> tuple[Any, tuple[int, ...]]:
-        """Times as the pieces have them, in one dimension, and their shape."""
-        array = np.asarray(t)
-        if self._is_whole and self._origin is not None:
-            if array.dtype.kind not in "iu":
-                raise TypeError(f"times of {array.dtype}, but those of the keys are whole numbers beyond 2^53; expected "
-                                "whole numbers")  # fmt: skip
-            return (array.ravel().astype(np.int64) - self._origin).astype(np.float64), array.shape
-        if array.dtype.kind == "O":
-            numbers = [np.nan if is_missing(v) else float(decimal_seconds(v)) if hasattr(v, "isoformat") else v
-                       for v in array.ravel().tolist()]  # fmt: skip
-            dates = any(hasattr(value, "year") for value in array.ravel().tolist())
-            if dates and self._origin is not None:
-                counts = [decimal_seconds(v).replace(".", "") for v in array.ravel().tolist()]
-                return (np.array(counts, dtype=object).astype(np.int64) - self._origin) / 1e9, array.shape
-            return np.array(numbers, dtype=np.float64), array.shape
-        if array.dtype.kind == "M":
-            if self._origin is None:
-                raise TypeError("dates, but the times of the keys are numbers; expected times in the unit of the keys")
-            nanoseconds = _nanoseconds(array.ravel()) - self._origin
-            return np.where(np.isnat(array.ravel()), np.nan, nanoseconds / 1e9), array.shape
-        if array.dtype.kind == "m":
-            if self._origin is not None:
-                raise TypeError("durations, but the times of the keys are dates; expected dates")
-            seconds = array.ravel().astype("m8[ns]").astype(np.int64) / 1e9
-            return np.where(np.isnat(array.ravel()), np.nan, seconds), array.shape
-        if self._origin is not None:  # seconds since 1970, as the program counts dates
-            return array.ravel().astype(np.float64) - self._origin / 1e9, array.shape
-        return array.ravel().astype(np.float64, copy=False), array.shape
-
-    def _words(self, flat: Any, given: Any) -> list[str]:
-        """The texts of times for the program."""
-        if self._is_whole:
-            return [str(time) for time in np.asarray(given).ravel().tolist()]
-        if self._origin is None:
-            return [repr(time) for time in flat.tolist()]
-        array = np.asarray(given).ravel()
-        if array.dtype.kind in "MO":
-            return [decimal_seconds(value) for value in array.tolist()] if array.dtype.kind == "O" else [
-                decimal_seconds(value) for value in array]  # fmt: skip
-        return [repr(value) for value in array.astype(np.float64).tolist()]
-
-    def _ask(self, places: Mapping[str, Any], fields: str, **more: Any) -> Array:
-        """The numbers of some fields that the program prints at places, which more may extend: a row for each."""
-        if not any(places.values()):
-            return np.empty((0, 1 if fields in ("s", "time") else len(self.names)))
-        options = {**self._options, "quiet": True, "fields": fields, **more, **places}
-        with Run(self._keys).add(options) as run:
-            run.table = None  # no row has the types of the keys
+    def _rows(self, **sampling: Any) -> tuple[Any, Optional[Table]]:
+        """Rows of numbers, and the table of the keys. Raises Error, and TypeError for several curves."""
+        with Run(self._keys).add({**self._options, **sampling}) as run:
+            table, run.table = run.table, None  # no row has the types of the keys
             rows = rows_of(run, {})
-        numbers: Array = np.stack([rows[name] for name in rows.dtype.names or ()], axis=1).astype(np.float64)
-        return numbers
+        if "curve" in rows.dtype.names:
+            raise TypeError("the keys are several curves; expected one; make a Curve for each")
+        first = rows[rows.dtype.names[0]][0]
+        if isinstance(first, str) and not re.match(r"\d{4}-", first):  # timecode, or minutes and seconds
+            return self._rows(**{**sampling, "time_format": "seconds"})
+        return rows, table
+
+    def _times(self, times: Any) -> Any:
+        """Times as the program prints them, as dates, whole numbers or doubles."""
+        if times.dtype.kind == "U":
+            times = dates_of(times.tolist())
+        if times.dtype.kind in "Mi":
+            self._origin = times[0]
+        return times
+
+    def _set_pieces(self, rows: Any) -> Any:
+        """The times where pieces begin and end."""
+        self.names = [name[: -len("_b0")] for name in rows.dtype.names if name.endswith("_b0")]
+        starts, durations = self._times(rows["start"]), rows["duration"].astype(np.float64)
+        if self._origin is None:
+            edges = times = np.append(starts, starts[-1] + durations[-1])
+        else:
+            duration = round(durations[-1] * (1e9 if starts.dtype.kind == "M" else 1))
+            times = np.append(starts, (starts[-1:].view(np.int64) + duration).view(starts.dtype))
+            edges = self._numbers(times)
+        bezier = np.stack([np.stack([rows[f"{name}_b{i}"] for name in self.names], axis=1) for i in range(4)], axis=1)
+        self._pieces = _Pieces(edges[:-1], edges[1:], durations, bezier.astype(np.float64))
+        return times
+
+    def _places(self, t: Any) -> Any:
+        """Times as an array of dates, whole numbers or doubles, with NaT or NaN for missing ones. Raises TypeError."""
+        array = array_of(t)
+        if array.dtype.kind == "O":
+            numbers = [np.nan if is_missing(one) else one for one in array.ravel().tolist()]
+            array = np.array(numbers, dtype=np.float64).reshape(array.shape)
+        kind, keys = array.dtype.kind, "f" if self._origin is None else self._origin.dtype.kind
+        expected = {"M": "dates", "i": "whole numbers, as those of the keys are beyond 2^53", "f": "numbers"}[keys]
+        if kind not in {"M": "Mbiuf", "i": "iu", "f": "mbiuf"}[keys]:
+            raise TypeError(f"times of the type {array.dtype}; expected {expected}")
+        if kind == "m":
+            return array / np.timedelta64(1, "s")
+        return array if kind == "M" or keys == "i" else array.astype(np.float64, copy=False)
+
+    def _numbers(self, places: Any) -> Any:
+        """Places as the pieces have them, in one dimension."""
+        flat = places.ravel()
+        if self._origin is None:
+            return flat
+        if flat.dtype.kind == "M":
+            return (flat - self._origin) / np.timedelta64(1, "s")
+        if self._origin.dtype.kind == "M":  # seconds since 1970, as the program counts dates
+            return flat - self._origin.astype(np.int64) / 1e9
+        return (flat.astype(np.int64) - self._origin).astype(np.float64)
+
+    def _ask(self, option: str, places: Any, fields: str, columns: int, **more: Any) -> Array:
+        """The columns of some fields that the program prints at places of any shape; NaN at NaN."""
+        flat = places.ravel()
+        asked = ~(np.isnat(flat) if flat.dtype.kind == "M" else np.isnan(flat))
+        result: Array = np.full((flat.size, columns), np.nan)
+        if asked.any():
+            write = decimal_seconds if flat.dtype.kind == "M" else repr
+            words = [write(place) for place in (flat[asked] if flat.dtype.kind == "M" else flat[asked].tolist())]
+            with Run(self._keys).add({**self._options, "quiet": True, "fields": fields, **more, option: words}) as run:
+                run.table = None  # no row has the types of the keys
+                rows = rows_of(run, {})
+            result[asked] = np.stack([rows[name] for name in rows.dtype.names], axis=1)
+        return result.reshape((*places.shape, columns))
 
     def __call__(self, t: Any, nu: int = 0, *, golden: bool = False) -> Array:
         """Positions, or derivatives, at times.
@@ -292,25 +270,24 @@ class Curve:
                 return pieces.at(float(t), nu)
         if nu != int(nu) or nu < 0:
             raise ValueError(f"nu: {nu!r}; expected the order of a derivative: 0, 1, 2, ...")
-        flat, shape = self._flat(t)
-        if pieces is not None and not golden and nu <= 3 and flat.size > 0:
-            if pieces.first <= flat.min() and flat.max() <= pieces.last:
-                return pieces.evaluate(flat, nu).reshape((*shape, len(self.names)))
+        nu = int(nu)
+        places = self._places(t)
+        flat, shape = self._numbers(places), (*places.shape, len(self.names))
+        if pieces is None or golden:
+            inside = np.zeros(flat.size, dtype=bool)
+        elif flat.size > 0 and pieces.first <= flat.min() and flat.max() <= pieces.last and nu <= 3:
+            return pieces.evaluate(flat, nu).reshape(shape)
+        else:
+            inside = (flat >= pieces.first) & (flat <= pieces.last)
         result: Array = np.full((flat.size, len(self.names)), np.nan)
-        is_number = ~np.isnan(flat)
-        inside = is_number & (pieces is not None and not golden)
         if pieces is not None:
-            inside &= (flat >= pieces.first) & (flat <= pieces.last)
-            if inside.any():
-                result[inside] = pieces.evaluate(flat[inside], nu) if nu <= 3 else 0.0
-        others = is_number & ~inside
-        if others.any():
+            result[inside] = pieces.evaluate(flat[inside], nu) if nu <= 3 else 0.0
+        if not (inside | np.isnan(flat)).all():
             if nu > 3:
                 raise ValueError(f"nu: {nu}; expected at most 3 outside the keys, for rotations and with ease")
-            words = np.array(self._words(flat, t))[others]
-            result[others] = self._ask({"at": words.tolist()}, _DERIVATIVES[nu], golden=golden,
-                                       extrapolate=self._extrapolate)  # fmt: skip
-        return result.reshape((*shape, len(self.names)))
+            result[~inside] = self._ask("at", places.ravel()[~inside], _DERIVATIVES[nu], len(self.names), golden=golden,
+                                        extrapolate=self._extrapolate)  # fmt: skip
+        return result.reshape(shape)
 
     def length(self, t: Any) -> Array:
         """Arc lengths from the start of the curve to times, in an array of the shape of t. Raises Error as a call.
@@ -319,9 +296,8 @@ class Curve:
         >>> float(tcbsample.Curve([[0, 0, 0], [1, 3, 4]]).length(1))
         5.0
         """
-        flat, shape = self._flat(t)
-        return self._ask({"at": self._words(flat, t)}, "s", metric=self._metric,
-                         extrapolate=self._extrapolate)[:, 0].reshape(shape)  # fmt: skip
+        more = {"metric": self._metric, "extrapolate": self._extrapolate}
+        return self._ask("at", self._places(t), "s", 1, **more)[..., 0]
 
     def at_length(self, s: Any) -> Array:
         """Positions at arc lengths from the start, shape s.shape + (c,). Raises Error for lengths beyond the end.
@@ -330,9 +306,8 @@ class Curve:
         >>> tcbsample.Curve([[0, 0, 0], [1, 3, 4]]).at_length([0, 2.5]).tolist()
         [[0.0, 0.0], [1.5, 2.0]]
         """
-        array = np.asarray(s, dtype=np.float64)
-        rows = self._ask({"arc_at": [repr(value) for value in array.ravel().tolist()]}, "position", metric=self._metric)
-        return rows.reshape((*array.shape, len(self.names)))
+        lengths = np.asarray(s, dtype=np.float64)
+        return self._ask("arc_at", lengths, "position", len(self.names), metric=self._metric)
 
     def time_at_length(self, s: Any) -> Array:
         """The times at which arc lengths from the start are reached, in an array of the shape of s; for dates, seconds
@@ -342,9 +317,8 @@ class Curve:
         >>> float(tcbsample.Curve([[0, 0, 0], [1, 3, 4]]).time_at_length(2.5))
         0.5
         """
-        array = np.asarray(s, dtype=np.float64)
-        words = [repr(value) for value in array.ravel().tolist()]
-        return self._ask({"arc_at": words}, "time", metric=self._metric, time_format="seconds")[:, 0].reshape(array.shape)
+        lengths = np.asarray(s, dtype=np.float64)
+        return self._ask("arc_at", lengths, "time", 1, metric=self._metric, time_format="seconds")[..., 0]
 
     def rotation(self, t: Any) -> Array:
         """Rotations at times, as quaternions x, y, z, w, which scipy.spatial.transform.Rotation.from_quat() takes.
@@ -363,12 +337,11 @@ class Curve:
         if not forms:
             raise ValueError("the keys have no rotation; expected columns such as qx, qy, qz, qw; name them, as in "
                              'rotation="quaternion=a:b:c:d"')  # fmt: skip
-        flat, shape = self._flat(t)
-        places = {"at": self._words(flat, t)}
-        rows = self._ask(places, "position", rotation_output="quaternion", extrapolate=self._extrapolate)
         others = len(self.names) - sum(len(columns) for _, *columns in forms)
-        found = rows[:, others:].reshape((*shape, -1, 4))
-        return found[..., 0, :] if found.shape[-2] == 1 else found
+        more = {"rotation_output": "quaternion", "extrapolate": self._extrapolate}
+        rows = self._ask("at", self._places(t), "position", others + 4 * len(forms), **more)
+        found = rows[..., others:].reshape((*rows.shape[:-1], len(forms), 4))
+        return found[..., 0, :] if len(forms) == 1 else found
 
     def to_ppoly(self) -> Any:
         """The curve as a scipy.interpolate.PPoly, whose values have the shape t.shape + (c,).
@@ -392,6 +365,8 @@ class Curve:
         Raises ValueError for polynomials of a higher degree, for values of more than one dimension, and for a curve
         that jumps.
         """
+        if not hasattr(ppoly, "x"):
+            raise TypeError(f"a {type(ppoly).__name__}; expected a PPoly; make one of a BSpline by PPoly.from_spline()")
         c, x = np.asarray(ppoly.c, dtype=np.float64), np.asarray(ppoly.x, dtype=np.float64)
         if c.ndim not in (2, 3):
             raise ValueError(f"values of {c.ndim - 2} dimensions; expected numbers or vectors of channels")

@@ -15,7 +15,7 @@ from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, Protocol, Union
 import numpy as np
 
 from ._options import PRESETS, Options, PlotOptions, SamplingOptions, Value
-from ._program import Run
+from ._program import Run, in_python
 from ._rows import rows_of
 
 if TYPE_CHECKING:
@@ -45,8 +45,8 @@ class Preset(NamedTuple):
 class Report:
     """The result of check() or identify(). It is true if the samples agree with the curve.
 
-    data   the report of the program as a dict: counts, the first and the largest difference, the columns; or the
-           ranking. report[name] is report.data[name].
+    data   the report of the program as a dict: counts, the first and the largest difference with its row from 0, the
+           columns; or the ranking. report[name] is report.data[name].
     """
 
     def __init__(self, data: dict[str, Any], agrees: bool) -> None:
@@ -59,7 +59,8 @@ class Report:
         return self.data[name]
 
     def __repr__(self) -> str:
-        return f"<Report: {'agrees' if self else 'differs'}\n{json.dumps(self.data, indent=1)}>"
+        short = {name: value for name, value in self.data.items() if not isinstance(value, (dict, list))}
+        return f"<Report: {'agrees' if self else 'differs'}, {json.dumps(short)[1:-1]}>"
 
 
 class Picture:
@@ -193,6 +194,15 @@ def fit(samples: Any, /, tolerance: Value, **options: Unpack[Options]) -> Any:
 def _compare(option: str, keys: Any, samples: Any, options: Mapping[str, Any], agrees: str) -> Report:
     with Run(keys).add({**options, option: samples}, [option]) as run:
         data = json.load(run.result(["--output-format=json"], accepts_difference=True))
+        file = run.sources.get(data["file"])
+        for name in ("first", "worst"):
+            if data[name]:
+                data[name]["row"] -= 1  # from 0, as in Python
+                if file and file.table:
+                    data[name]["line"] = None
+        for name in ("problems", "not_compared"):
+            texts = map(in_python, data[name])
+            data[name] = [file.in_rows(text) if file else text for text in texts]
         for name in ("file", "keys"):
             source = run.sources.get("standard input" if data[name] == "-" else data[name])
             data[name] = source.name if source else data[name]
@@ -219,7 +229,7 @@ def check(data: Keys, samples: Keys, /, *, abs: Value = None, rel: Value = None,
     True
     >>> report = tcbsample.check(keys, {"t": [0.5, 1], "x": [1, 2]}, abs=0.1)
     >>> bool(report), report["worst"]["row"], report["worst"]["abs"]
-    (False, 1, 0.125)
+    (False, 0, 0.125)
     """
     return _compare("check", data, samples, dict(options, abs=abs, rel=rel, ulp=ulp), "passed")
 
@@ -274,7 +284,9 @@ def explain(data: Keys, /, **options: Unpack[SamplingOptions]) -> str:
     rows: 5
     """
     with Run(data).add(options) as run:
-        return run.result(["--explain"]).read().decode()
+        text = run.result(["--explain"]).read().decode()
+        source = run.sources.get("standard input")
+        return source.in_rows(text) if source else text
 
 
 def presets() -> dict[str, Preset]:

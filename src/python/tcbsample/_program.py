@@ -24,7 +24,7 @@ import numpy as np
 
 from ._command_only import COMMAND_ONLY, PRODUCTS
 from ._options import OPTIONS
-from ._tables import Table, contents, encode, is_table, table, text
+from ._tables import Table, contents, date_text, encode, is_table, table, text
 
 
 class Note(UserWarning):
@@ -99,8 +99,12 @@ def _keyword(option: str) -> str:
     return name + "_" if keyword.iskeyword(name) else name
 
 
+_VALUE = re.compile(r"""[ =](?P<quoted>'[^']*'|"[^"]*")|[ =](?P<word>(?!instead)[^\s,;]*[^\s,;.:])(?P<end>(?: if| for| to|,|$))?""")
+
+
 def in_python(message: str) -> str:
     """A message with keywords of Python in place of options: missing="skip-row" for --missing skip-row."""
+    message = re.sub(r"\btcbsample (--.*) keys\.csv$", r"\1", message)
     parts, end = [], 0
     for match in re.finditer(r"--([a-z][a-z-]*[a-z])", message):
         option = OPTIONS.get(match[1].replace("-", "_"))
@@ -111,28 +115,30 @@ def in_python(message: str) -> str:
         name = _keyword(match[1])
         if name in PRODUCTS:
             parts.append(PRODUCTS[name])
+        elif name in COMMAND_ONLY:
+            parts.append(f"tcbsample {match[0]}")
         elif option.kind == "flag":
             parts.append(f"{name}=True")
         else:
-            value = re.compile(r"[ =]([^\s,;]*[^\s,;.:])").match(message, end)
-            if value is None or not (value[1] in option.known or re.search(r"[\d=*]", value[1])):
+            value = _VALUE.match(message, end)
+            if value is None or not (value["quoted"] or value["end"] is not None or value["word"] in option.known or
+                                     re.search(r"[\d=*]", value["word"])):  # fmt: skip
                 parts.append(name)
                 continue
-            quoted_value = value[1].strip("'\"")
-            parts.append(f'{name}="{quoted_value}"')
-            end = value.end()
+            end = value.end("quoted" if value["quoted"] else "word")
+            parts.append(f'{name}="{message[value.start() + 1 : end].strip(chr(39) + chr(34))}"')
             while (more := re.compile(r"((?:,| or|, or) )([\w-]+)").match(message, end)) and more[2] in option.known:
                 parts.append(f'{more[1]}"{more[2]}"')
                 end = more.end()
     return "".join([*parts, message[end:]])
 
 
-class _Source(NamedTuple):
-    """An input that was not a file: its name in messages, and for a table the CSV of its rows."""
+class Source(NamedTuple):
+    """What is sent to the program of an input that is not a path: its name in messages, and for a table CSV."""
 
     name: str
+    text: bytes
     table: Optional[Table] = None
-    text: bytes = b""
 
     def row(self, line: Optional[int]) -> Optional[int]:
         """The row of a line of the CSV, where texts in quotes may have several lines; None for the line of names."""
@@ -144,7 +150,7 @@ class _Source(NamedTuple):
         return row if row >= 0 else None
 
     def in_rows(self, message: str) -> str:
-        """A message with rows in place of lines."""
+        """A message with rows in place of lines, and dates in place of seconds since 1970."""
         if self.table is None:
             return message
 
@@ -152,7 +158,21 @@ class _Source(NamedTuple):
             number = self.row(int(match[1]))
             return "the names of the columns" if number is None else self.table.row_text(number)  # type: ignore[union-attr]
 
+        if any(column.dtype.kind == "M" for column in self.table.columns):
+            seconds = r"\b(time|at|from|to|is) (\d{9,10}(?:\.\d+)?)\b"
+            message = re.sub(seconds, lambda match: f"{match[1]} {date_text(match[2])}", message)
         return re.sub(r"\bline (\d+)\b", row, message)
+
+
+def source_of(value: Any, name: str) -> Source:
+    """The source of a table, bytes or an open file. Raises TypeError, ValueError for what is not a table."""
+    if isinstance(value, bytes):
+        return Source(name, value)
+    if is_table(value):
+        rows = table(value)
+        return Source(name, encode(rows), rows)
+    file = getattr(value, "name", None)
+    return Source(file if isinstance(file, str) else name, contents(value))
 
 
 _FORM = re.compile(r"^(?P<file>.*?)(?::(?P<line>\d+))?(?::(?P<column>\d+))?: (?P<kind>error|warning|note): (?P<message>.*)$")
@@ -196,25 +216,22 @@ class Run:
     """A run of the program: its words, its input, and the files made for it, until it is closed."""
 
     def __init__(self, keys: Any, name: str = "keys") -> None:
-        self.table = table(keys) if is_table(keys) else None
+        self.sources: dict[str, Source] = {}
+        self.words: list[str] = []
+        self.files: list[str] = []
+        if isinstance(keys, (str, os.PathLike)):
+            source = Source("", b"")
+            self.files = ["--", os.fspath(keys)]
+        else:
+            source = keys if isinstance(keys, Source) else source_of(keys, name)
+            self.sources["standard input"] = source
+        self.table = source.table
+        if self.table is not None:
+            self.words = ["--input-format=csv", "--comment=none", "--no-header" if self.table.names is None else "--header"]
         self.resources = contextlib.ExitStack()
         self.folder: Optional[str] = None  # of files made for options
         self.input = self._temporary()
-        self.words: list[str] = []
-        self.files: list[str] = []
-        self.sources: dict[str, _Source] = {}
-        if isinstance(keys, (str, os.PathLike)):
-            self.files = ["--", os.fspath(keys)]
-            return
-        if self.table is not None:
-            source = _Source(name, self.table, encode(self.table))
-            data = source.text
-            self.words = ["--input-format=csv", "--comment=none"]
-            self.words.append("--no-header" if self.table.names is None else "--header")
-        else:
-            source, data = self._source(keys, name)
-        self.sources["standard input"] = source
-        self.input.write(data)
+        self.input.write(source.text)
 
     def __enter__(self) -> Run:
         return self
@@ -224,17 +241,6 @@ class Run:
 
     def _temporary(self) -> IO[bytes]:
         return self.resources.enter_context(tempfile.TemporaryFile())
-
-    @staticmethod
-    def _source(value: Any, name: str) -> tuple[_Source, bytes]:
-        if isinstance(value, bytes):
-            return _Source(name), value
-        if not is_table(value):
-            file = getattr(value, "name", None)
-            return _Source(file if isinstance(file, str) else name), contents(value)
-        rows = table(value)
-        source = _Source(name, rows, encode(rows))
-        return source, source.text
 
     def _add(self, name: str, value: Any, allowed: Collection[str]) -> None:
         """Adds an option. Raises TypeError."""
@@ -290,8 +296,8 @@ class Run:
 
     def _file(self, samples: Any) -> str:
         """A file with samples that were not a file."""
-        source, data = self._source(samples, "samples")
-        path = self._write("samples", data)
+        source = source_of(samples, "samples")
+        path = self._write("samples", source.text)
         self.sources[path] = source
         return path
 
@@ -332,7 +338,7 @@ class Run:
         for line in messages.splitlines():
             self._note(line)
 
-    def _message(self, match: re.Match[str]) -> tuple[Optional[_Source], str]:
+    def _message(self, match: re.Match[str]) -> tuple[Optional[Source], str]:
         """The source of a message, and the message in the terms of Python."""
         source = self.sources.get(match["file"])
         message = match["message"]

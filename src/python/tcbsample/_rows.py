@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, Optional
 
 import numpy as np
 
 from ._program import Error, Run
-from ._tables import Table, are_floats, is_missing, text
+from ._tables import Table, are_floats, array_of, cells, in_nanoseconds, is_missing, text
 
 _ROOM_OF_LINES = 1 << 16  # bytes of JSON Lines; longer results are arrays
 _LARGEST_WHOLE = 2**53  # up to here, every whole number is a double
@@ -54,7 +54,11 @@ def _kept_column(values: list[Any], original: np.ndarray[Any, Any]) -> Optional[
     return None
 
 
-def _durations(seconds: Any) -> np.ndarray[Any, Any]:
+def dates_of(texts: Iterable[Optional[str]]) -> np.ndarray[Any, Any]:
+    return in_nanoseconds(np.array([text and text.rstrip("Z") for text in texts], dtype="datetime64"))
+
+
+def durations_of(seconds: Any) -> np.ndarray[Any, Any]:
     numbers = np.asarray([np.nan if value is None else value for value in seconds], dtype=np.float64)
     whole = np.floor(numbers)
     with np.errstate(invalid="ignore"):
@@ -65,10 +69,10 @@ def _durations(seconds: Any) -> np.ndarray[Any, Any]:
 def _column(values: list[Any], original: Optional[np.ndarray[Any, Any]], is_kept: bool) -> np.ndarray[Any, Any]:
     """A column of JSON: doubles, unless it is kept, has texts, dates or durations, or times beyond 2^53."""
     kinds = {type(value) for value in values if value is not None}
-    if original is not None and kinds == {str} and (original.dtype.kind == "M" or _has_dates(original)):
-        return np.array([value and value.rstrip("Z") for value in values], dtype="datetime64[ns]")
+    if original is not None and kinds == {str} and original.dtype.kind == "M":
+        return dates_of(values)
     if original is not None and original.dtype.kind == "m" and kinds <= {int, float}:
-        return _durations(values)
+        return durations_of(values)
     if original is not None and is_kept and (column := _kept_column(values, original)) is not None:
         return column
     if kinds == {int} and None not in values:
@@ -81,10 +85,6 @@ def _column(values: list[Any], original: Optional[np.ndarray[Any, Any]], is_kept
     return np.array([_as_text(value) for value in values])
 
 
-def _has_dates(column: np.ndarray[Any, Any]) -> bool:
-    return column.dtype.kind == "O" and any(hasattr(value, "year") for value in column.tolist())
-
-
 # Frames.
 
 
@@ -94,8 +94,8 @@ def _frame_column(column: np.ndarray[Any, Any], kind: Any, is_kept: bool) -> Any
 
     name = str(kind)
     if isinstance(kind, pandas.CategoricalDtype) and is_kept:
-        known = {str(category): category for category in kind.categories}
-        return pandas.Categorical([known.get(_as_text(value)) for value in column.tolist()], dtype=kind)
+        known = dict(zip(cells(array_of(kind.categories)), kind.categories))
+        return pandas.Categorical([known.get(cell) for cell in cells(column)], dtype=kind)
     if getattr(kind, "tz", None) is not None and column.dtype.kind == "M":
         return pandas.DatetimeIndex(column).tz_localize("UTC").tz_convert(kind.tz)
     if isinstance(kind, pandas.api.extensions.ExtensionDtype) and name in _NULLABLE:
@@ -159,7 +159,7 @@ def _lines_to_rows(rows: list[Optional[dict[str, Any]]], table: Optional[Table],
 def _array_to_rows(array: np.ndarray[Any, Any], names: list[str], table: Optional[Table], kept: set[str]) -> Any:
     if table is not None and any(column.dtype.kind == "m" for column in table.columns):
         sent = dict(zip(table.names or names, table.columns))
-        columns = [_durations(column) if name in sent and sent[name].dtype.kind == "m" else column
+        columns = [durations_of(column) if name in sent and sent[name].dtype.kind == "m" else column
                    for name, column in zip(names, array.T)]  # fmt: skip
         return _returned(names, columns, table, kept)
     if table is not None and table.frame is not None:

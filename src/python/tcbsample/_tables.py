@@ -40,7 +40,7 @@ class Table(NamedTuple):
 
     def row_text(self, row: int) -> str:
         """A row as its user knows it: by its label where labels are not the numbers of rows."""
-        if self.frame is None or not 0 <= row < len(self.frame):
+        if self.frame is None or not 0 <= row < len(self.frame) or not self.frame.index.is_unique:
             return f"row {row}"
         label = self.frame.index[row]
         return f"row {row}" if label is row or label == row else f"row {label!s}"
@@ -64,13 +64,36 @@ def contents(value: Any) -> bytes:
 # From what users have to columns.
 
 
-def _series_array(series: Any) -> np.ndarray[Any, Any]:
-    kind = str(series.dtype)
-    if kind.startswith("period"):
-        series = series.dt.to_timestamp()
-    if getattr(series.dtype, "tz", None) is not None:
-        return series.dt.tz_convert("UTC").dt.tz_localize(None).to_numpy("datetime64[ns]")  # type: ignore[no-any-return]
-    return series.to_numpy()  # type: ignore[no-any-return]
+_DATES = (datetime.date, np.datetime64)  # a pandas.Timestamp is a date, too
+_DURATIONS = (datetime.timedelta, np.timedelta64)
+
+
+def in_nanoseconds(times: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """Dates or durations of any unit. Raises ValueError."""
+    result = times.astype(f"{times.dtype.kind}8[ns]")
+    if (result.astype(times.dtype) != times)[~np.isnat(times)].any():
+        raise ValueError("dates or durations that 64 bits of nanoseconds do not hold; expected dates from 1678 to 2261")
+    return result
+
+
+def array_of(values: Any) -> np.ndarray[Any, Any]:
+    """Values as an array: dates, in UTC, and durations in nanoseconds, masked values as None. Raises ValueError."""
+    if getattr(getattr(values, "dtype", None), "tz", None) is not None:
+        return np.asarray(values, dtype="datetime64[ns]")
+    array = np.asarray(values)
+    if isinstance(values, np.ma.MaskedArray) and values.mask.any():
+        array = np.where(values.mask, None, array.astype(object))  # type: ignore[call-overload]
+    if array.dtype.kind in "mM":
+        return in_nanoseconds(array)
+    if array.dtype.kind != "O":
+        return array
+    objects = [one.to_timestamp() if hasattr(one, "to_timestamp") else one for one in array.ravel().tolist()]  # of periods
+    known = [one for one in objects if not is_missing(one)]
+    for types, unit in ((_DATES, "datetime64[ns]"), (_DURATIONS, "timedelta64[ns]")):
+        if known and all(isinstance(one, types) for one in known):
+            counts = [np.iinfo(np.int64).min if is_missing(one) else nanoseconds(one) for one in objects]
+            return np.array(counts, dtype=np.int64).view(unit).reshape(array.shape)
+    return array
 
 
 def _unused(name: str, names: Sequence[Any]) -> str:
@@ -104,7 +127,7 @@ def _frame_table(frame: Any) -> Table:
         raise TypeError("the index has no name, so it is unclear what it means; frame.rename_axis('time') makes it a "
                         "column of times, frame.reset_index(drop=True) leaves it out")  # fmt: skip
     types = [one.dtype for one in series]
-    return Table([str(label) for label in labels], [_series_array(one) for one in series], labels, types, index, frame)
+    return Table([str(label) for label in labels], [array_of(one) for one in series], labels, types, index, frame)
 
 
 def _series_table(series: Any) -> Table:
@@ -115,12 +138,12 @@ def _series_table(series: Any) -> Table:
     label = series.name if series.name is not None else "x"
     time = _unused(str(index.name or "time"), [label])
     times = index.to_series()
-    return Table([time, str(label)], [_series_array(times), _series_array(series)], [time, label],
+    return Table([time, str(label)], [array_of(times), array_of(series)], [time, label],
                  [times.dtype, series.dtype], (index.name,), series)  # fmt: skip
 
 
 def _named(columns: Mapping[Any, Any]) -> Table:
-    arrays = [_series_array(c) if is_pandas(c) else np.asarray(c) for c in columns.values()]
+    arrays = [array_of(column) for column in columns.values()]
     shapes = {str(name): array.shape for name, array in zip(columns, arrays)}
     if any(len(shape) != 1 for shape in shapes.values()) or len(set(shapes.values())) > 1:
         raise ValueError(f"shapes of columns: {shapes}; expected 1-D columns of one length, one for each channel")
@@ -139,36 +162,38 @@ def _rows_of_dicts(rows: Sequence[Mapping[Any, Any]]) -> Table:
 
 def _is_pair(keys: tuple[Any, ...]) -> bool:
     """Whether keys are times and positions, each an array or a list, as interpolators of SciPy take them."""
-    are_columns = [isinstance(part, (list, np.ndarray)) or is_pandas(part) for part in keys]
+    are_columns = [isinstance(part, (list, range)) or hasattr(part, "__array__") for part in keys]
     return are_columns == [True, True]
 
 
 def _pair_table(keys: Any) -> Table:
-    times, positions = (np.asarray(part) for part in keys)
+    times, positions = map(array_of, keys)
     if times.ndim != 1 or positions.ndim not in (1, 2) or len(times) != len(positions):
         raise ValueError(f"times of shape {times.shape} with positions of shape {positions.shape}; expected n times "
                          "with n positions, or with an array of n rows, one column for each channel")  # fmt: skip
-    return Table(None, [times, *positions.reshape(len(times), -1).T], [], [])
+    return Table(None, [times, *np.atleast_2d(positions.T)], [], [])
 
 
 def table(keys: Any) -> Table:
-    """The columns of keys or samples in memory. Raises TypeError, ValueError for what is not a table."""
+    """The columns of keys or samples in memory. Raises TypeError or ValueError for what is not a table."""
     if is_pandas(keys):
         return _frame_table(keys) if hasattr(keys, "columns") else _series_table(keys)
     if isinstance(keys, Mapping):
         return _named(keys)
     if isinstance(keys, tuple) and _is_pair(keys):
         return _pair_table(keys)
-    if isinstance(keys, Iterable) and not isinstance(keys, np.ndarray):
-        keys = list(keys)
-        if keys and all(isinstance(row, Mapping) for row in keys):
-            return _rows_of_dicts(keys)
-    array = np.asarray(keys)
+    rows = list(keys) if isinstance(keys, Iterable) and not hasattr(keys, "__array__") else keys
+    if isinstance(rows, list) and rows and all(isinstance(row, Mapping) for row in rows):
+        return _rows_of_dicts(rows)
+    try:
+        array = rows if isinstance(rows, np.ma.MaskedArray) else np.asarray(rows)
+    except ValueError:
+        array = np.empty(0)  # rows of several lengths
     if array.dtype.names:
         return _named({name: array[name] for name in array.dtype.names})
     if array.ndim == 2:
-        return Table(None, list(array.T), [], [])
-    raise TypeError(f"an array of {array.ndim} dimensions; expected a 2-D or structured array, a pair of times and "
+        return Table(None, [array_of(column) for column in array.T], [], [])
+    raise TypeError(f"a {type(keys).__name__} that is no table; expected a 2-D or structured array, a pair of times and "
                     "positions, a dict of columns, a list of dicts, a DataFrame, a Series, a path, an open file, or "
                     "bytes")  # fmt: skip
 
@@ -193,39 +218,17 @@ def _cell(value: Any) -> str:
     return "" if is_missing(value) else quoted(word(value))
 
 
-_DATES = (datetime.date, np.datetime64)  # a pandas.Timestamp is a date, too
-_DURATIONS = (datetime.timedelta, np.timedelta64)
-
-
-def _as_dates(column: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """A column of objects that are all dates, or all durations, as an array of these."""
-    values = [value for value in column.tolist() if not is_missing(value)]
-    if values and all(isinstance(value, _DATES) for value in values):
-        utc = [None if is_missing(v) else decimal_seconds(v) for v in column.tolist()]
-        counts = ["NaT" if text is None else int(decimal.Decimal(text).scaleb(9)) for text in utc]
-        return np.array(counts, dtype="datetime64[ns]")
-    if values and all(isinstance(value, _DURATIONS) for value in values):
-        return np.array([np.timedelta64("NaT") if is_missing(v) else v for v in column.tolist()], "timedelta64[ns]")
-    return column
-
-
 def cells(column: np.ndarray[Any, Any]) -> list[str]:
     """The texts of a column: every number with all its digits."""
-    if column.dtype.kind == "O":
-        column = _as_dates(column)
     kind = column.dtype.kind
     if are_floats(column):
         column = column.astype(np.float64)
     if are_floats(column) or kind in "iu":
         return [repr(number) for number in column.tolist()]
     if kind == "M":
-        times = column if np.datetime_data(column.dtype)[0] in ("ms", "us", "ns") else column.astype("M8[s]")
-        texts = np.datetime_as_string(times, timezone="UTC").tolist()
-        return ["" if text == "NaT" else text for text in texts]
+        return ["" if text == "NaT" else text for text in np.datetime_as_string(column, timezone="UTC").tolist()]
     if kind == "m":
-        durations = column.astype("m8[ns]").astype(np.int64).tolist()
-        missing = np.isnat(column).tolist()
-        return ["" if m else f"{decimal.Decimal(d).scaleb(-9):f}" for d, m in zip(durations, missing)]
+        return ["" if is_missing(duration) else decimal_seconds(duration) for duration in column]
     if kind in "OUSbf":
         return [_cell(value) for value in column.tolist()]
     raise TypeError(f"a column of {column.dtype}; expected numbers, texts, dates or durations")
@@ -247,18 +250,30 @@ def encode(table: Table) -> bytes:
 # Values of options.
 
 
+def nanoseconds(value: Any) -> int:
+    """A duration, or a date since 1970."""
+    count = getattr(value, "value", None)  # of pandas, whose nanoseconds NumPy would drop
+    if isinstance(count, int):
+        return count
+    if isinstance(value, datetime.datetime) and value.tzinfo is not None:
+        value = value.astimezone(datetime.timezone.utc).replace(tzinfo=None)
+    return int(in_nanoseconds(np.asarray(value, dtype="m8" if isinstance(value, _DURATIONS) else "M8")).astype(np.int64))
+
+
 def decimal_seconds(value: Any) -> str:
     """A duration in seconds, or a date in seconds since 1970, exactly."""
-    count = getattr(value, "value", None)  # of pandas, whose nanoseconds NumPy would drop
-    if not isinstance(count, int):
-        if isinstance(value, datetime.datetime) and value.tzinfo is not None:
-            value = value.astimezone(datetime.timezone.utc).replace(tzinfo=None)
-        count = int((np.timedelta64 if isinstance(value, _DURATIONS) else np.datetime64)(value, "ns").astype(np.int64))
-    return f"{decimal.Decimal(count).scaleb(-9):f}"
+    return f"{decimal.Decimal(nanoseconds(value)).scaleb(-9):f}"
+
+
+def date_text(seconds: str) -> str:
+    """The date of decimal seconds since 1970."""
+    return str(np.datetime64(int(decimal.Decimal(seconds).scaleb(9)), "ns")).rstrip("0").rstrip(".") + "Z"
 
 
 def word(value: Any) -> str:
-    """The text of a single value."""
+    """The text of a single value. Raises TypeError."""
+    if isinstance(value, (*_DATES, *_DURATIONS)) and is_missing(value):
+        raise TypeError("NaT is no time; expected a date or a duration")
     if isinstance(value, (str, os.PathLike)):
         return os.fspath(value)
     if isinstance(value, bytes):
@@ -271,9 +286,9 @@ def word(value: Any) -> str:
         return repr(value)
     if isinstance(value, _DATES):
         return decimal_seconds(value)
-    if isinstance(value, (int, decimal.Decimal, fractions.Fraction)):
+    if isinstance(value, (int, np.longdouble, decimal.Decimal, fractions.Fraction)):
         return str(value)
-    raise TypeError(f"{value!r} is a {type(value).__name__}; expected a number, a text, a list or a dict")
+    raise TypeError(f"{value!r} is a {type(value).__name__}; expected a number, a text or a date")
 
 
 def text(value: Any) -> str:
