@@ -135,7 +135,8 @@ class Inputs(unittest.TestCase):
         self.assertEqual(same.tolist(), rows.tolist())
 
     def test_what_is_no_table(self):
-        for keys in ([0, 1, 2], np.zeros((2, 2, 2)), {"t": [0, 1], "x": [1]}, {"t": [0, 1], "xy": [[1, 2], [3, 4]]}, 7):
+        for keys in ([0, 1, 2], np.zeros((2, 2, 2)), {"t": [0, 1], "x": [1]}, {"t": [0, 1], "xy": [[1, 2], [3, 4]]}, 7,
+                     [[0, 1], [1]], ([], []), {"t": np.array(["1500-01-01"], "M8[D]"), "x": [1]}):  # fmt: skip
             with self.assertRaises((TypeError, ValueError)):
                 tcbsample.resample(keys, count=3)
         with self.assertRaisesRegex(TypeError, "delimiter: describes text"):
@@ -199,6 +200,14 @@ class Outputs(unittest.TestCase):
             rows = tcbsample.resample({"t": [begin, begin + 10**6], "x": [0, 1]}, step=step, quiet=True)
             self.assertEqual(rows["t"].tolist(), list(range(begin, begin + 10**6 + 1, step)))
 
+    def test_masked_numbers_are_missing(self):
+        keys = np.ma.array([[0, 0], [1, 5], [2, 4], [3, 3]], mask=[[0, 0], [0, 1], [0, 0], [0, 0]], dtype=float)
+        rows = tcbsample.resample(keys, count=4, missing="skip-row")
+        np.testing.assert_array_equal(rows, tcbsample.resample(keys.data[[0, 2, 3]], count=4))
+        with self.assertRaises(tcbsample.Error) as caught:
+            tcbsample.resample({"t": keys[:, 0], "x": keys[:, 1]}, count=4)
+        self.assertEqual(caught.exception.row, 1)
+
     def test_large_positions(self):
         for count in (3, 30000):
             for numbers in ([1e19, -1e300], [2.0**60, 2.0**60]):
@@ -249,6 +258,12 @@ class Outputs(unittest.TestCase):
         self.assertEqual((report["file"], report["keys"], report["rows"]), ("samples", "keys", len(samples)))
         self.assertFalse(tcbsample.check(KEYS, samples[1:], preset="vtk", step="1/8"))
         self.assertTrue(tcbsample.check(KEYS, samples, abs={"x": 1e9, "y": 1e9}, rel=None))
+        other = samples.copy()
+        other["y"][5] = 7
+        report = tcbsample.check(KEYS, other, preset="vtk")
+        self.assertEqual((report["worst"]["row"], report["worst"]["line"]), (5, None))
+        self.assertRegex(repr(report), r'^<Report: differs, "passed": false, .*"mismatches": 1>$')
+        self.assertIn("the first, in row 1,", tcbsample.check(KEYS, [[0, 0.1, -3.25], [5, 0, 0]])["problems"][0])
         self.assertTrue(tcbsample.identify(KEYS, samples))
 
     def test_nothing_is_left_behind(self):
@@ -289,11 +304,13 @@ class OptionsTest(unittest.TestCase):
             (np.array(2.5), "2.5"), (np.timedelta64(1500, "us"), "0.001500000s"),
             (datetime.timedelta(days=1), "86400.000000000s"), (datetime.datetime(1970, 1, 1, 0, 1), "60.000000000"),
             ("1:2:0.5", "1:2:0.5"),
-            (np.datetime64("1970-01-02T00:00:00.000000001"), "86400.000000001"),
+            (np.datetime64("1970-01-02T00:00:00.000000001"), "86400.000000001"), (np.longdouble(0.5), "0.5"),
+            (datetime.datetime(3000, 1, 1), None), (np.datetime64("NaT"), None), (object(), None),
         ]:  # fmt: skip
-            self.assertEqual(text(value), expected)
-        with self.assertRaisesRegex(TypeError, "object"):
-            tcbsample.resample(KEYS, step=object())
+            if expected is None:
+                self.assertRaises((TypeError, ValueError), text, value)
+            else:
+                self.assertEqual(text(value), expected)
 
     def test_what_is_no_option(self):
         with self.assertRaisesRegex(TypeError, "unknown option 'tensoin'"):
@@ -379,6 +396,11 @@ class Errors(unittest.TestCase):
             ("or give --sort", "or give sort=True"),
             ("give --columns time=2; see --help", 'give columns="time=2"; see help(tcbsample.Options)'),
             ("--only reads them", "only reads them"),
+            ("give --group 'my id' if it tells curves apart", 'give group="my id" if it tells curves apart'),
+            ("or --rotation none for plain channels", 'or rotation="none" for plain channels'),
+            ("--from, --to and --step instead", "from_, to and step instead"),
+            ("give --recursive", "give tcbsample --recursive"),
+            ("give one, as in tcbsample --step 0.1 keys.csv", 'give one, as in step="0.1"'),
             ("in seconds, give --time-unit s.", 'in seconds, give time_unit="s".'),
             ("--check and --unknown-option stay apart", "check() and --unknown-option stay apart"),
         ]:
@@ -387,6 +409,9 @@ class Errors(unittest.TestCase):
         self.assertEqual(error.row, 2)
         self.assertRegex(str(error), r"keys, row 2: .*row 1.*sort=True")
         self.assertIsNone(self.error({"a": [0, 1], "b": [1, 2]}, count=3, columns={"time": "c"}).row)
+        dates = np.array(["2024-01-01T00:00:00", "2024-01-01T00:00:00.5"], "M8[ms]")
+        message = str(self.error({"t": dates, "x": [0, 1]}, at="2025-01-01"))
+        self.assertIn("time 2025-01-01T00:00:00Z is after the last key, at 2024-01-01T00:00:00.5Z", message)
 
     def test_no_message_of_random_faults_names_the_command_line(self):
         rng = np.random.default_rng(11)
@@ -407,7 +432,8 @@ class Curves(unittest.TestCase):
         names = ["x", "y", "z"][: int(rng.integers(1, 4))]
         keys = {"t": np.cumsum(rng.uniform(0.01, 3, count)) + rng.choice([0, -5, 1e6])}
         keys.update({name: rng.uniform(-1, 1, count) + rng.choice([0, 100]) for name in names})
-        keys.update({name: rng.uniform(-1, 1, count) for name in ("tension", "continuity", "bias")})
+        endings = [""] if rng.integers(2) else [f"_{name}" for name in names]  # of parameters of each channel
+        keys.update({name + end: rng.uniform(-1, 1, count) for name in ("tension", "continuity", "bias") for end in endings})
         return keys, names
 
     def test_numbers_and_arrays_in_any_order_agree(self):
@@ -469,6 +495,13 @@ class Curves(unittest.TestCase):
         for order in (-1, 0.5):
             with self.assertRaisesRegex(ValueError, "nu"):
                 curve(1, order)
+        self.assertEqual(curve(1, 2.0).tolist(), curve(1, 2).tolist())
+        self.assertEqual(np.isnan(curve.length([np.nan, 1])).tolist(), [True, False])
+        self.assertTrue(np.isnan(curve.at_length(np.nan)).all())
+        self.assertTrue(np.isnan(curve(np.ma.array([1.0, 2], mask=[1, 0]))[0]).all())
+        for times in ("1", [1j], [np.datetime64("2024-01-01")], datetime.datetime(1970, 1, 1)):
+            with self.assertRaisesRegex(TypeError, "expected numbers"):
+                curve(times)
         with self.assertRaisesRegex(ValueError, "at: nothing"):
             tcbsample.resample(KEYS, at=[])
 
@@ -511,6 +544,19 @@ class Curves(unittest.TestCase):
             {"time": [0, 1, 3], "x": [0, 1, 5]}, at=0.7, golden=True)["x"].tolist())  # fmt: skip
         durations = tcbsample.Curve({"t": np.array([0, 1, 3], "m8[s]"), "x": [0, 1, 5]})
         np.testing.assert_array_equal(durations(np.array([250, 1500], "m8[ms]")), same([0.25, 1.5]))
+        np.testing.assert_array_equal(durations(datetime.timedelta(seconds=1.5)), same(1.5))
+        self.assertEqual(durations.times.tolist(), np.array([0, 1, 3], "m8[s]").astype("m8[ns]").tolist())
+        np.testing.assert_array_equal(curve([datetime.datetime(2024, 1, 1), None])[0], same(0))
+        with self.assertRaisesRegex(TypeError, "expected dates"):
+            curve(datetime.timedelta(seconds=1))
+
+    def test_other_notations_of_time(self):
+        for keys, options in ((b"time,x\n00:00:01:00,0\n00:00:03:12,2\n", {"input_fps": 24}),
+                              (b"time,x\n00:01,0\n00:03.5,2\n", {"quiet": True})):  # fmt: skip
+            curve = tcbsample.Curve(keys, ends="chord", **options)
+            self.assertEqual((curve.times.tolist(), curve(2.25).tolist()), ([1, 3.5], [1]))
+        curve = tcbsample.Curve((row for row in KEYS.tolist()))
+        self.assertEqual(float(curve.length(0)), 0)
 
     def test_whole_times_beyond_doubles(self):
         begin = 1_700_000_000_000_000_001

@@ -18,7 +18,7 @@ class Frames(unittest.TestCase):
         dates = pd.date_range("2024-03-31T00:30", periods=3, freq="s", tz="Europe/Berlin")
         curve = tcbsample.Curve(FRAME.drop(columns="t").set_index(dates))
         same = tcbsample.Curve(FRAME)
-        for when in (dates, list(dates), dates.to_series()):
+        for when in (dates, list(dates), dates.to_series(), dates.tz_localize(None).to_period("s").shift(-3600)):
             np.testing.assert_array_equal(curve(when), same([0, 1, 2]))
         self.assertEqual(curve(dates[1]).shape, (2,))
         np.testing.assert_array_equal(curve(dates[0] + pd.Timedelta("250ms")), same(0.25))
@@ -88,6 +88,10 @@ class Frames(unittest.TestCase):
         rows = tcbsample.resample(frame, per_segment=1, group="id", columns={"carry": ["n", "b", "s"]})
         for name in ("id", "n", "b", "s"):
             pd.testing.assert_series_equal(rows[name], frame[name], check_names=False)
+        for values in ([0.5, 2], [True, False], pd.to_datetime(["2024-01-02", "2024-01-01T00:00:00.5"]), ["a,", "b"]):
+            groups = pd.concat([FRAME, FRAME]).assign(id=pd.Categorical(pd.Index(values).repeat(3)))
+            again = tcbsample.resample(groups, per_segment=1, group="id")
+            pd.testing.assert_series_equal(again["id"], groups["id"], check_index=False)
         self.assertEqual([str(rows[name].dtype) for name in ("t", "x", "y")], ["float64", "Float64", "Float64"])
 
     def test_errors_name_rows_by_label(self):
@@ -96,6 +100,8 @@ class Frames(unittest.TestCase):
             tcbsample.resample(frame.drop(columns="y"), count=3, columns={"ignore": "key"})
         self.assertEqual(caught.exception.row, 1)
         self.assertIn("keys, row b: ", str(caught.exception))
+        with self.assertRaisesRegex(tcbsample.Error, "keys, row 3: .* on row 2;"):
+            tcbsample.resample(pd.concat([FRAME, FRAME.iloc[[2]]]), count=3)
 
     def test_groups_and_text(self):
         frame = pd.concat([FRAME.assign(id="a", name=pd.Series(["u", None, "w"])), FRAME.assign(id="b", name="v")])

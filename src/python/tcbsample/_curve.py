@@ -28,7 +28,7 @@ _DERIVATIVES = ("position", "velocity", "acceleration", "jerk")
 
 
 class _Pieces:
-    """Cubics one after another, each by its two ends, so that a place is evaluated from the nearer one.
+    """Cubics one after another, each by its ends and its middle, so that a place is evaluated from the nearest.
 
     starts, ends  (n,) the times of n pieces
     durations     (n,) seconds, or units of time
@@ -38,32 +38,36 @@ class _Pieces:
     def __init__(self, starts: Any, ends: Any, durations: Any, bezier: Any) -> None:
         self.starts, self.ends, self.durations = starts, ends, durations
         self.bezier = bezier
-        b = bezier.astype(np.longdouble)
+        points = bezier.astype(np.longdouble).swapaxes(0, 1)
 
-        def halves(left: Any, right: Any) -> Any:
-            return np.stack([left, right], axis=1).reshape(2 * len(left), *left.shape[1:])
+        def parts(left: Any, middle: Any, right: Any) -> Any:
+            return np.stack([left, middle, right], axis=1).reshape(3 * len(left), *left.shape[1:])
 
         def powers(b0: Any, b1: Any, b2: Any, b3: Any) -> list[Any]:
             return [b0, 3 * (b1 - b0), 3 * ((b2 - b1) - (b1 - b0)), (b3 - b0) - 3 * (b2 - b1)]
 
-        # Of half h of piece i at 2 i + h: where it begins, the end of the piece beside it, the duration, which is
-        # negative from the right end, and the coefficients of the powers of the distance from that end.
-        self._breaks = halves(starts, starts + durations / 2)
-        self._bases = halves(starts, ends)
-        self._scales = halves(durations, -durations)
-        both = zip(powers(*b.transpose(1, 0, 2)), powers(*b[:, ::-1].transpose(1, 0, 2)))
-        self._powers = [halves(left, right).astype(np.float64) for left, right in both]
+        # Of part p of piece i at 3 i + p: where it begins, the time that distances count from, the duration, which is
+        # negative from the right end, and the coefficients of the powers of the distance.
+        middles = starts + durations / 2
+        u = ((middles.astype(np.longdouble) - starts) / durations)[:, None]
+        a, b, c, d = left = powers(*points)
+        self._breaks = parts(starts, np.maximum(starts + durations / 4, np.nextafter(starts, np.inf)), ends - durations / 4)
+        self._bases = parts(starts, middles, ends)
+        self._scales = parts(durations, durations, -durations)
+        middle = [a + u * (b + u * (c + u * d)), b + u * (2 * c + u * (3 * d)), c + u * (3 * d), d]
+        right = powers(*points[::-1])
+        self._powers = [parts(*three).astype(np.float64) for three in zip(left, middle, right)]
         self._columns: dict[int, list[Array]] = {}  # by the order of the derivative: coefficients of the powers of u
-        self._numbers: dict[tuple[int, int], tuple[float, float, list[list[float]]]] = {}  # by the order and the half
+        self._numbers: dict[tuple[int, int], tuple[float, float, list[list[float]]]] = {}  # by the order and the part
         self._break_list: list[float] = self._breaks.tolist()
         self.first, self.last = float(starts[0]), float(ends[-1])
 
     def powers(self) -> list[Array]:
         """The coefficients of u^0, u^1, u^2, u^3 of each piece, (n, c) each, for u from 0 to 1."""
-        return [power[::2] for power in self._powers]
+        return [power[::3] for power in self._powers]
 
     def _coefficients(self, order: int) -> list[Array]:
-        """Those of u^3 down to u^0 of a derivative by u, (c, 2 n) each, which is contiguous for a channel."""
+        """Those of u^3 down to u^0 of a derivative by u, (c, 3 n) each, which is contiguous for a channel."""
         if order not in self._columns:
             factors = ((1.0, 1.0, 1.0, 1.0), (1.0, 2.0, 3.0), (2.0, 6.0), (6.0,))[order]
             columns: list[Array] = [np.ascontiguousarray(p.T) * f for f, p in zip(factors, self._powers[order:])]
@@ -73,12 +77,12 @@ class _Pieces:
 
     def at(self, time: float, order: int) -> Array:
         """A derivative of order 0 to 3 at one time, (channels,). Requires: first <= time <= last."""
-        half = bisect_right(self._break_list, time) - 1
-        found = self._numbers.get((order, half))
+        part = bisect_right(self._break_list, time) - 1
+        found = self._numbers.get((order, part))
         if found is None:
-            channels = np.stack([column[:, half] for column in self._coefficients(order)], axis=1).tolist()
-            found = float(self._bases[half]), float(self._scales[half]), channels
-            self._numbers[order, half] = found
+            channels = np.stack([column[:, part] for column in self._coefficients(order)], axis=1).tolist()
+            found = float(self._bases[part]), float(self._scales[part]), channels
+            self._numbers[order, part] = found
         base, scale, channels = found
         u = (time - base) / scale
         values = [((a * u + b) * u + c) * u + d for a, b, c, d in channels]
@@ -86,38 +90,38 @@ class _Pieces:
             values = [value / scale for value in values]
         return np.array(values)
 
-    def _parts(self, times: Array) -> Iterator[tuple[slice, Any]]:
-        """Parts of times, and the half, or the halves, on which they are."""
+    def _runs(self, times: Array) -> Iterator[tuple[slice, Any]]:
+        """Runs of times, and the part, or the parts, on which they are."""
         count = len(self._breaks)
         if len(times) < count or (times[1:] < times[:-1]).any():
-            halves = self._breaks.searchsorted(times, "right") - 1
+            parts = self._breaks.searchsorted(times, "right") - 1
         else:
             begins = np.concatenate([[0], times.searchsorted(self._breaks[1:]), [len(times)]])
             if len(times) >= _RUN * count:
-                for half, (begin, end) in enumerate(zip(begins.tolist(), begins[1:].tolist())):
+                for part, (begin, end) in enumerate(zip(begins.tolist(), begins[1:].tolist())):
                     for first in range(begin, end, _BLOCK):
-                        yield slice(first, min(first + _BLOCK, end)), half
+                        yield slice(first, min(first + _BLOCK, end)), part
                 return
-            halves = np.repeat(np.arange(count), np.diff(begins))
+            parts = np.repeat(np.arange(count), np.diff(begins))
         for first in range(0, len(times), _BLOCK):
-            part = slice(first, first + _BLOCK)
-            yield part, halves[part]
+            run = slice(first, first + _BLOCK)
+            yield run, parts[run]
 
     def evaluate(self, times: Array, order: int) -> Array:
         """A derivative of order 0 to 3 at each time, (times, channels). Requires: first <= times <= last."""
         result = np.empty((len(times), self.bezier.shape[2]))
         first, *others = self._coefficients(order)[order:]
-        for part, half in self._parts(times):
-            scale = self._scales.take(half)
-            u = (times[part] - self._bases.take(half)) / scale
+        for run, part in self._runs(times):
+            scale = self._scales.take(part)
+            u = (times[run] - self._bases.take(part)) / scale
             for channel in range(result.shape[1]):
-                value = first[channel].take(half)
+                value = first[channel].take(part)
                 for column in others:
-                    value = value * u
-                    value += column[channel].take(half)
+                    value *= u
+                    value += column[channel].take(part)
                 for _ in range(order):
-                    value = value / scale
-                result[part, channel] = value
+                    value /= scale
+                result[run, channel] = value
         return result
 
 
@@ -205,7 +209,8 @@ class Curve:
             times = np.append(starts, (starts[-1:].view(np.int64) + duration).view(starts.dtype))
             edges = self._numbers(times)
         bezier = np.stack([np.stack([rows[f"{name}_b{i}"] for name in self.names], axis=1) for i in range(4)], axis=1)
-        self._pieces = _Pieces(edges[:-1], edges[1:], durations, bezier.astype(np.float64))
+        if np.abs(bezier).max() < 1e306:  # coefficients are up to 48 times as large
+            self._pieces = _Pieces(edges[:-1], edges[1:], durations, bezier.astype(np.float64))
         return times
 
     def _places(self, t: Any) -> Any:
