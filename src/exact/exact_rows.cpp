@@ -257,23 +257,26 @@ class ExactRows::Evaluation {
         time_text(row.sample.t), option::digits, option::fixed);
   }
 
-  /// A position of -0 at a key is -0, as it is without exact numbers, which have no such zero.
+  /// A position that is 0 has the sign that it has without exact numbers, which have no -0: that of a key of -0.
   void set_signs_of_zeros(const FastRow& row) {
-    const bool at_start = row.sample.t == row.segment.start;
-    if (!at_start && row.sample.t != row.segment.end) return;
+    const auto is_zero = [](const RowCell& cell) { return cell.printed->cell == Cell(0.0); };
     std::size_t first = 0;
-    for (const std::size_t field : chosen_) {
-      const auto cells = std::span(cells_).subspan(first, width({&field, 1}));
+    for (const std::size_t& index : chosen_) {
+      const auto cells = std::span(cells_).subspan(first, width({&index, 1}));
       first += cells.size();
-      if (!fields()[field].shows_rotations) continue;
-      const auto places = position_cells(row.segment.cubics.size(), row.segment.rotation_columns);
+      const Field& field = fields()[index];
+      const bool has_positions = field.shows_rotations || (field.of_piece && field.per_channel);
+      if (!has_positions || std::ranges::none_of(cells, is_zero)) continue;
+      Located located{{row.sample}};
+      if (row.end != nullptr) located.ends = {*row.end};
+      if (row.outside != nullptr) located.outside = {*row.outside};
+      std::vector<Cell> inexact(cells.size());
+      Point<double> point;
+      write_rows(inexact.data(), {&index, 1}, row.segment, located, point);
       for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (places[i].rotation != PositionCell::none || cells[i].printed->cell != Cell(0.0)) continue;
-        const spline::Cubic<double>& cubic = row.segment.cubics[places[i].channel];
-        const double position = at_start ? cubic.p0 : cubic.p1;
-        if (position != 0 || !std::signbit(position)) continue;
-        std::string& text = cells[i].printed->text;
+        if (!is_zero(cells[i]) || inexact[i].hi != 0 || !std::signbit(inexact[i].hi)) continue;
         cells[i].printed->cell = Cell(-0.0);
+        std::string& text = cells[i].printed->text;
         if (!text.empty()) text.insert(0, "-");
       }
     }
@@ -405,7 +408,8 @@ Table ExactRows::evaluate(const SampleBlock& block, const Locator& locator, std:
     locator.locate(segment, first, last, located);
     for (std::size_t i = 0; i < located.samples.size(); ++i) {
       const Sample* const end = located.ends.empty() ? nullptr : &located.ends[i];
-      evaluation->add_row({segment, located.samples[i], first + i, end}, chosen, table);
+      const Outside* const outside = located.outside.empty() ? nullptr : &located.outside[i];
+      evaluation->add_row({segment, located.samples[i], first + i, end, outside}, chosen, table);
     }
   }
   give_back(std::move(evaluation));

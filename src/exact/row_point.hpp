@@ -26,6 +26,7 @@ struct FastRow {
   const Sample& sample;
   std::uint64_t number;
   const Sample* end = nullptr;          ///< of the piece that begins at the sample, if there is one
+  const Outside* outside = nullptr;     ///< of the sample, if there are rows outside the curve
   std::optional<bool> key_at_end = {};  ///< it is at a key, the one at the segment's end or at its start
   bool is_middle = false;               ///< it is in the middle of its segment, by the symmetry of the curve
   /// The exact times of the row and of the end of its piece, where they have more digits than those of the samples.

@@ -81,6 +81,10 @@ TEST(Angles, are_wrapped_into_a_whole_turn) {
   EXPECT_EQ(wrapped(-725.0, true, true), -5);
   EXPECT_NEAR(wrapped(7.0, false, false), 7 - 2 * 3.141592653589793, 4e-16);
   EXPECT_EQ(wrapped(3.0, false, true), 3.0);
+  const double far = wrapped(-1e300, true, false);  // a double has no digits of such an angle
+  EXPECT_TRUE(far >= 0 && far < 360) << far;
+  EXPECT_TRUE(std::isnan(wrapped(HUGE_VAL, true, false)));
+  EXPECT_TRUE(std::isnan(wrapped(HUGE_VALF, true, false)));
 }
 
 TEST(Angles, have_nearest_whole_turns) {

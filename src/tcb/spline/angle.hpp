@@ -205,12 +205,11 @@ working_t<S> whole_turn(bool degrees) {
   }
 }
 
-/// The greatest whole number that is not above a value. Requires of a double: |value| < 2^53.
+/// The greatest whole number that is not above a value.
 template <class S>
 S whole_below(const S& value) {
-  if constexpr (std::is_same_v<S, double>) {
-    const auto whole = static_cast<double>(static_cast<std::int64_t>(value));
-    return whole > value ? whole - 1 : whole;
+  if constexpr (std::is_floating_point_v<S>) {
+    return std::floor(value);
   } else {
     const S size = value < S(0) ? S(-value) : value;
     S whole(0), step(1);
