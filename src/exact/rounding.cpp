@@ -171,10 +171,10 @@ Ball scalar_of<Ball>(const Rational& value) {
   if (high == 0) return value == 0 ? Ball() : throw Undecided();
   if (!std::isfinite(high)) throw Undecided();
   const Rational rest = value - Rational(high);
-  if (rest == 0) return Ball(high) * Ball(1.0);  // which refuses what is out of range
+  if (rest == 0) return Ball(high).widened(0.0);  // which refuses what is out of range
   const double low = nearest_double(rest);
   const spline::DoubleDouble middle = spline::DoubleDouble::normalized(high, low);
-  return Ball(middle, Rational(low) == rest ? 0 : 0x1p-104 * std::abs(high)) * Ball(1.0);
+  return Ball(middle).widened(Rational(low) == rest ? 0 : 0x1p-104 * std::abs(high));
 }
 
 template <>

@@ -273,13 +273,21 @@ class PathShape {
     const S v2 = square(velocity(point));
     if (!(v2 > S(0))) return {S(0), false};
     const S& v = point.derivatives().velocity[channel];
-    return root(v * v / v2, v < S(0));
+    if constexpr (spline::has_roots<S>) {
+      return {v / sqrt(v2)};
+    } else {
+      return {v < S(0) ? S(-(v * v / v2)) : S(v * v / v2), true, true};
+    }
   }
   Quantity<S> curvature(Point<S>& point) const {
     const S v2 = square(velocity(point));
     if (!(v2 > S(0))) return {S(0), false};
     const S area2 = wedge_square(velocity(point), acceleration(point));
-    if (!(area2 > S(0))) return {S(0)};
+    if constexpr (spline::bounds_errors<S>) {
+      if (area2.is_zero_at_last()) return {S(0)};
+    } else if (area2 == S(0)) {
+      return {S(0)};
+    }
     return root(area2 / (v2 * v2 * v2));
   }
   Quantity<S> torsion(Point<S>& point) const {
@@ -298,12 +306,11 @@ class PathShape {
   static View velocity(Point<S>& point) { return {point.derivatives().velocity, point.segment().metric}; }
   static View acceleration(Point<S>& point) { return {point.derivatives().acceleration, point.segment().metric}; }
 
-  static Quantity<S> root(const S& square, bool negative = false) {
+  static Quantity<S> root(const S& square) {
     if constexpr (spline::has_roots<S>) {
-      const S value = sqrt(square);
-      return {negative ? S(-value) : value};
+      return {sqrt(square)};
     } else {
-      return {negative ? S(-square) : square, true, true};
+      return {square, true, true};
     }
   }
 };

@@ -195,7 +195,9 @@ class RecordReader {
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
       add_fault(cell, no_time(name, text));
     } else if (repeats_name(index_of(cell))) {
-      if (index_of(cell) > 0 && repeats_name(0)) return;  // the first one is a fault of the line
+      std::size_t first = 0;  // the fault of the line
+      while (!repeats_name(first)) ++first;
+      if (first < index_of(cell)) return;
       add_fault(cell, data_error("the line repeats the names of the columns; expected a key; remove it, as in awk "
                                  "'!seen[$0]++' FILE"));
     } else if (is_footer()) {
@@ -216,7 +218,9 @@ class RecordReader {
   }
 
   bool repeats_name(std::size_t cell) const {
-    return head_.columns.named && unquoted(cells_[cell]) == head_.columns.name_of(head_.columns.cells[cell]);
+    const Columns::Column& column = head_.columns.cells[cell];
+    const bool has_name = head_.columns.named && column.role != Role::ignored;
+    return has_name && unquoted(cells_[cell]) == head_.columns.name_of(column);
   }
 
   /// Whether a record begins with a word where the rows above have a number or a time, as totals and repeated names do.

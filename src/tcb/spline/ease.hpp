@@ -38,7 +38,9 @@ class Warp {
     if (first_ == W(0) && last_ == W(0)) return;
     kind_ = Kind::ease;
     const W sum = first_ + last_;
-    if (sum > W(1)) {
+    bool may_be_one = false;  // quotients by a sum with bounds hold the undivided numbers as well
+    if constexpr (bounds_errors<S>) may_be_one = !(sum - W(1)).is_zero() && (sum - W(1)).may_be_zero();
+    if (may_be_one || sum > W(1)) {
       first_ = first_ / sum;
       last_ = last_ / sum;
     }
