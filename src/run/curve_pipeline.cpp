@@ -193,6 +193,14 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
         .about(option::parameter);
   }
   require_fitting_rotations(spec_, request_, request.fields, needs_.metric);
+  if (cells_in_row(request.fields, {schema.channels.size(), spec_.rotations}) == 0) {
+    throw data_error(
+        "rows would have no columns, as velocity, acceleration and jerk are of positions, and there are only "
+        "rotations; "
+        "expected a position; give angular_velocity, or {} none to take the numbers as positions",
+        option::rotation)
+        .about(option::fields);
+  }
   if (part_) request_.origin = request_.exact(part_->origin);
 }
 
