@@ -166,7 +166,8 @@ class Rows final : public BallRows {
       const Field& field = fields()[index];
       const bool is_row_time = field.kind == CellKind::time && field_writers<B>[index] == write_sample_time<B>;
       fields_.push_back({is_row_time ? nullptr : field_writers<B>[index], field.kind, cells_in_row({&index, 1}, shape),
-                         field.needs_lengths || field.of_piece || field.name == "key"});
+                         field.needs_lengths || field.of_piece || field.name == "key",
+                         field.name == "acceleration" || field.name == "jerk"});
     }
   }
 
@@ -197,7 +198,8 @@ class Rows final : public BallRows {
         const auto of_field = std::span(cells).subspan(first, field.size);
         first += field.size;
         if (std::ranges::all_of(of_field, is_decided)) continue;
-        const bool has_numbers = point != nullptr && field.write != nullptr && !field.is_of_more_than_place;
+        const bool has_numbers = point != nullptr && field.write != nullptr && !field.is_of_more_than_place &&
+                                 !(field.jumps_in_ease && point->segment().warp.has_ease());
         look_at(of_field, field, has_numbers ? point : nullptr, u == inner_places.front());
       }
     }
@@ -213,6 +215,7 @@ class Rows final : public BallRows {
     CellKind kind;
     std::size_t size;
     bool is_of_more_than_place;  ///< of lengths from the start of the curve, or of a piece, or of keys alone
+    bool jumps_in_ease;          ///< between the parts of an ease, so that it may be 0 in some of them
   };
 
   /// Sets the cells of a field that are not decided yet.

@@ -123,14 +123,13 @@ class RowPoint {
   }
 
   /// The point at a place between the keys of the segment of the row that was placed last; null if the row was not on
-  /// it, or if numbers are not analytic functions of the place, by an ease or whole turns.
+  /// it, or if positions are not analytic functions of the place, by whole turns.
   Point<S>* place_inside(const FastRow& row, double u) {
     const auto changes = [](const S& place) { return place > S(0) && place < S(1); };
     const bool is_outside = !rows_.arc && !(row.sample.t >= row.segment.start && row.sample.t <= row.segment.end);
     if (is_outside || row.end != nullptr) return nullptr;
     outside_.reset();
     segment_ = segment(row.segment.number);
-    if (segment_.warp.has_ease()) return nullptr;
     for (const auto& rotation : segment_.rotations) {
       const auto [from, to] = rotation.constant_part();
       if (changes(from) || changes(to)) return nullptr;

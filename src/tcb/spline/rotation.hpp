@@ -110,7 +110,7 @@ class Arc {
     using std::sqrt;
     const Quaternion<T> turn = conjugate(from) * to;
     square_ = turn.x * turn.x + (turn.y * turn.y + turn.z * turn.z);
-    is_short_ = value_of(turn.w) > 0 && value_of(square_) < 0.015625;
+    is_short_ = value_of(square_) < 0.015625 && value_of(turn.w) > 0;  // bounds decide the sign of w only there
     if (is_short_) return;
     sine_ = sqrt(square_);
     angle_ = angle_of(sine_, turn.w);
