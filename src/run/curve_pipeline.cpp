@@ -193,7 +193,7 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
         .about(option::parameter);
   }
   require_fitting_rotations(spec_, request_, request.fields, needs_.metric);
-  if (cells_in_row(request.fields, {schema.channels.size(), spec_.rotations}) == 0) {
+  if (!request.fields.empty() && cells_in_row(request.fields, {schema.channels.size(), spec_.rotations}) == 0) {
     throw data_error(
         "rows would have no columns, as velocity, acceleration and jerk are of positions, and there are only "
         "rotations; "
