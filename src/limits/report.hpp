@@ -32,6 +32,7 @@ struct LimitsReport {
   std::vector<CornerOfCurve> corners = {};
 
   std::optional<Rational> first = {};  ///< the time of the first key
+  bool has_ends_by_seconds = false;    ///< an end rule depends on a duration, so that other times make another curve
 
   bool passed() const { return std::ranges::all_of(results, &LimitResult::passed); }
   /// The result that is nearest to its limit, or beyond it the farthest; without limits the first one.
