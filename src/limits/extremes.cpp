@@ -167,20 +167,20 @@ double rough(const BallOf<M>& x) {
 Rational largest_of(const Polynomial<Rational>& x) { return *std::ranges::max_element(x); }
 template <class M>
 Rational largest_of(const Polynomial<BallOf<M>>& x) {
-  M largest = x.front().middle();
-  typename BallOf<M>::Bound radius = 0.0;
+  const BallOf<M> largest(std::ranges::max_element(x, {}, &BallOf<M>::middle)->middle());
+  Rational most = exactly(largest.middle());
   for (const BallOf<M>& coefficient : x) {
-    largest = std::max(largest, coefficient.middle());
-    radius = std::max(radius, coefficient.radius());
+    if (!(largest - coefficient).may_be_zero()) continue;  // it is below
+    most = std::max(most, exactly(coefficient.middle()) + exactly(Middle<M>::number(coefficient.radius())));
   }
-  return exactly(largest) + exactly(Middle<M>::number(radius));
+  return most;
 }
 
 /// The part of a measure on [begin, begin + size].
 template <class S>
 Measured<S> part_of(const Measured<S>& x, const Rational& begin, const Rational& size) {
   const S first = scalar_of<S>(begin), width = scalar_of<S>(size);
-  return {part_of(x.over, first, width), x.scale, part_of(x.base, first, width), x.base_scale, x.power};
+  return {limits::part_of(x.over, first, width), x.scale, limits::part_of(x.base, first, width), x.base_scale, x.power};
 }
 
 /// A bound on [0, 1]: the largest coefficient of Bernstein's form; nothing where it has none.
@@ -295,7 +295,7 @@ class ExactSearch {
     };
     const Polynomial<S> exact = derivative(x.over);
     const Polynomial<double> rate = in_units(exact, largest), base = in_units(x.base, largest_base);
-    const Polynomial<double> over = x.power == 0 ? Polynomial<double>() : in_units(x.over, largest);
+    const Polynomial<double> over = x.power == 0 ? Polynomial<double>{0} : in_units(x.over, largest);
     const auto grows = [&](double u) {
       return value_at(rate, u) * value_at(base, u) > x.power * value_at(over, u) * value_at(derivative(base), u);
     };

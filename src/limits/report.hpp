@@ -39,9 +39,9 @@ struct LimitsReport {
   const LimitResult* tightest() const;
 };
 
-/// Two numbers that differ by one unit of the last digit at most, unless the bounds do not allow that.
+/// Two decimals of at most 15 digits, which differ by one unit of the last digit, unless the bounds do not allow that.
 struct DecimalBounds {
-  double low = 0, high = 0;  ///< their shortest texts have 15 digits at most
+  Rational low, high;
 };
 
 /// Decimals around a number within bounds; with `root`, around the root of one.
