@@ -13,10 +13,14 @@
 
 namespace tcb::limits {
 
-/// Coefficients by rising powers, or in Bernstein's form; at least one. Most have seven at most, which need no memory
-/// of their own.
+/// Coefficients by rising powers, or in Bernstein's form; at least one. Most have seven at most, which need no memory of
+/// their own. They are copied: GCC 12 warns of moving so few.
 template <class S>
-using Polynomial = boost::container::small_vector<S, 7>;
+struct Polynomial : boost::container::small_vector<S, 7> {
+  using boost::container::small_vector<S, 7>::small_vector;
+  Polynomial(const Polynomial&) = default;
+  Polynomial& operator=(const Polynomial&) = default;
+};
 
 template <class S>
 bool is_zero(const Polynomial<S>& a) {

@@ -55,10 +55,7 @@ TEST(Extremes, a_maximum_inside_a_segment_is_exact) {
   EXPECT_FALSE(found.is_at_key);
 }
 
-TEST(Extremes, a_simple_maximum_at_an_irrational_place_is_exact) {
-  // u + 2u^3 - 2u^3 ... of the largest value 1/4 at the roots of 3u^2 = 1/4 would be irrational; this one is not:
-  // 1 - (u^2 - 1/2)^2 has the value 1 at the root of 1/2. As a square of speeds: 2u - 2u^3 is largest at the root of
-  // 1/3.
+TEST(Extremes, a_maximum_that_is_irrational_is_between_two_numbers) {
   const Extreme found = maximum(curve_of({{0, 0, 1, -2}}), largest);  // u - u^3
   EXPECT_LT(found.low, found.high);
   EXPECT_LT(27 * found.low * found.low, 4);  // the maximum is the root of 4/27

