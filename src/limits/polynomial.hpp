@@ -13,8 +13,8 @@
 
 namespace tcb::limits {
 
-/// Coefficients by rising powers, or in Bernstein's form; at least one. Most have seven at most, which need no memory of
-/// their own. They are copied: GCC 12 warns of moving so few.
+/// Coefficients by rising powers, or in Bernstein's form; at least one. Most have seven at most, which need no memory
+/// of their own. They are copied: GCC 12 warns of moving so few.
 template <class S>
 struct Polynomial : boost::container::small_vector<S, 7> {
   using boost::container::small_vector<S, 7>::small_vector;
