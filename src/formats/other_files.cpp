@@ -40,6 +40,9 @@ constexpr std::string_view
     by_maya = "export the scene from Maya as ASCII FBX",
     by_mcap = "convert it, as in mcap cat FILE --topics TOPIC --json | tcbsample -i jsonl",
     by_rosbag = "convert it, as in rostopic echo -b FILE -p TOPIC | tcbsample",
+    by_gcode =
+        "take the coordinates, as in sed -nE 's/.*X *([-0-9.]+) *Y *([-0-9.]+).*/\\1,\\2/p' FILE | tcbsample "
+        "--parameter uniform",
     by_sqlite = "convert a table of it, as in sqlite3 -csv -header FILE 'SELECT * FROM TABLE' | tcbsample",
     by_tar = "take a file out of it, as in tar -xOf FILE NAME | tcbsample",
     by_yaml =
@@ -154,8 +157,9 @@ constexpr OtherFile other_files[] = {
     {{}, {"[gd_"}, "a scene of Godot", export_keys},
     {{".yaml", ".yml"}, {"%YAML"}, "a YAML document", by_yaml},
     {{}, {"---\n"}, "a YAML document", by_yaml},
-    {{}, {"joint_trajectory:"}, "a YAML document", by_yaml},
-    {{}, {"joint_names:"}, "a YAML document", by_yaml},
+    {{}, {"G", 0, {"\nG", " X"}}, "a program of G-code", by_gcode},
+    {{}, {"%", 0, {"\nG", "X"}}, "a program of G-code", by_gcode},
+    {{}, {"N", 0, {" G", " X"}}, "a program of G-code", by_gcode},
     {{".xml", ".html", ".htm"}, {"<"}, "XML or HTML", export_keys},
     {{".toml"}},
 };
@@ -164,6 +168,15 @@ constexpr OtherFile other_files[] = {
 std::string_view without_blanks(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   return text;
+}
+
+/// Whether the first line is a name with a colon, and the next one an item or a member of it.
+bool is_yaml(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  const std::string_view next = text.substr(std::min(line.size() + 1, text.size()));
+  const bool is_inside =
+      next.starts_with("- ") || (next.starts_with(' ') && next.find_first_of("-:") < next.find('\n'));
+  return line.size() > 1 && line.ends_with(':') && line.find_first_of(" ,;\t\"") == std::string_view::npos && is_inside;
 }
 
 bool fits(const Signature& signature, std::string_view beginning) {
@@ -176,7 +189,11 @@ bool fits(const Signature& signature, std::string_view beginning) {
 }  // namespace
 
 std::optional<Error> other_file(std::string_view beginning) {
-  const auto found = std::ranges::find_if(other_files, [&](const auto& row) { return fits(row.signature, beginning); });
+  const auto* found =
+      std::ranges::find_if(other_files, [&](const auto& row) { return fits(row.signature, beginning); });
+  if (found == std::ranges::end(other_files) && is_yaml(without_blanks(beginning))) {
+    found = std::ranges::find(other_files, by_yaml, &OtherFile::remedy);
+  }
   if (found == std::ranges::end(other_files)) return std::nullopt;
   std::string remedy(found->remedy);
   if (const std::size_t at = remedy.find("WORD"); at != std::string::npos) remedy.replace(at, 4, found->word);

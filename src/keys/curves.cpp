@@ -128,7 +128,8 @@ Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const Cur
   }
   if (traits.are_segments) blocks = joined_segments(without_faults(std::move(blocks), live));
   if (is_ordered && options.duplicates == Duplicates::spread) blocks = spread_out(std::move(blocks));
-  if (is_ordered) blocks = in_order(std::move(blocks), options.duplicates, {traits.marks, traits.channels});
+  if (is_ordered)
+    blocks = in_order(std::move(blocks), options.duplicates, {traits.marks, traits.channels, schema.time.is_by_place});
   return without_faults(std::move(blocks), live);
 }
 

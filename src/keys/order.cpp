@@ -177,31 +177,35 @@ class Order : public HoldingStage {
                  beginning, time, before, in_quotes(column_), option::group, in_shell(column_))
           .at(text_position);
     }
+    const std::string other_time =
+        labels_.has_time_by_place
+            ? fmt::format("{} uniform if the first column is no time, {} time=NUMBER if another one is, or ",
+                          option::parameter, option::columns)
+            : "";
     if (equal) {
       return data_error(
-                 "{}time {} repeats the time {}; expected increasing times; remove one of the keys, or give {} first, "
+                 "{}time {} repeats the time {}; expected increasing times; remove one of the keys, or give {}{} "
+                 "first, "
                  "last or break{}",
-                 beginning, time, before, option::duplicates,
+                 beginning, time, before, other_time, option::duplicates,
                  labels_.channels.empty()
                      ? fmt::format(", or {} NUMBER if the column of this number tells curves apart", option::group)
                      : "")
           .at(text_position);
     }
-    const std::string or_none = labels_.channels.empty()
-                                    ? fmt::format(", or give {} uniform if the keys have no times", option::parameter)
-                                    : "";
     const bool begins_again = key >= 5 && here.time.hi >= 0 && here.time.hi < before_->time.hi / 20;
     if (begins_again) {
       return data_error(
                  "{}time {} is less than the time {}, as where a counter or a recording begins again; expected "
-                 "increasing times; count on, or give {} with a column that tells recordings apart, or {} if the keys "
-                 "are of one recording in any order{}",
-                 beginning, time, before, option::group, option::sort, or_none)
+                 "increasing times; count on, or give {}{} with a column that tells recordings apart, or {} if the "
+                 "keys "
+                 "are of one recording in any order",
+                 beginning, time, before, other_time, option::group, option::sort)
           .at(text_position);
     }
     return data_error(
                "{}time {} is less than the time {}; expected increasing times; sort the keys by time, or give {}{}",
-               beginning, time, before, option::sort, or_none)
+               beginning, time, before, other_time, option::sort)
         .at(text_position);
   }
 

@@ -32,6 +32,7 @@ Source<KeyBlock> grouped(Source<KeyBlock> blocks, const Grouping& grouping);
 struct CurveLabels {
   std::vector<Mark> marks = {};            ///< of keys
   std::vector<std::string> channels = {};  ///< names of channels, if they have any; only those of whole numbers count
+  bool has_time_by_place = false;          ///< the first column is the time, as none has a name
 
   /// The name of a column such that times increase within each of its values, if they do not increase overall; empty:
   /// there is none. `texts`: only columns of text.

@@ -165,7 +165,6 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     request_.convert_seconds(units_per_second(*unit));
     if (spec_.is_period_in_seconds) *spec_.period *= units_per_second(*unit);
   }
-  if (!unit) request_.likely_unit = schema.time.epoch_unit;
   request_.frames = spec_.frames = named_times(request, schema.time);
   const auto take_frame = [this](Rational& time) {  // whose printed time it is
     if (const auto frame = request_.frames->exact(nearest_time(time))) time = *frame;

@@ -68,7 +68,6 @@ RequestNeeds needs_of(const Input& input, const KeyOptions& options, const Sampl
                   std::ranges::any_of(chosen, [](std::size_t field) { return fields()[field].over_metric; });
   const bool is_of_format = !input.facts.format->has_marks && !input.facts.format->is_json;
   needs.chooses_metric = options.rules.metric || input.keys.curve_info.settings.metric || is_of_format;
-  needs.chooses_columns = !options.input.columns.roles.empty() || options.input.columns.timeless || is_of_format;
   needs.time_gap = input.facts.time_gap;
   if (request.mode == Mode::step) {
     (request.in_seconds.step ? needs.step : needs.plain_step) = nearest_double(request.step);
@@ -105,7 +104,8 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
                   option::rotation));
   }
   if (!input.schema.time.is_given && !options.rules.parameter) {
-    add({"there is no time column; the times of the keys are 0, 1, 2, ..."});
+    const bool needs_seconds = request.is_rate || request.in_seconds.has_duration;
+    add({"there is no time column; the times of the keys are 0, 1, 2, ...", needs_seconds});
   }
   if (input.schema.time.notation == TimeNotation::date) {
     add(important("the dates in column \"{}\" have no zone; they are taken as UTC", input.schema.time.name));

@@ -153,14 +153,9 @@ bool Grid::resolves(const Time& t, int decimals) const {
   return time(1, decimals) > time(0, decimals) && nearest_time(exact_time(t) + step_, decimals) > t;
 }
 
-void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least, std::optional<TimeUnit> likely_unit) {
+void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) {
   const Rational rows = floor(steps) + 1;
   if (rows <= max_rows) return;
-  if (likely_unit)
-    throw usage_error(
-        "{} rows are requested, as the unit of the times is unknown, but they seem to be {} since 1970; expected at "
-        "most {}; give {} {}, with which rates and durations such as 0.1s are in seconds",
-        shown(rows), row_of(*likely_unit).name, max_rows, option::time_unit, row_of(*likely_unit).name);
   throw usage_error("{}{} rows are requested; expected at most {}; request fewer, or raise {}",
                     at_least ? "at least " : "", shown(rows), max_rows, option::max_rows);
 }
@@ -228,7 +223,7 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   if (request.mode == Mode::step || request.mode == Mode::arc_step) {
     if (!to) return {Grid(from, request.step), Spacing::unlimited, to};
     const Rational steps = (*to - from) / request.step;
-    require_rows(steps, request.max_rows, false, request.likely_unit);
+    require_rows(steps, request.max_rows);
     if (!needs_end(request) || *to <= from) {
       const std::uint64_t most = request.key_times ? whole_number(floor(steps)) + 1 : Spacing::unlimited;
       return {Grid(from, request.step), Spacing::unlimited, to, most};

@@ -76,8 +76,7 @@ struct Spacing {
 Spacing spacing(const SamplingRequest& request, const Extent& extent);
 
 /// Throws: Error (usage) with the number of rows, if there are more than allowed; `at_least`: and more may come.
-void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least = false,
-                  std::optional<TimeUnit> likely_unit = {});
+void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least = false);
 
 /// A rational for people: a decimal of 31 digits at most in full, otherwise the nearest double, shortest.
 std::string text(const Rational& value);

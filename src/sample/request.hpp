@@ -47,18 +47,17 @@ struct InSeconds {
 
 struct SamplingRequest {
   Mode mode = Mode::step;
-  Rational step;                             ///< time or arc length between rows: step, arc_step
-  bool is_rate = false;                      ///< the step is that of a rate: step
-  InSeconds in_seconds;                      ///< the numbers that are seconds, where the unit of the times is known
-  std::optional<TimeUnit> likely_unit = {};  ///< of times that seem to count from 1970, where none is known
-  std::string rate_as_decimal;               ///< such as "29.97", where the rate is 30000/1001; else empty
-  std::uint64_t count = 0;                   ///< rows, or for the segments modes the intervals between them
-  std::vector<Rational> places;              ///< times or arc lengths: at, arc_at
-  CurveTolerance tolerance;                  ///< tolerance
-  std::optional<Rational> from, to;          ///< where to begin and end, in time, or in arc length for the arc modes
-  EndPolicy end = EndPolicy::drop;           ///< step, arc_step
-  bool keys = false;                         ///< every key is a row too
-  bool from_left = true;                     ///< a row at a key is on the segment before it, not on the one after
+  Rational step;                     ///< time or arc length between rows: step, arc_step
+  bool is_rate = false;              ///< the step is that of a rate: step
+  InSeconds in_seconds;              ///< the numbers that are seconds, where the unit of the times is known
+  std::string rate_as_decimal;       ///< such as "29.97", where the rate is 30000/1001; else empty
+  std::uint64_t count = 0;           ///< rows, or for the segments modes the intervals between them
+  std::vector<Rational> places;      ///< times or arc lengths: at, arc_at
+  CurveTolerance tolerance;          ///< tolerance
+  std::optional<Rational> from, to;  ///< where to begin and end, in time, or in arc length for the arc modes
+  EndPolicy end = EndPolicy::drop;   ///< step, arc_step
+  bool keys = false;                 ///< every key is a row too
+  bool from_left = true;             ///< a row at a key is on the segment before it, not on the one after
   std::uint64_t max_rows = 1'000'000'000;
   std::optional<FrameTimes> frames = {};  ///< where the times of the keys are frames in seconds
 

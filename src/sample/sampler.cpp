@@ -113,8 +113,7 @@ std::uint64_t OnGrid::rows_up_to(const CurveSegment& segment, const Range& on, c
   if (stop < start) return 0;
   if (spacing_.rows == Spacing::unlimited) {
     if (grid.rough_rows(stop) > static_cast<double>(request_.max_rows) * 0.99) {
-      require_rows((request_.exact(stop) - grid.start()) / grid.step(), request_.max_rows, !final,
-                   request_.likely_unit);
+      require_rows((request_.exact(stop) - grid.start()) / grid.step(), request_.max_rows, !final);
     }
     require_resolution(grid, stop, digits);
   } else if (segment.last) {

@@ -372,6 +372,7 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     if (requested[cell].role != Role::ignored) continue;
     const bool first = cell == front && !timeless && !columns.has(Role::time);
     const bool is_time = header.empty() ? first : usual[cell];
+    columns.has_time_by_place = columns.has_time_by_place || (header.empty() && first);
     const Role role = is_time ? Role::time : header.empty() ? Role::position : named[cell];
     const bool has_request = is_requested[static_cast<std::size_t>(role)];
     columns.cells[cell].is_text = role == Role::position && !positions_given && !numeric[cell];
@@ -495,12 +496,13 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
       if (columns.cells[cell].is_text && !header.empty()) texts.push_back(header[cell]);
     }
     const bool has_numbers = std::ranges::count(numeric, true) > 0;
-    throw data_error(
-        "there is no position column; expected at least one column of numbers besides the time; {}",
-        has_other_numbers               ? fmt::format("name it with {} position=NAME", option::columns)
-        : has_numbers && !texts.empty() ? fmt::format("there are none in {}; correct the first cells", listed(texts))
-        : has_numbers ? fmt::format("give {} uniform if the only column is a position", option::parameter)
-                      : fmt::format("give a table with numbers, or its delimiter with {}", option::delimiter));
+    throw data_error("there is no position column; expected at least one column of numbers besides the time; {}",
+                     has_other_numbers ? fmt::format("name it with {} position=NAME", option::columns)
+                     : has_numbers && !texts.empty()
+                         ? fmt::format("there are none in {}; correct the first cells", listed(texts))
+                     : numeric.size() == 1 && has_numbers
+                         ? fmt::format("give {} uniform if the only column is a position", option::parameter)
+                         : fmt::format("give a table with numbers, or its delimiter with {}", option::delimiter));
   }
   return columns;
 }

@@ -57,6 +57,7 @@ struct Columns {
   std::vector<Column> cells;             ///< one per cell of a record
   bool named = false;                    ///< the input names its columns
   std::string time = "t";                ///< name of the time column
+  bool has_time_by_place = false;        ///< the first column is the time, as none has a name
   std::vector<std::string> channels;     ///< names of the position channels
   std::vector<std::string> groups;       ///< names of the group columns
   std::vector<std::string> labels;       ///< names of the columns of labels

@@ -440,6 +440,26 @@ Found quaternion_called_wxyz(const FoundColumns& found) {
       listed(names), option::rotation, in_shell(fmt::format("quaternion={}", fmt::join(names, ":"))), option::rotation);
 }
 
+/// Columns of slopes beside a single position, as animation curves of game engines have them.
+Found slopes_by_name(const FoundColumns& found) {
+  constexpr std::array<std::array<std::string_view, 2>, 4> slopes{{{"inSlope", "outSlope"},
+                                                                   {"inTangent", "outTangent"},
+                                                                   {"ArriveTangent", "LeaveTangent"},
+                                                                   {"leftTangent", "rightTangent"}}};
+  for (const auto& both : slopes) {
+    const auto is_slope = [&](std::string_view name) {
+      return std::ranges::any_of(both, [&](std::string_view slope) { return same_in_any_case(name, slope); });
+    };
+    const auto& channels = found.columns.channels;
+    const auto value = std::ranges::find_if(
+        channels, [](std::string_view name) { return same_in_any_case(name, "value") || same_in_any_case(name, "y"); });
+    if (std::ranges::count_if(channels, is_slope) != 2 || value == channels.end()) continue;
+    return note("columns {} may be the slopes of {}; {} {} takes them as velocities", listed(both), in_quotes(*value),
+                option::columns, in_shell(fmt::format("{0}_vin={1},{0}_vout={2}", *value, both[0], both[1])));
+  }
+  return std::nullopt;
+}
+
 /// Whether the numbers of a record without names are a matrix of three rows, each followed by one of the position.
 bool is_pose_matrix(const FoundColumns& found) {
   if (found.rows.empty() || found.columns.cells.size() != 12) return false;
@@ -509,7 +529,7 @@ constexpr std::array about_columns{coefficients_of_pieces,   near_miss_of_role, 
                                    parameters_that_are_data, column_numbers_above_rows, times_as_names,
                                    times_without_role,       time_in_two_numbers,       date_in_three_numbers,
                                    dates_as_numbers,         quaternion_called_wxyz,    rotation_vector_by_name,
-                                   rotation_without_names,   minutes_and_seconds};
+                                   rotation_without_names,   minutes_and_seconds,       slopes_by_name};
 
 // The rows about a request.
 
@@ -566,14 +586,15 @@ Found lengths_of_unlike_things(const Schema& schema, const RequestNeeds& needs) 
 }
 
 Found time_by_its_place(const Schema& schema, const RequestNeeds& needs) {
-  if (!needs.by_length || schema.named || !schema.time.is_given || needs.chooses_columns) return std::nullopt;
+  // Lists of numbers in JSON are often points.
+  if (!schema.time.is_by_place || (!needs.by_length && schema.marks)) return std::nullopt;
   return note("the first column is taken as the time; {} uniform takes it as a position", option::parameter);
 }
 
 /// Times without a unit are taken as seconds.
 Found seconds_of_unknown_times(const Schema& schema, const RequestNeeds& needs) {
   constexpr double most = 1000, many = 100;
-  if (!needs.step || !needs.time_gap || schema.time.unit || schema.time.epoch_unit) return std::nullopt;
+  if (!needs.step || !needs.time_gap || schema.time.unit) return std::nullopt;
   const double rows = *needs.time_gap / *needs.step;
   const std::string column = schema.named ? in_quotes(schema.time.name) : "1";
   if (!(rows > many)) return std::nullopt;
@@ -582,6 +603,13 @@ Found seconds_of_unknown_times(const Schema& schema, const RequestNeeds& needs) 
         "the unit of the times in column {} is unknown; as seconds they give {:.0f} rows for each key; {} ms or {} 24 "
         "gives another one",
         column, rows, option::time_unit, option::input_fps);
+  }
+  if (schema.time.epoch_unit) {
+    return error(
+        "the times in column {} seem to be {} since 1970, and as seconds they give {:.0f} rows for each key; expected "
+        "their unit; give {} {} if it is this one, or {} s if they are seconds",
+        column, row_of(*schema.time.epoch_unit).name, rows, option::time_unit, row_of(*schema.time.epoch_unit).name,
+        option::time_unit);
   }
   return error(
       "the unit of the times in column {} is unknown, and as seconds they give {:.0f} rows for each key; expected "

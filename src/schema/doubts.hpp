@@ -41,7 +41,6 @@ struct RequestNeeds {
   bool lengths = false;                   ///< arc lengths, speeds or curvatures are measured
   bool by_length = false;                 ///< samples are placed by arc length
   bool chooses_metric = false;            ///< over channels that are named
-  bool chooses_columns = false;           ///< roles of columns are requested
   std::optional<double> step = {};        ///< between rows, where it is in seconds
   std::optional<double> plain_step = {};  ///< where it is in the unit of the times
   std::optional<double> time_gap = {};    ///< the mean of the first gaps between times, if these are whole numbers

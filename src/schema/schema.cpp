@@ -58,6 +58,7 @@ Schema schema_of(const Columns& columns, TimeNotation notation, const DateFormat
   Schema schema;
   schema.named = columns.named;
   schema.time = {.is_given = columns.has(Role::time),
+                 .is_by_place = columns.has_time_by_place,
                  .name = columns.time,
                  .notation = notation,
                  .dates = dates,

@@ -25,7 +25,8 @@ struct TextMarks {
 
 /// The times of records.
 struct TimeSchema {
-  bool is_given = false;  ///< records have a time; otherwise the positions of keys make them
+  bool is_given = false;     ///< records have a time; otherwise the positions of keys make them
+  bool is_by_place = false;  ///< the first column is the time, as none has a name
   std::string name = "t";
   TimeNotation notation = TimeNotation::seconds;  ///< as the input has it
   DateFormat dates = {};                          ///< where the times are dates

@@ -17,9 +17,8 @@ constexpr std::string_view time_names =
     "datestamp elapsed elapsedtime timeelapsed keytime keytimes keyframetime tick ticks tickcount unix unixtime "
     "unixtimestamp posixtime epoch epochtime utc utctime gpstime gmt localtime systime systemtime rostime simtime "
     "simulationtime walltime walltimes sampletime eventtime capturetime recordtime relativetime reltime absolutetime "
-    "abstime jd hjd bjd bjdtdb tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp frametime "
-    "frametimestamp jdtdb "
-    "jdutc juliandate mjd zeit uhrzeit datum zeitstempel zeitpunkt temps heure horodatage tiempo hora fecha tempo ora "
+    "abstime jd tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp frametime frametimestamp zeit "
+    "uhrzeit datum zeitstempel zeitpunkt temps heure horodatage tiempo hora fecha tempo ora "
     "datahora dataora fechahora dateheure";
 
 /// The names of a unit of time; nothing: an unknown one.
@@ -36,7 +35,7 @@ constexpr std::array unit_names{
     UnitNames{ns, "ns nsec nsecs nanos nanosec nanosecond nanoseconds", ""},
     UnitNames{minutes, "minutes", "min mins"},
     UnitNames{hours, "hours hrs", "h hr"},
-    UnitNames{days, "days", "d"},
+    UnitNames{days, "days jd mjd hjd bjd bjdtdb jdtdb jdutc juliandate", "d"},
     UnitNames{frames, "frames", ""},
     UnitNames{{}, "ticks", "m"}};
 
@@ -65,7 +64,7 @@ constexpr std::string_view coordinate_names =
 std::string compact(std::string_view name) {
   std::string text;
   for (const char c : name) {
-    if (std::string_view(" \t_-.%#()[]").find(c) == std::string_view::npos) text += lower(c);
+    if (std::string_view(" \t_-.%#()[]@").find(c) == std::string_view::npos) text += lower(c);
   }
   return text;
 }
@@ -220,7 +219,9 @@ bool names_dates(std::string_view name) {
   return ends_with_one(names, name);
 }
 
-bool ends_like_time(std::string_view name) { return ends_with_one("time timestamp stamp date datetime", name); }
+bool ends_like_time(std::string_view name) {
+  return ends_with_one("time timestamp stamp date datetime", name) || compact(without_unit(name)).ends_with("time");
+}
 
 bool is_usual_angle(std::string_view name) {
   constexpr std::string_view names = "yaw heading bearing azimuth roll pitch";
@@ -265,7 +266,8 @@ bool are_units(std::span<const std::string_view> cells) {
 
 bool may_be_angle(std::string_view name) {
   constexpr std::string_view names =
-      "lon lng longitude cog course track pan theta hue rx ry rz rotx roty rotz rotatex rotatey rotatez rotationx "
+      "lon lng longitude ra rightascension az cog course track pan theta hue rx ry rz rotx roty rotz rotatex rotatey "
+      "rotatez rotationx "
       "rotationy rotationz angle phi direction headyaw winddir tilt steering";
   constexpr std::string_view spaces = "rotation rotate rot euler angle orientation";
   if (is_usual_angle(name) || ends_with_one(names, name)) return true;

@@ -64,9 +64,13 @@ TEST(InOrder, the_last_of_equal_times_begins_the_curve_that_the_first_began) {
 }
 
 TEST(InOrder, decreasing_times_are_refused_each_with_the_previous_key) {
-  const std::string all = shown_keys(in_order(keys_of("0 1\n2 2\n1.5 3\n1 4\n3 5\n", 5), Duplicates::first));
+  const CurveLabels by_place{{}, {}, true};
+  const std::string all = shown_keys(in_order(keys_of("0 1\n2 2\n1.5 3\n1 4\n3 5\n", 5), Duplicates::first, by_place));
   const std::string remedy = "; expected increasing times; sort the keys by time, ";
-  const std::string unnamed = remedy + "or give --sort, or give --parameter uniform if the keys have no times]";
+  const std::string unnamed =
+      remedy +
+      "or give --parameter uniform if the first column is no time, --columns time=NUMBER if another one is, or "
+      "--sort]";
   EXPECT_EQ(all, " 1:1 2:2 3:3 4:4 5:5 [f:3: error: time 1.5 is less than the time 2 on line 2" + unnamed +
                      " [f:4: error: time 1 is less than the time 1.5 on line 3" + unnamed);
   const std::string named = shown_keys(in_order(keys_of("2 2\n1 3\n", 5), Duplicates::first, {{}, {"x"}}));

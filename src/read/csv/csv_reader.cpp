@@ -207,11 +207,11 @@ class RecordReader {
       const std::string request = requested_as(column.role == Role::position ? name : "", index_of(cell));
       add_fault(
           cell,
-          data_error(
-              "{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or give {} {} to "
-              "leave the column out, {} {} to keep it in the rows, or {} {} if it tells curves apart",
-              name, in_quotes(text), option::columns, in_shell("ignore=" + request), option::columns,
-              in_shell("carry=" + request), option::group, in_shell(request)));
+          data_error("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or give it to "
+                     "{} if it "
+                     "stands for a missing number, {} {} to leave the column out, or {} {} if it tells curves apart",
+                     name, in_quotes(text), option::na, option::columns, in_shell("ignore=" + request), option::group,
+                     in_shell(request)));
     } else {
       add_fault(cell, why_not_number(name, text, head_.marks));
     }

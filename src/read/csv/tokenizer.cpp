@@ -283,7 +283,10 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
         column, in_quotes(cell));
   }
   const std::string_view number = without_unit_of_number(cell);
-  if (number.size() < cell.size() && (Decimals(marks).number(number) || marks_of(number))) {
+  if (number.size() < cell.size() && !Decimals(marks).number(number) && marks_of(number)) {
+    return why_not_number(column, number, marks);
+  }
+  if (number.size() < cell.size() && Decimals(marks).number(number)) {
     return data_error("{}: {} is a number with a unit; expected a number alone; remove the unit, or give {} strip",
                       column, in_quotes(cell), option::units);
   }

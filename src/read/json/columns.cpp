@@ -376,6 +376,7 @@ class FirstKey {
       if (!options_.rotation.none && !requested_.has(Role::position)) require_quaternion();
       require_no_lost_arrays();
       result.columns = find_columns(header, numeric, requests(), requested_.timeless);
+      result.columns.has_time_by_place = !records_.has_names() && !requested_.has(Role::time) && !requested_.timeless;
       std::ranges::for_each(members_, [&](const FoundMember& member) { require_shape(member); });
     }
     const bool has_array = has_any(&FoundMember::is_of_positions);
@@ -407,6 +408,10 @@ class FirstKey {
     return std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
       return std::ranges::any_of(role.columns, [&](const auto& column) { return same_in_any_case(column, name); });
     });
+  }
+  /// Whether a member is a number in the array of this name, which is not itself a member of a key.
+  static bool is_vector_at(const std::string& name, const FoundMember& member) {
+    return member.route.size() > 2 && member.name == name + member.route.back() && member.route.back().starts_with('[');
   }
   Error at(const FoundMember& member, const Error& error) const {
     return error.about(member.path).at(tape_.position(member.place));
@@ -460,13 +465,20 @@ class FirstKey {
       std::vector<FoundMember> inside;
       add_inside(inside, members_[i]);
       for (FoundMember& inner : inside) {
-        const bool in_array = std::ranges::any_of(inner.route, [](const auto& step) { return step.starts_with('['); });
-        const bool may_be_time = has_time_name(inner) || time_part_of(inner.name);
-        const bool is_taken = (!in_array && lacks_position) || is_position || (!in_array && lacks_time && may_be_time);
-        if (!is_requested(inner.name) && !is_taken) continue;
+        const auto is_element = [](const std::string& step) { return step.starts_with('['); };
+        const auto elements = std::ranges::count_if(inner.route, is_element);
+        const bool in_vector = elements == 1 && !is_element(inner.route[1]) && is_element(inner.route.back());
+        const bool may_be_position = lacks_position && (elements == 0 || in_vector);
+        const bool may_be_time = lacks_time && elements == 0 && (has_time_name(inner) || time_part_of(inner.name));
+        const bool is_taken = is_position || may_be_position || may_be_time;
+        const bool is_of_request =
+            is_requested(inner.name) || std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
+              return std::ranges::any_of(role.columns, [&](const auto& name) { return is_vector_at(name, inner); });
+            });
+        if (!is_of_request && !is_taken) continue;
         if (is_position && inner.route.size() == 2) inner.name = inner.route[1];
         members_[i].is_spread = true;
-        inner.is_of_whole = is_position || (!in_array && lacks_position);
+        inner.is_of_whole = is_position || may_be_position;
         members_.push_back(std::move(inner));
       }
     }
@@ -574,7 +586,7 @@ class FirstKey {
     return columns;
   }
 
-  /// The requests with the names of cells in the place of paths, such as position[0], and of arrays.
+  /// The requests with the names of cells in the place of paths, such as position[0], and of arrays at any depth.
   std::vector<RoleRequest> requests() const {
     std::vector<RoleRequest> requests = requested_.roles;
     for (RoleRequest& request : requests) {
@@ -594,6 +606,9 @@ class FirstKey {
           }
           const bool is_path = member.route.size() == 2 && name == member.route[0] + "." + member.route[1];
           if (is_path && !is_spread_always(member.route[0])) names = {member.name};
+          if (!is_vector_at(name, member)) continue;
+          if (names.size() == 1 && names[0] == name) names.clear();
+          names.push_back(member.name);
         }
         columns.insert(columns.end(), names.begin(), names.end());
       }

@@ -168,7 +168,7 @@ class KeyReader {
           finder_.find(member.inner, is_object ? tape_.text(inner) : step, tape_.kind(of_inner), expected);
       if (found != nullptr) {
         read_value(*found, of_inner);
-      } else if (is_object && member.is_whole) {
+      } else if (member.is_whole) {
         refuse_unknown(of_inner);
       }
     }
@@ -189,7 +189,12 @@ class KeyReader {
     if (kind == Kind::number || (is_quoted && parse_number(text))) return store(column, text, value);
     const bool is_other_time = is_time && (find_notation(text) || !keys_.has_times_as_numbers());
     if (!is_other_time) {
-      add_value_fault(value, data_error("{} is not a number; expected a number; correct it", in_quotes(text)));
+      add_value_fault(
+          value, is_time ? data_error("{} is no time in a known notation; expected a number, or a time such as "
+                                      "2024-03-01T13:00:00Z or 13:00:00, with years of four digits and hours from 0 to "
+                                      "23; convert it",
+                                      in_quotes(text))
+                         : data_error("{} is not a number; expected a number; correct it", in_quotes(text)));
     } else if (columns_.units.notation != find_notation(text)) {
       add_value_fault(value, time_in_other_notation(text));
     } else {

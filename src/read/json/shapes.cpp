@@ -346,13 +346,12 @@ Records open_whole(JsonPart part, const InputOptions& options) {
       return open_tables(text, {*table}, options, has_times ? JsonShape::table_by_index : JsonShape::table);
     }
     key = open_one_key(text->part.chunk, options, reason);
-    const bool has_deep_time = key && key->columns.time.find('.') != std::string::npos;
-    if (has_deep_time && !options.columns.timeless) refuse_other_json(tape);
-    if (key && (key->columns.has(Role::time) || options.columns.timeless)) return *std::move(key);
+    const bool has_time = key && key->columns.has(Role::time) && tape.member(0, key->columns.time);
+    if (has_time) return *std::move(key);
   }
   std::vector<JsonTable> tables = find_tables(tape, options);
   if (!tables.empty()) return open_tables(text, std::move(tables), options);
-  if (key) return *std::move(key);
+  if (key && options.columns.timeless) return *std::move(key);
   if (reason) throw *reason;
   throw data_error(
       "found no list of keys; expected an array of objects or of rows, or an object of columns; give {} if it is there",
@@ -396,7 +395,7 @@ Records open_any_shape(Source<std::string> bytes, const InputOptions& options) {
     try {
       columns = std::make_shared<const JsonColumns>(columns_of(*first, false, options, {}));
     } catch (const Error&) {
-      if (!options.columns.timeless) refuse_other_json(JsonTape(*first));
+      refuse_other_json(JsonTape(*first), options.columns, "");
       if (!holds_table_in_first(*first)) throw;
       return open_whole(splitter->whole(*std::move(first)), options);
     }

@@ -42,6 +42,17 @@ bool has_only(const JsonTape& tape, std::size_t value, Kind kind) {
          std::ranges::all_of(all, [&](std::size_t inner) { return tape.kind(tape.value_of(inner)) == kind; });
 }
 
+/// The array of rows of an object that has the names of their columns beside it, as pandas and InfluxDB write tables.
+std::optional<std::size_t> rows_beside_columns(const JsonTape& tape, std::size_t object) {
+  const auto columns = tape.member(object, "columns");
+  if (!columns || tape.kind(*columns) != Kind::array || holds_kind(tape, *columns, Kind::object)) return std::nullopt;
+  for (const std::string_view name : {"data", "values", "rows"}) {
+    const auto rows = tape.member(object, name);
+    if (rows && has_only(tape, *rows, Kind::array)) return rows;
+  }
+  return std::nullopt;
+}
+
 /// Whether f holds for a member of an object or of one within it; what is in arrays does not count.
 template <class F>
 bool any_inside(const JsonTape& tape, std::size_t object, const F& f) {
@@ -85,6 +96,7 @@ JsonTable::JsonTable(const JsonTape& tape, std::vector<std::uint32_t> values, st
       first_(first),
       size_(values.size()),
       are_rows_(!columns.empty()),
+      has_names_(columns.empty()),
       names_(std::move(columns)),
       rows_(std::move(values)) {}
 
@@ -105,6 +117,7 @@ bool JsonTable::find_layout(std::size_t table, bool is_root, bool is_timeless) {
     size_ = rows_.size();
     if (is_list) return true;
     names_ = usual_names(tape.count(rows_[0]), is_timeless);
+    has_names_ = false;
     return read_rows(), true;
   }
   if (tape.kind(table) != Kind::object || tape[table].next == table + 1) return false;
@@ -117,12 +130,12 @@ bool JsonTable::find_layout(std::size_t table, bool is_root, bool is_timeless) {
     return is_index(tape.text(inner + 1)) && has_only(tape, table, Kind::object) ? (read_columns(table), true) : false;
   }
   if (is_index(first) && has_only(tape, table, Kind::array)) return read_index(table), true;
+  if (const auto rows = rows_beside_columns(tape, table)) return read_split(table, *rows), true;
   for (const std::size_t name : tape.inside(table)) {
     const std::size_t value = name + 1;
     const std::string_view text = tape.text(name);
     const bool begins_with_object = value + 1 < tape[value].next && tape.kind(value + 1) == Kind::object;
     if (tape.kind(value) == Kind::array && !begins_with_object) {
-      if (text == "columns" || text == "index" || text == "data") return read_split(table), true;
       if (is_usual_time(text)) return read_lists(table), true;
       if (is_root && holds_kind(tape, value, Kind::object)) return false;
     } else if (is_root) {
@@ -143,24 +156,18 @@ void JsonTable::read_rows() {
   }
 }
 
-void JsonTable::read_split(std::size_t table) {
+void JsonTable::read_split(std::size_t table, std::size_t rows) {
   const JsonTape& tape = *tape_;
-  const auto columns = tape.member(table, "columns"), data = tape.member(table, "data"),
-             index = tape.member(table, "index");
-  const bool is_whole = columns && data && tape.kind(*columns) == Kind::array && tape.kind(*data) == Kind::array;
-  if (!is_whole) {
-    throw data_error("the table has no \"data\", or no \"columns\"; expected both, as pandas writes them; complete it")
-        .at(tape.position(table));
-  }
-  for (const std::size_t name : tape.inside(*columns)) {
+  for (const std::size_t name : tape.inside(*tape.member(table, "columns"))) {
     names_.emplace_back(tape.kind(name) == Kind::string ? tape.text(name) : tape.written(name));
   }
-  rows_ = tape.elements(*data);
+  rows_ = tape.elements(rows);
   read_rows();
+  const auto index = tape.member(table, "index");
   if (!index) return;
   if (tape.kind(*index) == Kind::array) index_ = tape.elements(*index);
   if (index_.size() != size_) {
-    throw data_error("the index of the table has {}; expected {}, one for each row of \"data\"; correct it",
+    throw data_error("the index of the table has {}; expected {}, one for each row; correct it",
                      how_many(index_.size(), "value"), size_)
         .at(tape.position(*index));
   }
@@ -300,7 +307,7 @@ namespace {
 /// How well a value serves as keys.
 enum class Fit { none, without_times, with_times };
 
-/// A list of rows of numbers, all of one size, or of objects with numbers.
+/// A list of rows of numbers, which may follow a time in words, all of one size, or of objects with numbers.
 Fit fit_of_array(const JsonTape& tape, std::size_t array) {
   if (has_only(tape, array, Kind::object)) {
     const std::size_t first = array + 1;
@@ -314,10 +321,15 @@ Fit fit_of_array(const JsonTape& tape, std::size_t array) {
   std::optional<double> before;
   bool rises = true;
   for (const std::uint32_t row : rows) {
-    const auto is_number_there = [&](std::size_t value) { return is_number(tape, value); };
-    if (tape.count(row) != columns || !std::ranges::all_of(tape.inside(row), is_number_there)) return Fit::none;
-    const bool is_string = tape.kind(row + 1) == Kind::string;
-    const auto number = parse_number(is_string ? tape.text(row + 1) : tape.written(row + 1));
+    const std::size_t first = row + 1;
+    const bool is_string = tape.kind(first) == Kind::string;
+    const bool is_in_words = is_string && find_notation(tape.text(first));
+    const auto is_cell = [&](std::size_t value) {
+      return is_number(tape, value) || (value == first ? is_in_words : tape.kind(value) == Kind::null);
+    };
+    if (tape.count(row) != columns || !std::ranges::all_of(tape.inside(row), is_cell)) return Fit::none;
+    if (is_in_words) continue;
+    const auto number = parse_number(is_string ? tape.text(first) : tape.written(first));
     rises = rises && (!before || *number > *before);
     before = number;
   }
@@ -327,6 +339,7 @@ Fit fit_of_array(const JsonTape& tape, std::size_t array) {
 /// An object whose members are rows by their times, or columns of one size with a time among them.
 Fit fit_of_object(const JsonTape& tape, std::size_t object) {
   if (tape.count(object) < 2) return Fit::none;
+  if (rows_beside_columns(tape, object)) return Fit::with_times;
   bool are_times = true, has_lists = false, has_times = false, are_equal = true;
   std::optional<std::size_t> size;
   for (const std::size_t name : tape.inside(object)) {
@@ -432,7 +445,7 @@ void follow(const JsonTape& tape, std::size_t value, std::string& path, std::str
   }
 }
 
-/// Files of other products, by their members.
+/// Files of other products, by their members. In a remedy {} stands for the option with the path of their list.
 struct OtherJson {
   std::array<std::string_view, 3> members;
   std::string_view name, remedy;
@@ -446,19 +459,15 @@ constexpr OtherJson other_json[] = {
     {{"tracks", "times", "values"},
      "a clip of three.js, whose values are not by key",
      "write an object of time and position for each key"},
-    {{"sheetsById"},
-     "a project of Theatre.js",
-     "give --records with the path of \"keyframes\", and --columns time=position,position=value"},
+    {{"sheetsById"}, "a project of Theatre.js", "give {}--columns time=position,position=value"},
     {{"fileType", "mission"},
      "a plan of QGroundControl, whose items have no times",
      "give --records mission.items --parameter uniform --columns position=params[4]:params[5]:params[6]"},
     {{"asset", "accessors", "animations"}, "a glTF scene, whose keys are in a buffer", "export them as a table"},
-    {{"type", "coordinates"},
-     "GeoJSON, whose places have no times",
-     "give --records with the path of \"coordinates\" and --parameter uniform --columns position=1:2"},
+    {{"type", "coordinates"}, "GeoJSON, whose places have no times", "give {}--parameter uniform"},
     {{"img_name", "position", "rotation"},
      "a cameras.json of Gaussian splatting, whose cameras have no times",
-     "give --parameter uniform --columns position=position"},
+     "give {}--parameter uniform --columns position=position"},
 };
 
 std::string listed_paths(const std::vector<Place>& places) {
@@ -469,7 +478,8 @@ std::string listed_paths(const std::vector<Place>& places) {
 
 }  // namespace
 
-void refuse_other_json(const JsonTape& tape) {
+void refuse_other_json(const JsonTape& tape, const ColumnOptions& requested, std::string_view list) {
+  if (requested.timeless || !requested.roles.empty()) return;
   std::unordered_set<std::string_view> names;
   for (std::size_t at = 0; at < tape.size(); ++at) {
     if (tape.kind(at) == Kind::name) names.insert(tape.text(at));
@@ -478,7 +488,10 @@ void refuse_other_json(const JsonTape& tape) {
     return std::ranges::all_of(known.members, [&](auto name) { return name.empty() || names.contains(name); });
   });
   if (other == std::ranges::end(other_json)) return;
-  throw data_error("this is {}; expected a list of keys; {}", other->name, other->remedy).at({"", 1, 1});
+  const std::string records = list.empty() ? "" : fmt::format("{} {} ", option::records, in_shell(list));
+  throw data_error("this is {}; expected a list of keys; {}", other->name,
+                   fmt::format(fmt::runtime(other->remedy), records))
+      .at({"", 1, 1});
 }
 
 bool holds_table(const JsonTape& tape, std::size_t value) {
@@ -509,11 +522,13 @@ std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& opt
   } else {
     // Numbers without names may be times as they rise, or anything else.
     const bool are_named = with_times.size() == 1 && !has_only(tape, with_times[0].value, Kind::array);
-    if (!are_named && !options.columns.timeless) refuse_other_json(tape);
+    if (!are_named) refuse_other_json(tape, options.columns, fitting.empty() ? "" : fitting[0].path);
   }
   if (path.empty() && fitting.size() > 1) {
-    throw data_error("{} lists may be the keys: {}; expected one; give {} {}, or another one of these", fitting.size(),
-                     listed_paths(fitting), option::records, fitting[0].path)
+    throw data_error(
+        "{} lists may be the keys: {}; expected one; give {} {}, another one of these, or a path with * "
+        "for any name or number, which makes a curve of each list",
+        fitting.size(), listed_paths(fitting), option::records, in_shell(fitting[0].path))
         .at({"", 1, 1});
   }
   std::vector<JsonTable> tables;

@@ -50,6 +50,7 @@ class JsonTable {
   std::size_t first() const { return first_; }  ///< the number of the first record
   std::size_t size() const { return size_; }
   bool has_times_in_index() const { return takes_index_; }
+  bool has_names() const { return has_names_; }  ///< the text names its columns
 
   /// The number of cells of a record that is a row; 0 of others.
   std::size_t columns() const { return are_rows_ ? names_.size() : 0; }
@@ -70,7 +71,7 @@ class JsonTable {
  private:
   bool find_layout(std::size_t table, bool is_root, bool is_timeless);
   void read_rows();
-  void read_split(std::size_t table);
+  void read_split(std::size_t table, std::size_t rows);
   void read_schema(std::size_t table);
   void read_lists(std::size_t table);
   void read_index(std::size_t table);
@@ -80,7 +81,7 @@ class JsonTable {
   const JsonTape* tape_;
   std::string path_;
   std::size_t first_ = 0, size_ = 0;
-  bool are_rows_ = false;
+  bool are_rows_ = false, has_names_ = true;
   bool takes_index_ = false;          ///< the index is the time
   bool has_index_member_ = false;     ///< the index is the member "index" of objects
   std::vector<std::string> names_;    ///< of columns; of objects, those that the first one does not have
@@ -96,8 +97,9 @@ std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& opt
 /// The names of columns of which none is given, as of text without a header.
 std::vector<std::string> usual_names(std::size_t columns, bool is_timeless);
 
-/// Throws: Error (data) for a file of another product, by its members.
-void refuse_other_json(const JsonTape& tape);
+/// Throws: Error (data) for a file of another product, by its members, unless columns are requested. `list`: the path
+/// of a list in it, or empty.
+void refuse_other_json(const JsonTape& tape, const ColumnOptions& requested, std::string_view list);
 
 /// Whether a value holds a list of records.
 bool holds_table(const JsonTape& tape, std::size_t value);

@@ -73,7 +73,7 @@ TEST(JsonTables, other_texts_are_none) {
 }
 
 TEST(JsonTables, rows_columns_and_indices_that_differ_in_length_are_refused) {
-  for (const char* text : {R"({"t":[0,1],"x":[1]})", "[[0,1],[2]]", R"({"columns":["t"],"index":[0]})",
+  for (const char* text : {R"({"t":[0,1],"x":[1]})", "[[0,1],[2]]",
                            R"({"columns":["x","y"],"index":[5],"data":[[0,1],[1,2],[2,3],[3,4]]})",
                            R"({"columns":["t"],"columns":["x"],"data":[[0]]})",
                            R"({"columns":["t"],"index":{},"data":[[0]]})", R"({"schema":{},"data":5})"}) {
@@ -96,7 +96,8 @@ TEST(JsonTables, several_lists_are_an_error_that_names_them) {
   const std::string text = R"({"a":[[0,1],[1,2]],"b":[{"c":[[0,1],[1,3]]}]})";
   EXPECT_EQ(
       paths(text),
-      "f:1:1: error: 2 lists may be the keys: a, b[0].c; expected one; give --records a, or another one of these");
+      "f:1:1: error: 2 lists may be the keys: a, b[0].c; expected one; give --records a, another one of these, or "
+      "a path with * for any name or number, which makes a curve of each list");
   EXPECT_EQ(paths(text, "b[0].c"), "b[0].c ");
   EXPECT_EQ(paths(text, "b[*].c"), "b[0].c ");
   EXPECT_EQ(paths(R"({"m":{"p.q":{"k":[[0,1],[1,2]]},"r":{"k":[[0,1]]}}})", "m.*.k"), "m.p.q.k m.r.k ");
