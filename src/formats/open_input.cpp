@@ -127,6 +127,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   if (!input.facts.is_recording) input.facts.roles = columns.shape_roles();
   input.facts.ignored = columns.ignored;
   input.facts.doubts = columns.doubts;
+  input.facts.time_gap = columns.time_gap;
   KeyTraits& traits = input.keys.traits;
   traits.are_segments = columns.are_segments;
   traits.may_miss = options.keys.missing == Missing::skip_cell;

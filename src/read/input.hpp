@@ -34,8 +34,8 @@ struct InputFacts {
   std::vector<std::string> other_tracks = {};     ///< names of those left out as they have other channels
   std::map<std::vector<std::string>, EulerTrack> euler_tracks = {};  ///< by the groups of their curves, as texts
   std::vector<std::string> ignored = {};                             ///< names of columns without a role
-  std::optional<double> time_gap = {};   ///< the mean of the first gaps between times that are whole
-  std::vector<std::string> doubts = {};  ///< notes: what its columns may mean besides
+  std::optional<double> time_gap = {};                               ///< as in Columns
+  std::vector<std::string> doubts = {};                              ///< notes: what its columns may mean besides
 };
 
 /// The records of an input as the reader of its format finds them.

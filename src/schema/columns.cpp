@@ -496,13 +496,14 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
       if (columns.cells[cell].is_text && !header.empty()) texts.push_back(header[cell]);
     }
     const bool has_numbers = std::ranges::count(numeric, true) > 0;
-    throw data_error("there is no position column; expected at least one column of numbers besides the time; {}",
-                     has_other_numbers ? fmt::format("name it with {} position=NAME", option::columns)
-                     : has_numbers && !texts.empty()
-                         ? fmt::format("there are none in {}; correct the first cells", listed(texts))
-                     : numeric.size() == 1 && has_numbers
-                         ? fmt::format("give {} uniform if the only column is a position", option::parameter)
-                         : fmt::format("give a table with numbers, or its delimiter with {}", option::delimiter));
+    throw data_error(
+        "there is no position column; expected at least one column of numbers besides the time; {}",
+        has_other_numbers               ? fmt::format("name it with {} position=NAME", option::columns)
+        : has_numbers && !texts.empty() ? fmt::format("there are none in {}; correct the first cells", listed(texts))
+        : numeric.size() == 1 && has_numbers
+            ? fmt::format("give {} uniform if the only column is a position", option::parameter)
+        : numeric.size() == 1 ? fmt::format("give a table with numbers, or its delimiter with {}", option::delimiter)
+                              : "give a table with numbers");
   }
   return columns;
 }

@@ -649,6 +649,19 @@ std::vector<std::string> doubts_of_columns(const FoundColumns& found) {
   return notes;
 }
 
+std::optional<double> first_time_gap(const FoundColumns& found) {
+  const std::vector<std::size_t> cells = cells_with(found, Role::time);
+  if (cells.empty() || found.rows.size() < 2 || found.columns.has(Role::nanoseconds)) return std::nullopt;
+  double first = nan, last = nan;
+  for (const auto& row : found.rows) {
+    const double time = number_in(found, row, cells[0]);
+    if (!(time == std::floor(time)) || time <= last) return std::nullopt;
+    first = std::isnan(first) ? time : first;
+    last = time;
+  }
+  return (last - first) / static_cast<double>(found.rows.size() - 1);
+}
+
 std::vector<std::string> doubts_of_request(const Schema& schema, const RequestNeeds& needs) {
   std::vector<std::string> notes;
   for (const auto doubt : about_requests) take(notes, doubt(schema, needs));

@@ -36,6 +36,9 @@ struct FoundColumns {
 /// The notes of the doubts about columns. Throws: Error (data) for a doubt that the request has to decide.
 std::vector<std::string> doubts_of_columns(const FoundColumns& found);
 
+/// The mean gap between the times of the first records; nothing unless they are whole numbers that increase.
+std::optional<double> first_time_gap(const FoundColumns& found);
+
 /// What a request needs of a curve.
 struct RequestNeeds {
   bool lengths = false;                   ///< arc lengths, speeds or curvatures are measured
@@ -43,7 +46,7 @@ struct RequestNeeds {
   bool chooses_metric = false;            ///< over channels that are named
   std::optional<double> step = {};        ///< between rows, where it is in seconds
   std::optional<double> plain_step = {};  ///< where it is in the unit of the times
-  std::optional<double> time_gap = {};    ///< the mean of the first gaps between times, if these are whole numbers
+  std::optional<double> time_gap = {};    ///< as in Columns
 };
 
 /// The notes of the doubts about a request. Throws: Error (data) for a doubt that the request has to decide.

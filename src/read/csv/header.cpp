@@ -340,19 +340,6 @@ HeadRows cells_of(const Chunk& data, const Dialect& dialect) {
   return rows;
 }
 
-/// The mean gap between the times of the first records; nothing unless they are whole numbers that increase.
-std::optional<double> time_gap_of(const HeadRows& rows, const Columns& columns, const NumberMarks& marks) {
-  const std::size_t cell = cell_of(columns, Role::time);
-  std::vector<double> times;
-  for (const auto& row : rows) {
-    const auto number = cell < row.size() ? Decimals(marks).number(row[cell]) : std::nullopt;
-    if (!number || *number != std::floor(*number) || (!times.empty() && *number <= times.back())) return std::nullopt;
-    times.push_back(*number);
-  }
-  if (times.size() < 2 || columns.has(Role::nanoseconds)) return std::nullopt;
-  return (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-}
-
 /// What columns mean by rules that look at their cells, as requests, with notes.
 class RolesByCells {
  public:
@@ -576,9 +563,9 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, cons
         .has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown || options.has_shown_tcb_scale,
         .has_header = options.delimited.header.has_value()};
     std::ranges::copy(doubts_of_columns(found), std::back_inserter(notes));
+    head.columns.time_gap = first_time_gap(found);
   }
   head.columns.doubts = std::move(notes);
-  head.facts.time_gap = time_gap_of(rows, head.columns, head.marks);
 }
 
 }  // namespace

@@ -385,7 +385,7 @@ class FirstKey {
     if (has_array && lacks_time) require_no_lost_time(result.columns);
     result.columns.ignored.insert(result.columns.ignored.end(), unused.begin(), unused.end());
     result.found = result.columns.cells.size();
-    if (!requested_.samples) result.columns.doubts = doubts(result, header);
+    if (!requested_.samples) find_doubts(result, header);
     add_optional_members(result);
     complete(result, result.members, result.all_members);
     result.rules = options_.keys;
@@ -722,8 +722,8 @@ class FirstKey {
     }
   }
 
-  /// The notes of the doubts about the columns. Throws: Error (data) for one that the request has to decide.
-  std::vector<std::string> doubts(const JsonColumns& columns, const std::vector<std::string>& header) const {
+  /// Finds the notes of the doubts about the columns. Throws: Error (data) for one that the request has to decide.
+  void find_doubts(JsonColumns& columns, const std::vector<std::string>& header) const {
     constexpr std::size_t most = 50;
     std::vector<std::vector<std::string_view>> rows(std::min(records_.size(), most));
     JsonCells cells;
@@ -742,16 +742,18 @@ class FirstKey {
       numeric.insert(numeric.end(), member.columns.size(), !member.text);
       if (member.array) meant.insert(meant.end(), member.columns.begin(), member.columns.end());
     }
-    return doubts_of_columns(
-        {.names = header,
-         .rows = rows,
-         .numeric = numeric,
-         .columns = columns.columns,
-         .requested = requested_,
-         .has_rotations = options_.rotation.none || !options_.rotation.requests.empty(),
-         .has_tcb_scale = options_.keys.tcb_scale != TcbScale::unknown || options_.has_shown_tcb_scale,
-         .has_header = true,
-         .meant = std::move(meant)});
+    const FoundColumns found{
+        .names = header,
+        .rows = rows,
+        .numeric = numeric,
+        .columns = columns.columns,
+        .requested = requested_,
+        .has_rotations = options_.rotation.none || !options_.rotation.requests.empty(),
+        .has_tcb_scale = options_.keys.tcb_scale != TcbScale::unknown || options_.has_shown_tcb_scale,
+        .has_header = true,
+        .meant = std::move(meant)};
+    columns.columns.doubts = doubts_of_columns(found);
+    columns.columns.time_gap = first_time_gap(found);
   }
 
   const JsonTable& records_;
