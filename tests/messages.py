@@ -74,18 +74,16 @@ class File:
 
 files = [File(path) for path in sorted(src.rglob("*")) if path.suffix in (".hpp", ".cpp", ".in")]
 
-# Names of options and other constants: their texts.
+# Constants: their texts.
 constants = {}
 for file in files:
     for match in re.finditer(r'constexpr (?:const )?(?:char\s*\*|std::string_view|auto|char) (?:const )?(\w+)(?:\[\])?'
                              r'(?: = |\{)((?:\s*"(?:\\.|[^"\\])*")+)\}?;', file.text):
         value = "".join(map(string_value, re.findall(r'"(?:\\.|[^"\\])*"', match[2])))
-        constants.setdefault((file.name if file.name != "src/option_names.hpp" else "option", match[1]), value)
+        constants.setdefault((file.name, match[1]), value)
 
 
 def constant(file, expression):
-    if expression.startswith("option::"):
-        return constants.get(("option", expression[8:]))
     return constants.get((file.name, expression)) if re.fullmatch(r"\w+", expression) else None
 
 

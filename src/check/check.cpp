@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -15,7 +14,6 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "run/curve_pipeline.hpp"
 #include "sample/fields.hpp"
 #include "sample/places.hpp"
@@ -305,9 +303,8 @@ class Checker {
 void require_columns(const Comparison& comparison, const ComparisonInputs& inputs) {
   std::vector<std::string> known{inputs.place_name()};
   for (const MatchedColumn& column : inputs.columns.compared) known.push_back(column.name);
-  for (const auto& [name, tolerances] :
-       {std::pair{option::abs, &comparison.abs}, std::pair{option::rel, &comparison.rel},
-        std::pair{option::ulp, &comparison.ulp}}) {
+  for (const auto& [name, tolerances] : {std::pair{"--abs", &comparison.abs}, std::pair{"--rel", &comparison.rel},
+                                         std::pair{"--ulp", &comparison.ulp}}) {
     for (const Tolerance& tolerance : *tolerances) {
       if (tolerance.column.empty() || std::ranges::count(known, tolerance.column) > 0) continue;
       throw usage_error("no column {} is compared; expected one of {}{}", in_quotes(tolerance.column), listed(known),

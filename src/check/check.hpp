@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "check/comparison.hpp"
+#include "check/compare_job.hpp"
 #include "check/inputs.hpp"
 #include "tcb/spline/key.hpp"
 
@@ -56,7 +56,6 @@ struct ComparisonSummary {
   std::vector<std::string> problems;  ///< of columns, curves and rows, besides the numbers
 };
 
-/// The result of a check for one column.
 struct ColumnCheck {
   std::string name;
   std::uint64_t mismatches = 0;

@@ -1,16 +1,48 @@
-// Compare job: checks samples, or identifies the rules that made them, from both files to the report.
+// Compare job: which samples are compared with which curves, how close they have to be, and the report.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "check/comparison.hpp"
 #include "error.hpp"
+#include "numbers/print_number.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
+#include "schema/columns.hpp"
+#include "schema/curve_settings.hpp"
 #include "schema/format.hpp"
+#include "write/writer_options.hpp"
 
 namespace tcb {
+
+struct EarlierOutput;
+
+/// The samples that a file should have, no fewer and no more.
+struct ExpectedSamples {
+  SampleOptions samples;
+  std::optional<MetricSetting> metric = {};  ///< over which they are placed, if the keys have none
+  Notation notation = {};                    ///< of the numbers in the file
+  std::optional<TimeZero> time_zero = {};    ///< from which the times in the file count
+};
+
+/// A request to compare the samples in a file with the curves of keys.
+struct Comparison {
+  std::string keys_file;  ///< "-" is standard input
+  KeyOptions keys;
+  std::string file;                      ///< of the samples; "-" is standard input
+  std::vector<Renaming> maps;            ///< of its columns
+  std::vector<Tolerance> abs, rel, ulp;  ///< a number has to be within one of the three
+  std::vector<std::size_t> fields;  ///< that are compared, as indices into fields(); none: all that the samples have
+  bool from_left = true;            ///< a sample at a key is on the segment before it, not on the one after
+  ThreadOptions threads;
+  std::optional<TimeZero> time_zero = {};  ///< from which the times of samples count; nothing: that of the provenance
+  std::optional<ExpectedSamples> expected = {};  ///< nothing: those of the provenance, if the file has one
+  /// The samples that provenance records; nothing if they cannot be known. Null: provenance is not read.
+  std::function<std::optional<ExpectedSamples>(const EarlierOutput&)> recorded = {};
+};
 
 /// A report on samples.
 struct CompareJob {

@@ -6,7 +6,6 @@
 #include <set>
 #include <tuple>
 
-#include "option_names.hpp"
 #include "sample/fields.hpp"
 #include "tcb/spline/rules.hpp"
 
@@ -231,7 +230,7 @@ std::string ends_of(const Convention& convention) {
 
 CurveSettings settings_of(const Convention& convention, CurveSettings others, const ComparedParts& parts) {
   others.tangents = convention.tangents;
-  if (!parts.closed) others.ends = {{{convention.start}, {convention.end}}, {option::ends}};
+  if (!parts.closed) others.ends = {{{convention.start}, {convention.end}}, {"--ends"}};
   others.equal_speed = convention.equal_speed;
   others.timing = convention.timing;
   if (convention.rotation_curve) others.rotation_curve = convention.rotation_curve;

@@ -46,7 +46,6 @@ struct Convention {
   spline::Timing timing = spline::Timing::even;
 };
 
-/// What is compared.
 struct ComparedParts {
   bool closed = false;                                      ///< curves without ends
   bool may_be_timed = true;                                 ///< keys can have monotone timing

@@ -17,7 +17,6 @@
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "numbers/decimal_time.hpp"
-#include "option_names.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
 #include "stream/source.hpp"
@@ -59,7 +58,6 @@ Names names_of(const Fields& chosen, const Schema& keys) {
   return names;
 }
 
-/// The index of each name.
 using ColumnIndex = std::unordered_map<std::string_view, std::size_t>;
 
 std::optional<std::size_t> index_of(const ColumnIndex& index, std::string_view name) {
@@ -122,8 +120,7 @@ class Matcher {
     if (table_.timed || result_.by_length) return;
     throw data_error(
         "there is no column of times or arc lengths: the columns are {}; expected \"{}\", or \"s\" for arc lengths; "
-        "add "
-        "such a column, or rename one",
+        "add such a column, or rename one",
         listed(table_.columns), keys_.time.name);
   }
 
@@ -161,7 +158,7 @@ class Matcher {
       result_.ignored.insert(result_.ignored.end(), unknown.begin(), unknown.end());
     else if (!unknown.empty())
       result_.problems.push_back(
-          fmt::format("columns of no field: {}; give the fields to compare with {}", listed(unknown), option::fields));
+          fmt::format("columns of no field: {}; give the fields to compare with --fields", listed(unknown)));
   }
 
   const SampleTable& table_;
@@ -181,7 +178,6 @@ std::optional<std::size_t> columns_before_time(const Fields& fields, const Schem
   return names_of({fields.begin(), time}, keys).size();
 }
 
-/// Matches columns by their order.
 MatchedColumns match_by_order(const SampleTable& table, const Schema& keys, const Fields& given) {
   const Fields chosen = given.empty() ? Fields{field_of("time"), field_of("position")} : given;
   const Names names = names_of(chosen, keys);
@@ -191,16 +187,15 @@ MatchedColumns match_by_order(const SampleTable& table, const Schema& keys, cons
   if (names.size() != columns) {
     throw data_error(
         "there are {} columns without names; expected {}: {}; name the columns in a first row, or list their fields "
-        "with "
-        "{}",
-        columns, names.size(), listed(names), option::fields);
+        "with --fields",
+        columns, names.size(), listed(names));
   }
   const auto time = columns_before_time(chosen, keys);
   const auto length = time ? std::nullopt : index_of(names, "s");
   if (!time && !length) {
     throw usage_error(
         "the fields give no times or arc lengths; expected the field time or s; add it at the position of its column")
-        .about(option::fields);
+        .about("--fields");
   }
   result.place = length;
   result.by_length = length.has_value();

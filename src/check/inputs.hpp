@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "check/comparison.hpp"
+#include "check/compare_job.hpp"
 #include "error.hpp"
 #include "keys/curves.hpp"
 #include "read/earlier_output.hpp"

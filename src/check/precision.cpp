@@ -74,7 +74,6 @@ void append_row(GivenSamples& to, const GivenSamples& from, std::size_t row, con
   copy(to.allowances, from.allowances, inputs.columns.compared.size());
 }
 
-/// The first keys of a curve.
 KeptKeys beginning_of(const KeptKeys& curve) {
   KeptKeys cut{curve.group, curve.curve_info, {}};
   std::size_t left = most_keys;

@@ -52,7 +52,7 @@ bool any_field(const Typed& typed, Predicate predicate) {
 
 bool needs_all_channels(const Typed& typed) {
   const bool times_of_distances = typed.keys.rules.parameter && typed.keys.rules.parameter->exponent != 0;
-  return typed.has(option::equal_speed) || times_of_distances;
+  return typed.has("--equal-speed") || times_of_distances;
 }
 
 bool extends_curve(const Typed& typed) {
@@ -61,8 +61,8 @@ bool extends_curve(const Typed& typed) {
 
 /// The curve is extended, but all samples are on it, as with steps and counts without a range in time.
 bool stays_on_curve(const Typed& typed) {
-  const bool has_range_of_times = !by_length(typed.sampling.mode) && (typed.has(option::from) || typed.has(option::to));
-  return extends_curve(typed) && !typed.has(option::at) && !has_range_of_times;
+  const bool has_range_of_times = !by_length(typed.sampling.mode) && (typed.has("--from") || typed.has("--to"));
+  return extends_curve(typed) && !typed.has("--at") && !has_range_of_times;
 }
 
 bool has_one_mark_for_two(const Typed& typed) {
@@ -74,182 +74,149 @@ constexpr std::string_view report_reason = ", which takes the samples of its fil
 constexpr std::string_view limits_reason = ", which prints a report on whole curves";
 constexpr std::string_view picture_reason = ", which draws the curve and has no rows";
 
-constexpr Options range_options{option::from, option::to, option::end, option::keys, option::max_rows};
-constexpr Options place_options{option::from, option::to, option::end, option::keys};
-constexpr Options options_of_rows{option::output_dir,
-                                  option::files,
-                                  option::meta,
-                                  option::explain,
-                                  option::progress,
-                                  option::digits,
-                                  option::fixed,
-                                  option::golden,
-                                  option::exact_input,
-                                  option::hex,
-                                  option::no_output_header,
-                                  option::output_delimiter,
-                                  option::output_decimal,
-                                  option::like_input,
-                                  option::file_column,
-                                  option::time_format};
-constexpr Options options_without_picture{option::rotation_output,
-                                          option::emit,
-                                          option::fields,
-                                          option::side,
-                                          option::digits,
-                                          option::fixed,
-                                          option::golden,
-                                          option::exact_input,
-                                          option::meta,
-                                          option::hex,
-                                          option::no_output_header,
-                                          option::output_delimiter,
-                                          option::output_decimal,
-                                          option::like_input,
-                                          option::time_zero};
+constexpr Options range_options{"--from", "--to", "--end", "--keys", "--max-rows"};
+constexpr Options place_options{"--from", "--to", "--end", "--keys"};
+constexpr Options options_of_rows{
+    "--output-dir",     "--files",      "--meta",        "--explain",    "--progress",         "--digits",
+    "--fixed",          "--golden",     "--exact-input", "--hex",        "--no-output-header", "--output-delimiter",
+    "--output-decimal", "--like-input", "--file-column", "--time-format"};
+constexpr Options options_without_picture{
+    "--rotation-output", "--emit",        "--fields",   "--side", "--digits",           "--fixed",
+    "--golden",          "--exact-input", "--meta",     "--hex",  "--no-output-header", "--output-delimiter",
+    "--output-decimal",  "--like-input",  "--time-zero"};
 
 /// The conflicts, in the order of the options. Where several apply, an error is about the first.
 constexpr Conflict conflicts[] = {
-    {{option::null}, needs, {option::files}},
-    {{option::recursive, option::suffix, option::update, option::fail_fast},
-     needs,
-     {option::output_dir},
-     ", an output for each file"},
+    {{"--null"}, needs, {"--files"}},
+    {{"--recursive", "--suffix", "--update", "--fail-fast"}, needs, {"--output-dir"}, ", an output for each file"},
 
-    {{option::check}, excludes, {option::identify}},
-    {{option::abs, option::rel, option::ulp}, needs, {option::check}},
-    {{option::map}, needs, {option::check, option::identify}},
-    {{option::check}, disables, {option::emit, option::fit}, report_reason},
-    {{option::check}, disables, range_options, report_reason, has_no_samples},
-    {{option::identify}, disables, sampling_options, report_reason},
-    {{option::identify}, disables, range_options, report_reason},
-    {{option::check, option::identify}, disables, options_of_rows, report_reason},
-    {{option::check, option::identify},
+    {{"--check"}, excludes, {"--identify"}},
+    {{"--abs", "--rel", "--ulp"}, needs, {"--check"}},
+    {{"--map"}, needs, {"--check", "--identify"}},
+    {{"--check"}, disables, {"--emit", "--fit"}, report_reason},
+    {{"--check"}, disables, range_options, report_reason, has_no_samples},
+    {{"--identify"}, disables, sampling_options, report_reason},
+    {{"--identify"}, disables, range_options, report_reason},
+    {{"--check", "--identify"}, disables, options_of_rows, report_reason},
+    {{"--check", "--identify"},
      disables,
-     {option::output_format, option::plot},
+     {"--output-format", "--plot"},
      ", whose report is text, json or svg",
      writes_no_report},
-    {{option::identify},
+    {{"--identify"},
      disables,
-     {option::preset, option::tangents, option::ends, option::equal_speed, option::no_overshoot, option::side},
+     {"--preset", "--tangents", "--ends", "--equal-speed", "--no-overshoot", "--side"},
      ", which tries all rules on positions"},
-    {{option::limits}, excludes, {option::check, option::identify}},
-    {{option::limits},
+    {{"--limits"}, excludes, {"--check", "--identify"}},
+    {{"--limits"}, disables, sampling_options, limits_reason, prints_limits},
+    {{"--limits"},
      disables,
-     {option::exact_input},
-     ", which measures the curve through the doubles nearest to the numbers"},
-    {{option::limits}, disables, sampling_options, limits_reason, prints_limits},
-    {{option::limits},
-     disables,
-     {option::fields, option::side, option::end, option::keys, option::max_rows, option::extrapolate},
+     {"--fields", "--side", "--end", "--keys", "--max-rows", "--extrapolate"},
      limits_reason,
      prints_limits},
-    {{option::limits}, disables, options_of_rows, limits_reason, prints_limits},
-    {{option::limits},
+    {{"--limits"}, disables, options_of_rows, limits_reason, prints_limits},
+    {{"--limits"},
      disables,
-     {option::output_format, option::plot},
+     {"--output-format", "--plot"},
      ", whose report is text, json or svg",
      [](const Typed& typed) { return prints_limits(typed) && writes_no_report(typed); }},
-    {{option::retime}, needs, {option::limits}},
-    {{option::retime}, disables, {option::fit, option::explain}, ", which prints samples"},
-    {{option::retime}, disables, {option::output_dir, option::files}, ", which computes the times of one file"},
+    {{"--retime"}, needs, {"--limits"}},
+    {{"--retime"}, excludes, {"--max-gap"}, ", whose gaps would have other lengths"},
+    {{"--retime"}, disables, {"--fit", "--explain"}, ", which prints samples"},
+    {{"--retime"}, disables, {"--exact-input", "--output-dir", "--files"}, ", which computes the times of one file"},
 
-    {{option::input_format},
+    {{"--input-format"},
      disables,
-     {option::delimiter, option::header, option::no_header, option::comment, option::skip_lines, option::units,
-      option::decimal, option::thousands},
+     {"--delimiter", "--header", "--no-header", "--comment", "--skip-lines", "--units", "--decimal", "--thousands"},
      "",
      [](const Typed& typed) { return !typed.keys.input.format->has_marks; }},
-    {{option::delimiter},
+    {{"--delimiter"},
      excludes,
-     {option::decimal},
+     {"--decimal"},
      "",
      [](const Typed& typed) {
        const DelimitedOptions& text = typed.keys.input.delimited;
        return text.marks.decimal == ',' && text.delimiter == ',';
      }},
-    {{option::header}, excludes, {option::no_header}},
-    {{option::thousands}, needs, {option::decimal}, ", as the point is the decimal mark", has_one_mark_for_two},
-    {{option::thousands}, excludes, {option::decimal}, ", as it would be both", has_one_mark_for_two},
-    {{option::missing},
+    {{"--header"}, excludes, {"--no-header"}},
+    {{"--thousands"}, needs, {"--decimal"}, ", as the point is the decimal mark", has_one_mark_for_two},
+    {{"--thousands"}, excludes, {"--decimal"}, ", as it would be both", has_one_mark_for_two},
+    {{"--missing"},
      excludes,
-     {option::equal_speed, option::parameter},
+     {"--equal-speed", "--parameter"},
      ", as all channels are needed at each key",
      [](const Typed& typed) {
        return typed.keys.input.keys.missing == Missing::skip_cell && needs_all_channels(typed);
      }},
-    {{option::max_gap}, excludes, {option::closed, option::period}},
-    {{option::max_gap}, excludes, {option::identify}, ", which tries rules on whole curves"},
-    {{option::time_unit}, excludes, {option::input_fps}},
-    {{option::angles}, needs, {option::rotation, option::rotation_output}, ", which tells where angles are"},
+    {{"--max-gap"}, excludes, {"--closed", "--period"}},
+    {{"--max-gap"}, excludes, {"--identify"}, ", which tries rules on whole curves"},
+    {{"--time-unit"}, excludes, {"--input-fps"}},
+    {{"--angles"}, needs, {"--rotation", "--rotation-output"}, ", which tells where angles are"},
 
-    {{option::metric}, has_no_effect, {}, ", as no length or speed is requested", needs_no_metric},
+    {{"--metric"}, has_no_effect, {}, ", as no length or speed is requested", needs_no_metric},
 
     {sampling_options, excludes, sampling_options},
-    {{option::count, option::segments, option::arc_count}, disables, {option::end}},
-    {{option::per_segment, option::at, option::arc_at}, disables, place_options},
-    {{option::tolerance}, disables, {option::from, option::to, option::end}},
-    {{option::emit}, disables, {option::end, option::keys}},
-    {{option::emit}, disables, {option::extrapolate}, ", whose pieces lie between keys", extends_curve},
-    {{option::fit},
+    {{"--count", "--segments", "--arc-count"}, disables, {"--end"}},
+    {{"--per-segment", "--at", "--arc-at"}, disables, place_options},
+    {{"--tolerance"}, disables, {"--from", "--to", "--end"}},
+    {{"--emit"}, disables, {"--end", "--keys"}},
+    {{"--emit"}, disables, {"--extrapolate"}, ", whose pieces lie between keys", extends_curve},
+    {{"--fit"},
      disables,
-     {option::tcb,         option::tcb_scale,      option::rotation_output,
-      option::preset,      option::tangents,       option::ends,
-      option::closed,      option::period,         option::equal_speed,
-      option::parameter,   option::rotation_curve, option::no_ease,
-      option::extrapolate, option::from,           option::to,
-      option::end,         option::keys,           option::max_rows,
-      option::fields,      option::side,           option::golden,
-      option::exact_input, option::rename,         option::no_overshoot},
+     {"--tcb",         "--tcb-scale",      "--rotation-output",
+      "--preset",      "--tangents",       "--ends",
+      "--closed",      "--period",         "--equal-speed",
+      "--parameter",   "--rotation-curve", "--no-ease",
+      "--extrapolate", "--from",           "--to",
+      "--end",         "--keys",           "--max-rows",
+      "--fields",      "--side",           "--golden",
+      "--exact-input", "--rename",         "--no-overshoot"},
      ", which prints keys with the default rules"},
-    {{option::fit},
-     disables,
-     {option::digits, option::fixed},
-     ", whose numbers have the digits that the tolerance needs"},
-    {{option::fit}, excludes, {option::plot, option::explain}},
-    {sampling_options, disables, {option::extrapolate}, " alone, whose samples are on the curve", stays_on_curve},
-    {{option::fit_keys, option::keep_times, option::corner}, needs, {option::fit}},
+    {{"--fit"}, disables, {"--digits", "--fixed"}, ", whose numbers have the digits that the tolerance needs"},
+    {{"--fit"}, excludes, {"--plot", "--explain"}},
+    {sampling_options, disables, {"--extrapolate"}, " alone, whose samples are on the curve", stays_on_curve},
+    {{"--fit-keys", "--keep-times", "--corner"}, needs, {"--fit"}},
 
-    {{option::output}, excludes, {option::output_dir}},
-    {{option::output_format}, excludes, {option::plot}},
-    {{option::output_format}, disables, options_without_picture, picture_reason, writes_picture},
-    {{option::output_format},
+    {{"--output"}, excludes, {"--output-dir"}},
+    {{"--output-format"}, excludes, {"--plot"}},
+    {{"--output-format"}, disables, options_without_picture, picture_reason, writes_picture},
+    {{"--output-format"},
      disables,
-     {option::digits, option::fixed, option::hex},
+     {"--digits", "--fixed", "--hex"},
      ", which holds the doubles themselves",
      writes_array},
-    {{option::output_format}, disables, {option::time_format}, ", which holds numbers only", writes_array},
-    {{option::output_format}, disables, {option::hex}, ", which has no hexadecimal numbers", writes_no_text},
-    {{option::output_format}, disables, {option::no_output_header}, ", which has no line of names", writes_no_text},
-    {{option::output_format},
+    {{"--output-format"}, disables, {"--time-format"}, ", which holds numbers only", writes_array},
+    {{"--output-format"}, disables, {"--hex"}, ", which has no hexadecimal numbers", writes_no_text},
+    {{"--output-format"}, disables, {"--no-output-header"}, ", which has no line of names", writes_no_text},
+    {{"--output-format"},
      disables,
-     {option::meta},
+     {"--meta"},
      ", which has no comments",
      [](const Typed& typed) { return !typed.output.format->has_provenance; }},
-    {{option::output_format},
+    {{"--output-format"},
      disables,
-     {option::fields, option::emit, option::fit, option::rotation_output, option::time_format, option::file_column,
-      option::output_delimiter, option::output_decimal, option::like_input},
+     {"--fields", "--emit", "--fit", "--rotation-output", "--time-format", "--file-column", "--output-delimiter",
+      "--output-decimal", "--like-input"},
      ", whose rows are poses",
      writes_poses},
-    {{option::output_format},
+    {{"--output-format"},
      disables,
-     {option::fields, option::fit, option::rotation_output, option::digits, option::fixed, option::time_format,
-      option::file_column, option::output_delimiter, option::output_decimal, option::like_input},
+     {"--fields", "--fit", "--rotation-output", "--digits", "--fixed", "--time-format", "--file-column",
+      "--output-delimiter", "--output-decimal", "--like-input"},
      ", which is an animation",
      writes_scene},
-    {{option::output_format},
+    {{"--output-format"},
      disables,
-     {option::emit},
+     {"--emit"},
      ", whose pieces have the form hermite",
      [](const Typed& typed) { return writes_scene(typed) && typed.form && *typed.form != field_of("hermite"); }},
-    {{option::output_format},
+    {{"--output-format"},
      disables,
-     {option::fields, option::fit, option::rotation_output, option::hex, option::time_format, option::file_column,
-      option::output_delimiter, option::output_decimal, option::like_input},
+     {"--fields", "--fit", "--rotation-output", "--hex", "--time-format", "--file-column", "--output-delimiter",
+      "--output-decimal", "--like-input"},
      ", whose rows are polynomials",
      writes_pieces},
-    {{option::output_format},
+    {{"--output-format"},
      disables,
      sampling_options,
      ", whose rows have the form poly8",
@@ -257,72 +224,68 @@ constexpr Conflict conflicts[] = {
        const bool has_form = typed.sampling.mode == Mode::emit && *typed.form == field_of("poly8");
        return writes_pieces(typed) && !has_form;
      }},
-    {{option::plot}, disables, options_without_picture, picture_reason, writes_picture},
-    {{option::fields},
+    {{"--plot"}, disables, options_without_picture, picture_reason, writes_picture},
+    {{"--fields"},
      excludes,
-     {option::emit},
+     {"--emit"},
      ", as a piece has the fields s and length only",
      [](const Typed& typed) {
        return any_field(typed, [](const Field& field) { return !field.of_piece && field.name != "s"; });
      }},
-    {{option::fields},
+    {{"--fields"},
      needs,
-     {option::emit},
+     {"--emit"},
      ", for the length of each piece",
      [](const Typed& typed) { return any_field(typed, [](const Field& field) { return field.of_piece; }); }},
-    {{option::side},
+    {{"--side"},
      has_no_effect,
      {},
      " on these fields, which are the same on both sides",
      [](const Typed& typed) {
-       if (is_comparison(typed) && !typed.has(option::fields)) return false;  // it may have any field
+       if (is_comparison(typed) && !typed.has("--fields")) return false;  // it may have any field
        return !any_field(typed, [](const Field& field) { return field.has_side; });
      }},
-    {{option::digits}, excludes, {option::fixed, option::hex}},
-    {{option::digits},
+    {{"--digits"}, excludes, {"--fixed", "--hex"}},
+    {{"--digits"},
      needs,
-     {option::golden},
+     {"--golden"},
      ", as a double has 17 significant digits",
      [](const Typed& typed) { return typed.output.notation.count > digits_of_double; }},
-    {{option::fixed}, excludes, {option::hex}},
-    {{option::golden},
+    {{"--fixed"}, excludes, {"--hex"}},
+    {{"--golden"},
      excludes,
-     {option::fields},
+     {"--fields"},
      ", as the exact s has no error",
      [](const Typed& typed) { return any_field(typed, [](const Field& field) { return !field.is_exact; }); }},
-    {{option::exact_input}, needs, {option::golden}},
-    {{option::output_delimiter}, has_no_effect, {}, " on a format other than csv", writes_no_csv},
-    {{option::output_delimiter}, excludes, {option::like_input}},
-    {{option::output_decimal}, has_no_effect, {}, " on a format that is not delimited text", writes_no_text},
-    {{option::output_decimal}, excludes, {option::like_input, option::hex}},
-    {{option::output_decimal},
+    {{"--exact-input"}, needs, {"--golden"}},
+    {{"--output-delimiter"}, has_no_effect, {}, " on a format other than csv", writes_no_csv},
+    {{"--output-delimiter"}, excludes, {"--like-input"}},
+    {{"--output-decimal"}, has_no_effect, {}, " on a format that is not delimited text", writes_no_text},
+    {{"--output-decimal"}, excludes, {"--like-input", "--hex"}},
+    {{"--output-decimal"},
      needs,
-     {option::output_delimiter},
+     {"--output-delimiter"},
      ", as the comma is the delimiter of csv",
      [](const Typed& typed) {
        const bool is_comma = typed.output.format->delimiter == ',';
        return typed.output.decimal == ',' && !typed.output.delimiter && is_comma;
      }},
-    {{option::output_decimal},
+    {{"--output-decimal"},
      excludes,
-     {option::output_delimiter},
+     {"--output-delimiter"},
      ", as the comma cannot be both",
      [](const Typed& typed) { return typed.output.decimal == ',' && typed.output.delimiter == ','; }},
-    {{option::like_input}, has_no_effect, {}, " on a format other than csv", writes_no_csv},
-    {{option::like_input}, excludes, {option::hex}},
-    {{option::time_format},
+    {{"--like-input"}, has_no_effect, {}, " on a format other than csv", writes_no_csv},
+    {{"--like-input"}, excludes, {"--hex"}},
+    {{"--time-format"},
      needs,
-     {option::input_fps},
+     {"--input-fps"},
      ", the rate of the frames",
      [](const Typed& typed) { return typed.output.time_notation && counts_frames(*typed.output.time_notation); }},
-    {{option::axes, option::title, option::size},
-     has_no_effect,
-     {},
-     " on an output that is not a picture",
-     writes_no_picture},
+    {{"--axes", "--title", "--size"}, has_no_effect, {}, " on an output that is not a picture", writes_no_picture},
 
-    {{option::explain}, disables, {option::meta}, ", which prints no rows"},
-    {{option::progress}, excludes, {option::no_progress, option::quiet}},
+    {{"--explain"}, disables, {"--meta"}, ", which prints no rows"},
+    {{"--progress"}, excludes, {"--no-progress", "--quiet"}},
 };
 
 /// A name, with the value if the conflict depends on values.
@@ -359,13 +322,13 @@ bool has_sampling_option(const TypedOptions& typed) {
   return std::ranges::any_of(sampling_options, [&](std::string_view option) { return typed.has(option); });
 }
 
-bool is_comparison(const TypedOptions& typed) { return typed.has(option::check) || typed.has(option::identify); }
-bool prints_limits(const TypedOptions& typed) { return typed.has(option::limits) && !typed.has(option::retime); }
+bool is_comparison(const TypedOptions& typed) { return typed.has("--check") || typed.has("--identify"); }
+bool prints_limits(const TypedOptions& typed) { return typed.has("--limits") && !typed.has("--retime"); }
 
 bool needs_no_metric(const TypedOptions& typed) {
-  const bool by_metric = by_length(typed.sampling.mode) || typed.has(option::tolerance) || typed.has(option::fit) ||
-                         needs_all_channels(typed);
-  return !is_comparison(typed) && !typed.has(option::limits) && !writes_picture(typed) && !by_metric &&
+  const bool by_metric =
+      by_length(typed.sampling.mode) || typed.has("--tolerance") || typed.has("--fit") || needs_all_channels(typed);
+  return !is_comparison(typed) && !typed.has("--limits") && !writes_picture(typed) && !by_metric &&
          !any_field(typed, [](const Field& field) { return field.needs_lengths || field.over_metric; });
 }
 

@@ -240,7 +240,6 @@ std::string escaped(std::string_view text) {
   return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
-/// All options in the order of option_groups.
 std::vector<const OptionRow*> rows_by_group() {
   std::vector<const OptionRow*> rows;
   for (const std::string_view group : option_groups) {

@@ -9,16 +9,14 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "check/comparison.hpp"
+#include "check/compare_job.hpp"
 #include "fit/fit_options.hpp"
 #include "formats/formats.hpp"
 #include "io/input_list.hpp"
 #include "io/terminal.hpp"
 #include "limits/limit_options.hpp"
-#include "option_names.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
 #include "write/writer_options.hpp"
@@ -44,7 +42,7 @@ struct PlacesOption {
 };
 
 /// The values of the options, each by itself; make_job decides what they mean together. An option is identified by its
-/// name, a constant of option_names.hpp.
+/// long name.
 struct TypedOptions {
   InputListOptions files;
   bool fail_fast = false;
@@ -69,9 +67,7 @@ struct TypedOptions {
   void give(std::string_view option, std::string value = {});
 
   /// Whether a text is printed, so that no other value is read.
-  bool wants_text() const {
-    return has(option::help) || has(option::list_presets) || has(option::version) || generated;
-  }
+  bool wants_text() const { return has("--help") || has("--list-presets") || has("--version") || generated; }
 
  private:
   struct Given {
@@ -111,9 +107,9 @@ enum class ValueKind {
   other,
 };
 
-/// An option. To add one: its name in option_names.hpp, and its row in the table.
+/// An option. To add one: its row in the table.
 struct OptionRow {
-  std::string_view name;        ///< a constant of option_names.hpp
+  std::string_view name;        ///< as in "--step", which identifies it
   std::string_view other_name;  ///< a letter such as "-s", a second long name, or empty
   std::string_view value;       ///< what the help calls its value; empty for a flag
   std::string_view group;
@@ -142,9 +138,8 @@ const OptionRow& row_of(std::string_view name);
 
 /// The options that place the samples.
 inline constexpr std::initializer_list<std::string_view> sampling_options{
-    option::step,        option::rate, option::fps,      option::count,     option::segments,
-    option::per_segment, option::at,   option::arc_step, option::arc_count, option::arc_at,
-    option::tolerance,   option::emit, option::fit};
+    "--step",     "--rate",      "--fps",    "--count",     "--segments", "--per-segment", "--at",
+    "--arc-step", "--arc-count", "--arc-at", "--tolerance", "--emit",     "--fit"};
 
 bool has_sampling_option(const TypedOptions& typed);
 

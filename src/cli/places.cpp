@@ -13,7 +13,6 @@
 #include "keys/curves.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
@@ -76,8 +75,8 @@ class PlaceNumbers {
                         in_quotes(text));
     const Rational steps = floor((last - first) / step);
     if (steps >= most_places)
-      throw usage_error("{} is a range of more than {} numbers; expected fewer; give {}, {} and {} instead",
-                        in_quotes(text), most_places, option::from, option::to, option::step);
+      throw usage_error("{} is a range of more than {} numbers; expected fewer; give --from, --to and --step instead",
+                        in_quotes(text), most_places);
     for (std::uint64_t i = 0; i <= whole_number(steps); ++i) places_.list.push_back(first + step * i);
   }
 
@@ -208,8 +207,8 @@ void store_places(TypedOptions& typed, std::string_view option, const std::strin
   PlaceNumbers numbers(typed.keys.input.units);
   for (const std::string_view item : split(listed, ',')) numbers.add(item);
   NumberedPlaces places = numbers.take();
-  if (places.are_dates && option != option::at) throw usage_error("there are dates; expected numbers");
-  if (places.in_seconds && option == option::arc_at)
+  if (places.are_dates && option != "--at") throw usage_error("there are dates; expected numbers");
+  if (places.in_seconds && option == "--arc-at")
     throw usage_error(
         "a unit of time is given, but samples are placed by arc length; expected a length without a unit");
   typed.places.list = std::move(places.list);
@@ -222,11 +221,10 @@ void read_place_column(TypedOptions& typed) {
   GroupedPlaces places = in_file(column.path, [&] { return read_places(column, typed.keys.input); });
   const auto alone = places.find({});
   if (alone == places.end()) {
-    if (typed.has(option::meta))
+    if (typed.has("--meta"))
       throw usage_error(
-          "the column has different numbers for each group, which {} cannot record; expected the same numbers for all "
-          "groups; remove {}, or list the numbers",
-          option::meta, option::meta)
+          "the column has different numbers for each group, which --meta cannot record; expected the same numbers for "
+          "all groups; remove --meta, or list the numbers")
           .about(column.option);
     typed.places.grouped = std::move(places);
     return;

@@ -1,8 +1,6 @@
 // Plan: from arguments to typed options, and from these to the job of a product.
 #include "cli/plan.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -14,9 +12,8 @@
 #include "io/input_file.hpp"
 #include "io/input_list.hpp"
 #include "io/system.hpp"
-#include "option_names.hpp"
 #include "read/earlier_output.hpp"
-#include "read/input_format.hpp"
+#include "read/input.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/table.hpp"
 #include "schema/pose_formats.hpp"
@@ -27,10 +24,10 @@ namespace tcb {
 namespace {
 
 std::string asked_text(const TypedOptions& typed, const std::vector<std::string>& words) {
-  const bool is_long = std::ranges::count(words, option::help) > 0;
-  if (typed.has(option::help)) return is_long ? help_text() : short_help_text();
-  if (typed.has(option::list_presets)) return presets_text();
-  if (typed.has(option::version)) return version_text();
+  const bool is_long = std::ranges::count(words, "--help") > 0;
+  if (typed.has("--help")) return is_long ? help_text() : short_help_text();
+  if (typed.has("--list-presets")) return presets_text();
+  if (typed.has("--version")) return version_text();
   require_no_input_replaced("-", typed.files.files);
   return generated_text(*typed.generated, typed.files.files);
 }
@@ -45,20 +42,22 @@ void set_output_format(TypedOptions& typed, bool earlier) {
   const std::string other(other_ending(path));
   if (named == nullptr && !other.empty()) {
     throw usage_error(
-        "{} {}: {} is not an output format; expected one of {}; choose another ending, and convert the file afterwards",
-        option::output, path, other, listed(output_endings()));
+        "--output {}: {} is not an output format; expected one of {}; choose another ending, and convert the file "
+        "afterwards",
+        path, other, listed(output_endings()));
   }
   if (named == nullptr || (is_report && !named->has_reports)) return;
-  if (typed.has(option::output_format) || typed.has(option::plot) || earlier) {
+  if (typed.has("--output-format") || typed.has("--plot") || earlier) {
     if (named->ending != typed.output.format->ending) {
-      throw usage_error("the ending of {} {} means {}, but {} is {}; expected the same format; change one of them",
-                        option::output, path, named->name, option::output_format, typed.output.format->name);
+      throw usage_error(
+          "the ending of --output {} means {}, but --output-format is {}; expected the same format; change one of them",
+          path, named->name, typed.output.format->name);
     }
     return;
   }
   if (named == &formats().front()) return;  // as without the ending
   typed.output.format = named;
-  typed.give(option::output_format, std::string(named->name));
+  typed.give("--output-format", std::string(named->name));
 }
 
 // The options that provenance records, and those of an earlier output.
@@ -87,8 +86,8 @@ std::string word_of(const OptionRow& row, const TypedOptions& typed) {
   if (row.kind != ValueKind::flag) word += "=" + typed.value(row.name);
   if (word.find_first_of("\r\n") != std::string::npos) {
     throw usage_error(
-        "the value has a line end, which {} cannot record; expected a value of one line; remove {}, or rename columns",
-        option::meta, option::meta)
+        "the value has a line end, which --meta cannot record; expected a value of one line; remove --meta, or rename "
+        "columns")
         .about(row.name);
   }
   return word;
@@ -110,8 +109,8 @@ void require_recorded(const std::vector<std::string>& words) {
     throw data_error(
         "the provenance has the file {} among its options; expected options only; remove it from the provenance",
         in_quotes(typed.files.files[0]));
-  if (!typed.has(option::meta))
-    throw data_error("the provenance lacks the option {}; expected all options of the run; add it", option::meta);
+  if (!typed.has("--meta"))
+    throw data_error("the provenance lacks the option --meta; expected all options of the run; add it");
 }
 
 /// The provenance of an output that is made with these options: its program, and all options that change a byte.
@@ -128,11 +127,11 @@ Provenance new_provenance(const TypedOptions& typed) {
 /// The provenance of the output to reproduce. Throws: Error (usage) if options are given that it has,
 /// or another number of files than it was made from; Error where it cannot be read.
 ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
-  const std::string from = typed.value(option::from_meta);
+  const std::string from = typed.value("--from-meta");
   for (const OptionRow& row : option_table()) {
     if (!row.changes_rows || !typed.has(row.name)) continue;
-    throw usage_error("{} is given with {}, which takes all options from {}; remove {}", row.name, option::from_meta,
-                      from, row.name);
+    throw usage_error("{} is given with --from-meta, which takes all options from {}; remove {}", row.name, from,
+                      row.name);
   }
   ProvenanceRequest request;
   request.from = from;
@@ -157,7 +156,7 @@ bool measures_all_channels(std::string_view program, const std::vector<std::stri
   const bool is_before =
       std::ranges::any_of(before, [&](std::string_view version) { return program.find(version) != std::string::npos; });
   const TypedOptions typed = is_before ? read_options(options) : TypedOptions();
-  return is_before && program != version_text() && !typed.has(option::metric) && !needs_no_metric(typed);
+  return is_before && program != version_text() && !typed.has("--metric") && !needs_no_metric(typed);
 }
 
 /// An output of pieces has the exact ones where no samples are requested.
@@ -165,7 +164,7 @@ void set_exact_pieces(TypedOptions& typed, std::string_view form) {
   typed.sampling.mode = Mode::emit;
   typed.sampling.count = 1;
   typed.form = field_of(form);
-  typed.give(option::emit, std::string(form));
+  typed.give("--emit", std::string(form));
 }
 
 /// Throws: Error (usage) if standard input would be read twice.
@@ -179,10 +178,9 @@ void require_one_reader(const TypedOptions& typed) {
           "the file and the keys are both standard input; expected it once; give a file name for one of them")
           .about(option);
   };
-  require(typed.files.list == "-" && names_input, option::files);
-  require(typed.places.from_input && (keys_from_input || samples_from_input),
-          typed.has(option::at) ? option::at : option::arc_at);
-  require(samples_from_input && keys_from_input, typed.has(option::check) ? option::check : option::identify);
+  require(typed.files.list == "-" && names_input, "--files");
+  require(typed.places.from_input && (keys_from_input || samples_from_input), typed.has("--at") ? "--at" : "--arc-at");
+  require(samples_from_input && keys_from_input, typed.has("--check") ? "--check" : "--identify");
 }
 
 /// Throws: Error (usage) for a range of samples that runs backwards.
@@ -191,22 +189,22 @@ void require_forward_range(const TypedOptions& typed) {
   const InSeconds& seconds = sampling.in_seconds;
   if (by_length(sampling.mode) && (seconds.from || seconds.to)) {
     throw usage_error("a unit of time is given, but samples are placed by arc length; expected a length without a unit")
-        .about(seconds.from ? option::from : option::to);
+        .about(seconds.from ? "--from" : "--to");
   }
   if (sampling.from && sampling.to && seconds.from == seconds.to && *sampling.to < *sampling.from) {
-    throw usage_error("{} {} is before {} {}; expected a later end; swap the two", option::to, typed.value(option::to),
-                      option::from, typed.value(option::from));
+    throw usage_error("--to {} is before --from {}; expected a later end; swap the two", typed.value("--to"),
+                      typed.value("--from"));
   }
 }
 
 Error no_sampling_option() {
-  return usage_error("there is no sampling option; expected one of {}; give one, as in tcbsample {} 0.1 keys.csv",
-                     listed(sampling_options), option::step);
+  return usage_error("there is no sampling option; expected one of {}; give one, as in tcbsample --step 0.1 keys.csv",
+                     listed(sampling_options));
 }
 
 /// Whether the input may be a camera path, which has frames of its own, so that no sampling option is needed.
 bool may_have_frames(const TypedOptions& typed) {
-  for (const std::string_view option : {option::fit, option::from, option::to, option::end, option::keys}) {
+  for (const std::string_view option : {"--fit", "--from", "--to", "--end", "--keys"}) {
     if (typed.has(option)) return false;
   }
   if (typed.keys.input.format != nullptr) return typed.keys.input.format->input->has_frames;
@@ -217,7 +215,7 @@ bool may_have_frames(const TypedOptions& typed) {
 
 /// Throws: Error (usage) unless a sampling option is given, and the range of the samples runs forwards.
 void require_samples(const TypedOptions& typed) {
-  const bool is_needed = !typed.has(option::plot) && !typed.has(option::explain) && !may_have_frames(typed);
+  const bool is_needed = !typed.has("--plot") && !typed.has("--explain") && !may_have_frames(typed);
   if (!has_sampling_option(typed) && is_needed) throw no_sampling_option();
   require_forward_range(typed);
 }
@@ -246,12 +244,12 @@ KeyOptions keys_of(const TypedOptions& typed) {
   KeyOptions keys = typed.keys;
   keys.input.has_shown_tcb_scale = shown_tcb_scale(spec.preset).has_value();
   keys.input.columns.timeless = keys.rules.parameter.has_value();
-  keys.input.keys.keeps_decimals = typed.has(option::exact_input);
+  keys.input.keys.keeps_decimals = typed.has("--exact-input");
   const auto positions = std::ranges::find(keys.input.columns.roles, Role::position, &RoleRequest::role);
   if (positions != keys.input.columns.roles.end()) {  // the numbers of requested rotations are positions as well
     for (const GivenRotation& rotation : keys.input.rotation.requests) {
       keys.input.columns.roles.push_back(
-          {.role = Role::position, .columns = rotation.columns, .option = option::rotation, .unless_taken = true});
+          {.role = Role::position, .columns = rotation.columns, .option = "--rotation", .unless_taken = true});
     }
   }
   if (typed.output.format->poses != nullptr) {
@@ -262,7 +260,7 @@ KeyOptions keys_of(const TypedOptions& typed) {
     keys.input.rotation.shown = spline::RotationNotation{};
     keys.input.rotation.shown_by_format = true;
   }
-  if (typed.has(option::tcb) && keys.input.keys.tcb_scale == TcbScale::max3ds) {
+  if (typed.has("--tcb") && keys.input.keys.tcb_scale == TcbScale::max3ds) {
     for (double* const value :
          {&keys.input.keys.tcb->tension, &keys.input.keys.tcb->continuity, &keys.input.keys.tcb->bias}) {
       *value = nearest_double(from_0_to_50(exact_time(Time(*value))));
@@ -274,7 +272,7 @@ KeyOptions keys_of(const TypedOptions& typed) {
 /// A row at a key has the values of the segment after it, unless no field can differ between the two. Without fields, a
 /// comparison may have any of them.
 bool is_from_left(const TypedOptions& typed, const std::vector<std::size_t>& chosen) {
-  if (typed.has(option::side)) return typed.sampling.from_left;
+  if (typed.has("--side")) return typed.sampling.from_left;
   return !chosen.empty() && std::ranges::none_of(chosen, [](std::size_t field) { return fields()[field].has_side; });
 }
 
@@ -290,7 +288,7 @@ std::vector<std::size_t> fields_of(const TypedOptions& typed) {
   }
   std::vector<std::size_t> chosen = typed.output.fields;
   if (typed.form) chosen.insert(chosen.begin(), {field_of("start"), field_of("duration"), *typed.form});
-  return chosen.empty() ? field_list(std::string(row_of(option::fields).default_value)) : chosen;
+  return chosen.empty() ? field_list(std::string(row_of("--fields").default_value)) : chosen;
 }
 
 SampleOptions samples_of(const TypedOptions& typed) {
@@ -302,15 +300,15 @@ SampleOptions samples_of(const TypedOptions& typed) {
   if (!has_sampling_option(typed)) {  // a picture has samples of its own, and an explanation mentions none
     samples.request.mode = Mode::segments;
     samples.request.count = 50;
-    const bool is_drawn = typed.output.format->is_picture || typed.has(option::explain);
+    const bool is_drawn = typed.output.format->is_picture || typed.has("--explain");
     if (!is_drawn && may_have_frames(typed)) samples.unless_frames = no_sampling_option();
   }
   return samples;
 }
 
 std::optional<GoldenOptions> golden_of(const TypedOptions& typed) {
-  if (!typed.has(option::golden)) return std::nullopt;
-  return GoldenOptions{typed.has(option::exact_input), typed.output.notation};
+  if (!typed.has("--golden")) return std::nullopt;
+  return GoldenOptions{typed.has("--exact-input"), typed.output.notation};
 }
 
 /// Throws: Error (usage) for rows that a terminal cannot show.
@@ -319,8 +317,8 @@ WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest
       typed.files.outputs.file == "-" && !typed.files.outputs.folder && system::is_terminal(system::standard_output);
   if (to_terminal && typed.output.format->is_binary) {
     throw usage_error(
-        "the format npy is binary, and standard output is a terminal; expected a file or a pipe; give {} FILE.npy",
-        option::output);
+        "the format npy is binary, and standard output is a terminal; expected a file or a pipe; give --output "
+        "FILE.npy");
   }
   WriterOptions rows = typed.output;
   rows.fields = fields_of(typed);
@@ -330,11 +328,11 @@ WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest
 }
 
 Verbosity verbosity_of(const TypedOptions& typed) {
-  const bool quiet = typed.has(option::quiet), terminal = system::is_terminal(system::standard_error);
+  const bool quiet = typed.has("--quiet"), terminal = system::is_terminal(system::standard_error);
   const bool to_file =
-      typed.has(option::output) || typed.has(option::output_dir) || !system::is_terminal(system::standard_output);
-  const bool by_default = to_file && !typed.has(option::no_progress) && !quiet;
-  const bool progress = terminal && (typed.has(option::progress) || by_default);
+      typed.has("--output") || typed.has("--output-dir") || !system::is_terminal(system::standard_output);
+  const bool by_default = to_file && !typed.has("--no-progress") && !quiet;
+  const bool progress = terminal && (typed.has("--progress") || by_default);
   return {quiet, terminal && !quiet, progress, colors_messages(typed.color)};
 }
 
@@ -349,8 +347,8 @@ std::optional<ExpectedSamples> recorded_samples(const EarlierOutput& earlier) {
   } catch (const Error&) {
     return std::nullopt;
   }
-  if (!has_sampling_option(typed) || typed.has(option::emit) || typed.has(option::fit)) return std::nullopt;
-  if (measures_all_channels(earlier.program, earlier.options)) typed.keys.rules.metric = {{"all"}, {option::metric}};
+  if (!has_sampling_option(typed) || typed.has("--emit") || typed.has("--fit")) return std::nullopt;
+  if (measures_all_channels(earlier.program, earlier.options)) typed.keys.rules.metric = {{"all"}, {"--metric"}};
   ExpectedSamples expected{samples_of(typed), typed.keys.rules.metric, typed.output.notation, typed.output.time_zero};
   SamplingRequest& request = expected.samples.request;
   const std::optional<TimeUnit>& unit = typed.keys.input.units.time;
@@ -362,8 +360,8 @@ std::optional<ExpectedSamples> recorded_samples(const EarlierOutput& earlier) {
 
 /// Throws: Error (usage) for several files of keys.
 CompareJob compare_job(const TypedOptions& typed) {
-  const bool identifies = typed.has(option::identify);
-  const InputListOptions files = one_file_of(typed, identifies ? option::identify : option::check);
+  const bool identifies = typed.has("--identify");
+  const InputListOptions files = one_file_of(typed, identifies ? "--identify" : "--check");
   Comparison comparison = typed.comparison;
   comparison.keys_file = files.files[0];
   comparison.keys = keys_of(typed);
@@ -383,14 +381,14 @@ CompareJob compare_job(const TypedOptions& typed) {
 
 /// Throws: Error (usage) for several files of keys.
 LimitsJob limits_job(const TypedOptions& typed) {
-  const InputListOptions files = one_file_of(typed, option::limits);
+  const InputListOptions files = one_file_of(typed, "--limits");
   require_forward_range(typed);
   return {files.files[0],      keys_of(typed), typed.limits,  typed.sampling,      files.outputs.file,
           typed.output.format, typed.picture,  typed.threads, verbosity_of(typed), files.other_inputs};
 }
 
 ExplainJob explain_job(const TypedOptions& typed) {
-  const bool has_samples = has_sampling_option(typed) || typed.has(option::plot);
+  const bool has_samples = has_sampling_option(typed) || typed.has("--plot");
   return {files_of(typed),  keys_of(typed),   samples_of(typed),   has_samples,
           golden_of(typed), fields_of(typed), typed.output.format, typed.output.header};
 }
@@ -419,9 +417,8 @@ ResampleJob resample_job(const TypedOptions& typed, std::optional<ProvenanceRequ
 RetimeJob retime_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
   const auto has_limit = [](const Limit& limit) { return limit.most.has_value(); };
   if (std::ranges::none_of(typed.limits.limits, has_limit)) {
-    throw usage_error("{} gives no limit; expected one to keep, as in {}=speed=2; give its number", option::limits,
-                      option::limits)
-        .about(option::retime);
+    throw usage_error("--limits gives no limit; expected one to keep, as in --limits=speed=2; give its number")
+        .about("--retime");
   }
   const bool is_picture = typed.output.format->is_picture;
   if (!has_sampling_option(typed) && !is_picture) throw no_sampling_option();
@@ -437,11 +434,11 @@ RetimeJob retime_job(const TypedOptions& typed, std::optional<ProvenanceRequest>
 Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
   require_one_reader(typed);
   if (is_comparison(typed)) return compare_job(typed);
-  if (typed.has(option::retime)) return retime_job(typed, std::move(provenance));
-  if (typed.has(option::limits)) return limits_job(typed);
+  if (typed.has("--retime")) return retime_job(typed, std::move(provenance));
+  if (typed.has("--limits")) return limits_job(typed);
   require_samples(typed);
-  if (typed.has(option::explain)) return explain_job(typed);
-  if (typed.has(option::fit)) return fit_job(typed, std::move(provenance));
+  if (typed.has("--explain")) return explain_job(typed);
+  if (typed.has("--fit")) return fit_job(typed, std::move(provenance));
   if (typed.output.format->is_picture) return plot_job(typed);
   return resample_job(typed, std::move(provenance));
 }
@@ -453,11 +450,11 @@ Job parse(std::vector<std::string> words, ColorWhen* color) {
   TypedOptions typed = read_options(words, color);
   if (typed.wants_text()) return PrintText{asked_text(typed, words)};
   std::optional<ProvenanceRequest> provenance;
-  if (typed.has(option::from_meta)) {
+  if (typed.has("--from-meta")) {
     provenance = earlier_provenance(typed);
     words.insert(words.begin(), provenance->earlier.options.begin(), provenance->earlier.options.end());
     if (measures_all_channels(provenance->earlier.program, provenance->earlier.options))
-      words.insert(words.begin(), fmt::format("{}=all", option::metric));
+      words.insert(words.begin(), "--metric=all");
     typed = read_options(words);
     typed.files.other_inputs.push_back(provenance->from);
   }
@@ -466,7 +463,7 @@ Job parse(std::vector<std::string> words, ColorWhen* color) {
   if (!has_sampling_option(typed) && typed.output.format->has_pieces) set_exact_pieces(typed, "poly8");
   require_no_conflict(typed);
   read_place_column(typed);
-  if (typed.has(option::meta) && !provenance) provenance.emplace();
+  if (typed.has("--meta") && !provenance) provenance.emplace();
   if (provenance) provenance->meta = new_provenance(typed);
   return make_job(typed, std::move(provenance));
 }

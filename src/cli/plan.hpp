@@ -1,7 +1,6 @@
 // Plan: from arguments to typed options, and from these to the job of a product.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>

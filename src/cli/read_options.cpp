@@ -8,7 +8,6 @@
 
 #include "cli/options.hpp"
 #include "cli/values.hpp"
-#include "option_names.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -35,22 +34,22 @@ void TypedOptions::give(std::string_view option, std::string value) {
 namespace {
 
 Error value_empty() {
-  return usage_error("the value is empty; expected one as in {}; add it, or remove the option", option::help);
+  return usage_error("the value is empty; expected one as in --help; add it, or remove the option");
 }
 
 Error value_missing(std::string_view option) {
-  return usage_error("{}: the value is missing; expected one after the option; see {}", option, option::help);
+  return usage_error("{}: the value is missing; expected one after the option; see --help", option);
 }
 
 Error unknown_option(std::string_view name, std::string_view suggestion) {
   const std::string meant = suggestion.empty() ? "" : fmt::format("; did you mean {}?", suggestion);
-  return usage_error("unknown option {}{} ({} lists all options)", name, meant, option::help);
+  return usage_error("unknown option {}{} (--help lists all options)", name, meant);
 }
 
 /// Flags, and the lists that several options may give, as in --abs 1e-9 --abs x=1e-6.
 bool may_repeat(const OptionRow& row) {
-  return row.kind == ValueKind::flag || row.name == option::abs || row.name == option::rel || row.name == option::ulp ||
-         row.name == option::rotation || row.name == option::angle;
+  return row.kind == ValueKind::flag || row.name == "--abs" || row.name == "--rel" || row.name == "--ulp" ||
+         row.name == "--rotation" || row.name == "--angle";
 }
 
 /// Checks and stores the value of an option; if a text is to be printed, only stores its text.
@@ -119,7 +118,7 @@ std::string option_with_value(std::string_view name) {
 std::string meant_option(const std::string& unknown) {
   const std::string wanted = compared(unknown);
   if (unknown.starts_with("--")) {
-    if (wanted == "tension" || wanted == "continuity" || wanted == "bias") return std::string(option::tcb);
+    if (wanted == "tension" || wanted == "continuity" || wanted == "bias") return std::string("--tcb");
     if (std::string option = option_with_value(wanted); !option.empty()) return option;
   }
   std::vector<std::string_view> names;
@@ -149,7 +148,7 @@ std::string meant_option(const std::string& unknown) {
       throw usage_error("{} takes no value; remove the value", name);
   }
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && !words.empty()) throw value_missing(name_of(words.back()));
-  throw usage_error("{}; see {}", error.what(), option::help);
+  throw usage_error("{}; see --help", error.what());
 }
 
 /// Throws: Error (usage) for a long name after a single dash, as in -fps, which would be a short option with a value.

@@ -155,15 +155,15 @@ std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_v
   const std::optional<TimeNotation> notation = find_notation(text);
   if (!notation) return std::nullopt;
   if (counts_frames(*notation) && !units.frame_rate) {
-    throw usage_error("{} is timecode, and no frame rate is given; expected one; give {}", in_quotes(text),
-                      option::input_fps);
+    throw usage_error("{} is timecode, and no frame rate is given; expected one; give --input-fps", in_quotes(text));
   }
   const std::optional<DateFormat> format = find_date_format(text);
   const bool is_year_first = !format || format->order == DateOrder::ymd;
   if (!is_year_first && !units.date_order) {
     throw usage_error(
-        "the date {} does not tell which number is the day; expected the year first; or give {} dmy or {} mdy",
-        in_quotes(text), option::date_order, option::date_order);
+        "the date {} does not tell which number is the day; expected the year first; or give --date-order dmy or "
+        "--date-order mdy",
+        in_quotes(text));
   }
   const DateOrder order = is_year_first ? DateOrder::ymd : *units.date_order;
   const auto seconds = read_time(text, *notation, units.frame_rate.value_or(1), order);

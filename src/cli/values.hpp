@@ -91,7 +91,6 @@ Extrapolations extrapolation(const std::string& text);
 std::vector<std::size_t> field_list(const std::string& text);
 /// The field with the cubics of pieces in a form.
 std::size_t form_of_pieces(const std::string& text);
-/// A format that has a capability.
 const Format* format_with(bool (Format::*capability)() const, const std::string& text);
 
 /// The names of the formats that can be read or written, of the fields, and of the forms of a cubic that help and
@@ -111,7 +110,6 @@ std::vector<std::string_view> names_in() {
   return names_of(table);
 }
 
-/// A name that is not one of those known.
 Error unknown_value(std::string_view name, std::span<const std::string_view> known);
 
 /// The row of a table by its name. Throws: Error (usage) with the nearest known name.

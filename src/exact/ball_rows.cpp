@@ -2,13 +2,11 @@
 #include "exact/ball_rows.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "exact/ball.hpp"

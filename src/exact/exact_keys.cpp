@@ -8,7 +8,6 @@
 #include "error.hpp"
 #include "exact/rounding.hpp"
 #include "numbers/decimal_time.hpp"
-#include "option_names.hpp"
 #include "tcb/spline/closing.hpp"
 
 namespace tcb {
@@ -40,8 +39,9 @@ class Numbers {
     if (!decimal_ || text.empty()) return exact_number(nearest, decimal_);
     if (text.find('x') != std::string_view::npos) return exact_number(nearest, false);  // hexadecimal is exact
     if (const auto number = parse_rational(text)) return *number;
-    throw data_error("a number has more digits than {0} takes; expected at most 10,000; shorten it, or remove {0}",
-                     option::exact_input)
+    throw data_error(
+        "a number has more digits than --exact-input takes; expected at most 10,000; shorten it, or remove "
+        "--exact-input")
         .at({"", block_.line(key_), 0});
   }
 

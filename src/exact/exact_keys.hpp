@@ -1,7 +1,6 @@
 // Keys as exact numbers, and the curve that they make, without any rounding.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>

@@ -2,7 +2,6 @@
 #include "exact/exact_rows.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -13,7 +12,6 @@
 #include "exact/real.hpp"
 #include "exact/row_point.hpp"
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "sample/sampler.hpp"
 
 namespace tcb {
@@ -253,8 +251,9 @@ class ExactRows::Evaluation {
     }
     if (!is_open()) return;
     throw data_error(
-        "the row at time {} has a number that cannot be computed to the requested digits; request fewer with {} or {}",
-        time_text(row.sample.t), option::digits, option::fixed);
+        "the row at time {} has a number that cannot be computed to the requested digits; request fewer with --digits "
+        "or --fixed",
+        time_text(row.sample.t));
   }
 
   /// A position that is 0 has the sign that it has without exact numbers, which have no -0: that of a key of -0.

@@ -9,7 +9,6 @@
 // "Fast evaluation of elementary mathematical functions with correctly rounded last bit", doi:10.1145/114697.116813.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <span>

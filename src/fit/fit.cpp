@@ -4,11 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
-#include "fit/key_numbers.hpp"
-#include "fit/key_times.hpp"
-#include "fit/longest_cubics.hpp"
 #include "tcb/spline/angle.hpp"
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/rotation.hpp"

@@ -16,7 +16,6 @@
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "numbers/decimal_time.hpp"
-#include "option_names.hpp"
 #include "picture/differences.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
@@ -81,10 +80,9 @@ class FittedKeys final : public BatchOutput {
       const Format& format = *job_.rows.format;
       if (expected > 0 && curve->group.empty() && format.has_marks && format.delimiter != ' ') {
         throw data_error(
-            "there are several curves, and {} does not show where one curve ends; give {} ssv or json, or name a "
-            "column "
-            "of groups with {}",
-            format.name, option::output_format, option::group);
+            "there are several curves, and {} does not show where one curve ends; give --output-format ssv or json, or "
+            "name a column of groups with --group",
+            format.name);
       }
       curve->keys = writer_.recorder().observe_keys(std::move(curve->keys));
       Samples read = recorded_samples(*curve, schema, job_.keys.rules, job_.options);
@@ -192,8 +190,7 @@ Exit draw_fit(const FitJob& job) {
   const OutputPaths& outputs = job.files.outputs;
   if (job.files.files.size() != 1 || outputs.folder || job.files.recursive) {
     throw usage_error(
-        "a picture of {} shows one recording; expected one input and one output; draw each file by itself",
-        option::fit);
+        "a picture of --fit shows one recording; expected one input and one output; draw each file by itself");
   }
   const std::string& path = job.files.files[0];
   (void)find_inputs(job.files);  // refuses an output that would replace an input

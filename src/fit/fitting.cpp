@@ -13,7 +13,6 @@
 #include "fit/fit.hpp"
 #include "keys/prepare.hpp"
 #include "keys/rotations.hpp"
-#include "option_names.hpp"
 #include "sample/build.hpp"
 #include "sample/grid.hpp"
 #include "stream/ordered_map.hpp"
@@ -66,7 +65,7 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
       const auto known = without_rotations(channels, kinds);
       throw data_error("there is no channel {} for a tolerance; expected one of {}{}", in_quotes(tolerance.column),
                        listed(known), did_you_mean(tolerance.column, known))
-          .about(option::fit);
+          .about("--fit");
     }
     named[*channel] = true;
     groups.push_back({{*channel}, tolerance.most});
@@ -76,8 +75,8 @@ std::vector<FitGroup> groups_of(const std::vector<std::string>& channels, const 
     const bool has_limit = others.tolerance > 0 && kinds[i] == LimitKind::distance;
     if (!has_limit) {
       throw data_error(
-          "channel \"{0}\" has no tolerance; the distance D is only for the channels of {1}; add {0}=D to {2}",
-          channels[i], option::metric, option::fit);
+          "channel \"{0}\" has no tolerance; the distance D is only for the channels of --metric; add {0}=D to --fit",
+          channels[i]);
     }
     others.channels.push_back(i);
   }
@@ -92,7 +91,6 @@ struct SlopeColumn {
   double (*number)(const Keys&, std::size_t);  ///< by the number of a key's channel, counted through all keys
 };
 
-/// The slope columns that the output has.
 std::vector<SlopeColumn> slope_columns(const FittedChannels& fitted, const FitOptions& options) {
   std::vector<SlopeColumn> columns;
   const std::vector<std::string>& names = fitted.names;
@@ -140,16 +138,15 @@ void require_resolution(const Recording& recording, const std::vector<std::strin
       if (largest > most || group.tolerance < 1 / most) {
         throw data_error(
             "the numbers of channel \"{0}\" or its tolerance cannot be squared as doubles; expected numbers below "
-            "1e150 "
-            "and a tolerance above 1e-150; give {1} {0}=FACTOR",
-            channels[channel], option::scale);
+            "1e150 and a tolerance above 1e-150; give --scale {0}=FACTOR",
+            channels[channel]);
       }
       if (group.tolerance < largest * spacing) {
         throw data_error(
             "the tolerance {} is near the spacing of doubles in channel \"{}\", whose numbers reach {}; expected at "
             "least {}; give a larger tolerance",
             group.angle.value_or(group.tolerance), channels[channel], largest, largest * spacing)
-            .about(option::fit);
+            .about("--fit");
       }
     }
   }
@@ -171,10 +168,9 @@ void unwrap(Recording& recording, std::size_t channel, bool degrees) {
   }
 }
 
-/// The times of a curve that are to have keys.
 const std::vector<Rational>& kept_times_of(const InputCurve& curve, const Schema& schema, const FitOptions& options) {
   if (options.grouped_kept_times.empty()) return options.kept_times;
-  return places_of_group(options.grouped_kept_times, option::keep_times, curve, schema);
+  return places_of_group(options.grouped_kept_times, "--keep-times", curve, schema);
 }
 
 /// The samples at the times that are to have keys.
@@ -190,7 +186,7 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
     if (found == samples.end()) found = find(nearest_time(place, all_decimals));
     if (found == samples.end()) {
       throw data_error("there is no sample at time {}; expected times of samples; correct it", text(place))
-          .about(option::keep_times);
+          .about("--keep-times");
     }
     kept.push_back(static_cast<std::size_t>(found - samples.begin()));
   }
@@ -202,7 +198,7 @@ Note labels_not_fitted(const std::vector<std::string>& names) {
 }
 
 Note rotations_not_fitted(const std::vector<std::string>& names) {
-  return {fmt::format("rotations not fitted: {}; {} D,0.5deg fits them", listed(names), option::fit), true};
+  return {fmt::format("rotations not fitted: {}; --fit D,0.5deg fits them", listed(names)), true};
 }
 
 }  // namespace
@@ -224,17 +220,16 @@ FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules,
   if (!options.angle) return fitted;
   if (rotations.empty()) {
     throw data_error(
-        "the tolerance has an angle, but there is no rotation; give the distance alone, or name a rotation with {}",
-        option::rotation)
-        .about(option::fit);
+        "the tolerance has an angle, but there is no rotation; give the distance alone, or name a rotation with "
+        "--rotation")
+        .about("--fit");
   }
   for (const auto& [columns, given, names] : schema.rotations) {
     if (!given.notation.is_quaternion()) {
       throw data_error(
-          "column \"{}\" belongs to a rotation that is not a quaternion; {} needs quaternions; convert the samples "
-          "first "
-          "with {} quaternion",
-          given.columns[0], option::fit, option::rotation_output);
+          "column \"{}\" belongs to a rotation that is not a quaternion; --fit needs quaternions; convert the samples "
+          "first with --rotation-output quaternion",
+          given.columns[0]);
     }
     fitted.groups.push_back(rotation_group(fitted.numbers, columns.channels, *options.angle, options.keys));
   }
@@ -243,20 +238,20 @@ FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules,
 
 Schema curve_of_fit(const Input& samples, const CurveSettings& rules, const FitOptions& options) {
   if (!samples.schema.time.is_given) {
-    throw data_error("there is no time column; {} needs samples with times; name the column with {} time=NAME",
-                     option::fit, option::columns);
+    throw data_error(
+        "there is no time column; --fit needs samples with times; name the column with --columns time=NAME");
   }
   if (!samples.facts.roles.empty()) {
     throw data_error(
-        "there is a column of {}, which only keys have; {} needs samples; leave the column out with {} ignore=NAME",
-        samples.facts.roles[0], option::fit, option::columns);
+        "there is a column of {}, which only keys have; --fit needs samples; leave the column out with --columns "
+        "ignore=NAME",
+        samples.facts.roles[0]);
   }
   const FittedChannels fitted = fitted_channels(samples.schema, rules, options);
   if (fitted.names.empty()) {
     throw data_error(
-        "there are only rotations or angles, which have no length; expected a position; give {} rotation to measure "
-        "angles, or {} none to take the numbers as positions",
-        option::metric, option::rotation);
+        "there are only rotations or angles, which have no length; expected a position; give --metric rotation to "
+        "measure angles, or --rotation none to take the numbers as positions");
   }
   Schema schema = with_channels(samples.schema, fitted.names);
   for (const FitGroup& group : fitted.groups) {
@@ -279,8 +274,8 @@ Samples recorded_samples(const InputCurve& curve, const Schema& schema, const Cu
                          const FitOptions& options) {
   if (curve.curve_info != nullptr && !curve.curve_info->places.empty()) {
     const auto& [name, place] = curve.curve_info->places[0];
-    throw data_error("\"{}\" is a setting of a curve of keys; {} makes keys for the default rules; remove the setting",
-                     name, option::fit)
+    throw data_error(
+        "\"{}\" is a setting of a curve of keys; --fit makes keys for the default rules; remove the setting", name)
         .at(place);
   }
   Samples samples{curve.group, {}, {}, {}, {}, {}};
@@ -299,8 +294,9 @@ Samples recorded_samples(const InputCurve& curve, const Schema& schema, const Cu
         recording.positions.push_back(block->keys.position(key)[channel]);
         if (!std::isnan(recording.positions.back())) continue;
         throw data_error(
-            "channel \"{}\" has no number; {} needs a number in every sample; fill it in, or give {} skip-row",
-            schema.channels[channel], option::fit, option::missing)
+            "channel \"{}\" has no number; --fit needs a number in every sample; fill it in, or give --missing "
+            "skip-row",
+            schema.channels[channel])
             .at({"", block->line(key), 0});
       }
     }
@@ -311,8 +307,7 @@ Samples recorded_samples(const InputCurve& curve, const Schema& schema, const Cu
   }
   if (samples.times.size() < 2) {
     const std::uint64_t line = samples.lines.empty() ? 0 : samples.lines[0];
-    throw data_error("the curve has fewer than two samples; {} needs at least two; add samples", option::fit)
-        .at({"", line, 0});
+    throw data_error("the curve has fewer than two samples; --fit needs at least two; add samples").at({"", line, 0});
   }
   require_resolution(recording, names);
   samples.kept = kept_samples(samples.times, kept_times_of(curve, schema, options));
@@ -324,12 +319,9 @@ FitResult fitted(const Samples& samples, const FitOptions& options, const Sample
       fit(samples.recording, samples.times, {options.keys, samples.kept, options.corner, done, threads});
   if (!result) {
     throw data_error(
-        "no tension, continuity and bias keep the curve within the tolerance of {}; this happens if the numbers have "
-        "too "
-        "few digits for the tolerance, or if positions repeat; give a larger tolerance, numbers with more digits, or "
-        "{} "
-        "hermite",
-        option::fit, option::fit_keys);
+        "no tension, continuity and bias keep the curve within the tolerance of --fit; this happens if the numbers "
+        "have too few digits for the tolerance, or if positions repeat; give a larger tolerance, numbers with more "
+        "digits, or --fit-keys hermite");
   }
   return *result;
 }

@@ -8,7 +8,6 @@
 
 #include "fit/fit.hpp"
 #include "fit/fit_options.hpp"
-#include "fit/recording.hpp"
 #include "keys/curves.hpp"
 #include "read/input.hpp"
 #include "run/progress.hpp"
@@ -79,7 +78,6 @@ Samples recorded_samples(const InputCurve& curve, const Schema& schema, const Cu
 /// Fits samples. A pure function. Throws: Error (data) where no keys can be within the tolerances.
 FitResult fitted(const Samples& samples, const FitOptions& options, const SamplesDone& done = {}, unsigned threads = 1);
 
-/// The keys of samples as rows.
 FittedRows rows_of(const Samples& samples, const FitResult& result, const FitOptions& options);
 
 }  // namespace tcb

@@ -1,10 +1,16 @@
 // Key numbers: velocities, or tension, continuity and bias, that give keys their slopes, in few digits.
-#include "fit/key_numbers.hpp"
+//
+// With the chord velocities v0, v1 of a channel before and after a key, the default tangent rule has the slopes
+//   in  = (1-T)((1-C)(1+B) v0 + (1+C)(1-B) v1)/2
+//   out = (1-T)((1+C)(1+B) v0 + (1-C)(1-B) v1)/2
+// For one slope S, C = 0, and B = 0, T = 1 - 2S/(v0+v1), or T = 0, B = (2S-v0-v1)/(v0-v1), the one nearer to 0.
+// For a corner with C = -1, P = (1-T)(1+B)/2 = in/(2 v0) and Q = (1-T)(1-B)/2 = out/(2 v1): 1-T = P+Q, B = (P-Q)/(P+Q).
+// Source: the table of tangent rules, solved for the three numbers.
+#include "fit/fit.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "tcb/spline/rotation.hpp"

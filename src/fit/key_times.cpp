@@ -1,5 +1,10 @@
 // Key times: at which samples of a recording keys lie, so that few are enough.
-#include "fit/key_times.hpp"
+//
+// Keys begin a little denser than the longest cubics need them, and move to where the errors of all segments are alike.
+// Segments that stay too far from their samples are divided; then each group of segments is tried with one less. Parts
+// of long recordings are tried on several threads, and then the segments around the keys between parts. Short
+// recordings are tried in several ways, and as long as that finds fewer keys.
+#include "fit/fit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +17,6 @@
 #include <utility>
 #include <vector>
 
-#include "fit/recording.hpp"
-#include "fit/smooth_fit.hpp"
 #include "stream/ordered_map.hpp"
 #include "stream/source.hpp"
 

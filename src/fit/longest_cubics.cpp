@@ -1,5 +1,11 @@
-// Longest cubics: the least number of cubics that stay within the tolerances of a recording.
-#include "fit/longest_cubics.hpp"
+// Longest cubics: the least number of cubics, connected or not, that stay within the tolerances of a recording.
+//
+// The longest are taken one after another. No cubic stays within the tolerance of some samples if a weighted
+// least squares fit to some of them, whatever the weights, has a weighted mean square error above the square of the
+// tolerance; that proves where a cubic ends. So no curve of cubics, with a sample in each, has fewer.
+// Source: C. L. Lawson, "Contributions to the theory of linear least maximum approximation", 1961, for the weights; for
+//   longest cubics, D. E. McClure, "Nonlinear segmented function approximation and analysis of line patterns", 1975.
+#include "fit/fit.hpp"
 
 #include <algorithm>
 #include <array>

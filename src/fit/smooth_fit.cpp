@@ -1,5 +1,9 @@
 // Smooth fits: positions and slopes of keys at given times, so that the largest distance from the samples is small.
-#include "fit/smooth_fit.hpp"
+//
+// The curve between two keys is the cubic with their positions and slopes, so that the curve and its slope are
+// continuous. Least squares give both, by a banded system; then samples that are far get more weight, and so on.
+// Source: C. L. Lawson, "Contributions to the theory of linear least maximum approximation", 1961, for the weights.
+#include "fit/fit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -41,7 +45,6 @@ class Banded {
     }
     targets[variable * count + number] = value;
   }
-  /// Removes a variable from the equations of the others.
   void remove(std::size_t variable) {
     const std::size_t size = rows_.size();
     for (std::size_t other = variable < band ? 0 : variable - band + 1; other < std::min(variable + band, size);

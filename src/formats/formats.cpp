@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "read/other_files.hpp"
 #include "schema/pose_formats.hpp"
 #include "text/suggest.hpp"
 
@@ -88,7 +89,6 @@ constexpr std::array list_of_formats{
     Format{.name = "svg", .ending = ".svg", .is_picture = true},
 };
 
-/// The endings of formats with a capability.
 std::vector<std::string_view> endings(bool (Format::*can)() const) {
   std::vector<std::string_view> found;
   for (const Format& format : list_of_formats) {
@@ -111,6 +111,14 @@ const Format* find_output_format(std::string_view path) {
   const auto names = [&](const Format& format) { return format.can_write() && has_ending(path, format.ending); };
   const auto found = std::ranges::find_if(list_of_formats, names);
   return found == list_of_formats.end() ? nullptr : &*found;
+}
+
+std::string_view other_ending(std::string_view path) {
+  path = without_compression(path);
+  for (const Format& format : list_of_formats) {
+    if (!format.can_write() && has_ending(path, format.ending)) return format.ending;
+  }
+  return ending_of_other_file(path);
 }
 
 std::vector<std::string_view> input_endings() { return endings(&Format::can_read); }

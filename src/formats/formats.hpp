@@ -1,8 +1,6 @@
-// Formats: the list of all of them, with their halves that read and write; how the format of an input is found, and
-// the files of other products.
+// Formats: the list of all of them, with their halves that read and write; how the format of an input is found.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,7 +18,6 @@ struct InputOptions;
 /// All formats. The first is the default for output.
 std::span<const Format> formats();
 
-/// The format with this name, or nullptr.
 const Format* find_format(std::string_view name);
 
 /// The format that can be written and whose ending the path has, in upper or lower case, before that of compressed
@@ -34,12 +31,6 @@ std::vector<std::string_view> output_endings();
 /// Opens an input: the format is the given one, else by the file's ending, else by the first byte that is not blank.
 /// Throws: Error (data), without a file name.
 Input open_input(const std::string& path, Source<std::string> bytes, const InputOptions& given);
-
-/// The error for a file of another product, which its first bytes tell; nothing for others.
-std::optional<Error> other_file(std::string_view beginning);
-
-/// Whether further bytes may complete the first bytes of such a file.
-bool may_begin_other_file(std::string_view beginning);
 
 /// The ending of the path if it belongs to a known format of files that the program does not write; otherwise empty.
 std::string_view other_ending(std::string_view path);

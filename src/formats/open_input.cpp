@@ -9,11 +9,10 @@
 
 #include "io/compression.hpp"
 #include "io/encoding.hpp"
-#include "option_names.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/input.hpp"
-#include "read/input_format.hpp"
 #include "read/input_options.hpp"
+#include "read/other_files.hpp"
 #include "schema/schema.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -75,16 +74,15 @@ InputOptions options_of(const Format& format, Source<std::string>& bytes, const 
   if (!input.has_tracks && !given.only.empty()) {
     throw usage_error(
         "a file in the format {} has no tracks of several objects; expected a scene, such as .lws; remove the option, "
-        "or choose columns with {}",
-        format.name, option::columns)
-        .about(option::only);
+        "or choose columns with --columns",
+        format.name)
+        .about("--only");
   }
   if (!input.takes_delimiters && given.delimited != DelimitedOptions{}) {
     throw usage_error(
-        "{}, {}, {}, {}, {} and {} have no effect on an input in the format {}; remove them, or, if it is in another "
-        "format, give that with {}",
-        option::delimiter, option::header, option::no_header, option::comment, option::decimal, option::thousands,
-        format.name, option::input_format);
+        "--delimiter, --header, --no-header, --comment, --decimal and --thousands have no effect on an input in the "
+        "format {}; remove them, or, if it is in another format, give that with --input-format",
+        format.name);
   }
   return input.options == nullptr ? given : input.options(format, bytes, given);
 }

@@ -1,7 +1,6 @@
 // Atomic outputs: temporary files, which get their final name when they are complete; interruptions.
 #include "io/atomic_output.hpp"
 
-#include <array>
 #include <charconv>
 #include <filesystem>
 #include <mutex>

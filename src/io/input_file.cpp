@@ -11,7 +11,6 @@
 
 #include "error.hpp"
 #include "io/system.hpp"
-#include "option_names.hpp"
 
 namespace tcb {
 namespace {
@@ -31,10 +30,11 @@ struct Descriptor {
 
 /// Why a file cannot be opened or read.
 Error failed_to_be(std::string_view used, const std::string& path) {
-  const Error error = system::failed_as_folder()
-                          ? usage_error("this is a folder; expected a file; give {} and {} to process the files in it",
-                                        option::recursive, option::output_dir)
-                          : usage_error("cannot be {}: {}", used, system::error_text());
+  const Error error =
+      system::failed_as_folder()
+          ? usage_error(
+                "this is a folder; expected a file; give --recursive and --output-dir to process the files in it")
+          : usage_error("cannot be {}: {}", used, system::error_text());
   return error.in(shown_name(path));
 }
 

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "io/system.hpp"
 #include "stream/source.hpp"

@@ -2,7 +2,6 @@
 #include "io/input_list.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -10,7 +9,6 @@
 #include "error.hpp"
 #include "io/input_file.hpp"
 #include "io/system.hpp"
-#include "option_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
@@ -47,15 +45,14 @@ void append_listed(std::vector<std::string>& names, const InputListOptions& opti
       } else {
         if (c == '\0')
           throw usage_error(
-              "the list of files has a NUL byte; expected one name per line; give {} if the names end in NUL",
-              option::null)
+              "the list of files has a NUL byte; expected one name per line; give --null if the names end in NUL")
               .in(shown_name(options.list));
         name += c;
         if (name.size() > longest_name)
           throw usage_error(
-              "the list of files has a name of more than {} bytes; expected one name per line; give {} if the names "
-              "end in NUL",
-              longest_name, option::null)
+              "the list of files has a name of more than {} bytes; expected one name per line; give --null if the "
+              "names end in NUL",
+              longest_name)
               .in(shown_name(options.list));
       }
     }
@@ -202,16 +199,17 @@ std::vector<Identity> look_up(std::vector<InputFile>& files, const InputListOpti
     throw usage_error("the folders hold no files; expected at least one; give other folders");
   }
   throw usage_error(
-      "the folders hold no input (other files: {}); expected names that end in one of {}; give {} to take all files",
-      inputs.others, listed(options.endings), option::input_format);
+      "the folders hold no input (other files: {}); expected names that end in one of {}; give --input-format to take "
+      "all files",
+      inputs.others, listed(options.endings));
 }
 
 }  // namespace
 
 std::string output_path(const InputFile& file, const OutputPaths& outputs) {
   if (file.path == "-")
-    throw usage_error("standard input has no name, but {} names each output after its input; give {} instead",
-                      option::output_dir, option::output);
+    throw usage_error(
+        "standard input has no name, but --output-dir names each output after its input; give --output instead");
   const fs::path kept = file.path.substr(file.inside);
   const fs::path below = file.inside == 0 ? fs::path() : kept.parent_path();
   const fs::path stem = fs::path(without_compression(system::path_text(kept))).stem();

@@ -4,7 +4,6 @@
 // fail return -1, false or nothing, and error_text() then tells why.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -68,7 +67,6 @@ std::ptrdiff_t read(int descriptor, char* bytes, std::size_t size);
 std::ptrdiff_t read_at(int descriptor, std::uint64_t place, char* bytes, std::size_t size);
 /// The place in a file where the next byte is read; 0 where it has no places.
 std::uint64_t place_in(int descriptor);
-/// Writes all bytes.
 bool write(int descriptor, std::string_view bytes);
 bool go_to_begin(int descriptor);
 bool go_to_end(int descriptor);

@@ -15,14 +15,12 @@ void erase_when_interrupted(std::size_t width);
 /// Erases that line and ends the program with Exit::interrupted. Makes only calls that a handler of signals may make.
 [[noreturn]] void end_interrupted();
 
-/// When messages are colored.
 enum class ColorWhen { by_terminal, always, never };
 
 /// Whether messages on standard error are colored. By terminal: not with NO_COLOR; else with CLICOLOR_FORCE; else on a
 /// terminal whose TERM is not dumb.
 bool colors_messages(ColorWhen when);
 
-/// What a message is.
 enum class MessageKind { error, warning, note };
 
 /// "WHERE: error: ", or with the place bold and the kind in its color.

@@ -12,7 +12,6 @@
 
 #include "error.hpp"
 #include "keys/order.hpp"
-#include "option_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/utf8.hpp"
 
@@ -84,12 +83,12 @@ struct FaultKind {
 void require_times(const CurveOptions& options) {
   const auto refuse = [](bool is_given, std::string_view option, std::string_view use) {
     if (!is_given) return;
-    throw data_error("{} {}, but there is no time column; remove it, or name the column with {} time=NAME", option, use,
-                     option::columns);
+    throw data_error("{} {}, but there is no time column; remove it, or name the column with --columns time=NAME",
+                     option, use);
   };
-  refuse(options.sort, option::sort, "orders rows by time");
-  refuse(options.max_gap.has_value(), option::max_gap, "is about times");
-  refuse(options.duplicates != Duplicates::error, option::duplicates, "is about equal times");
+  refuse(options.sort, "--sort", "orders rows by time");
+  refuse(options.max_gap.has_value(), "--max-gap", "is about times");
+  refuse(options.duplicates != Duplicates::error, "--duplicates", "is about equal times");
 }
 
 /// The largest gap within a curve, in the unit of the times.
@@ -97,8 +96,9 @@ std::optional<Rational> largest_allowed_gap(const TimeSchema& time, const CurveO
   std::optional<Rational> gap = options.max_gap;
   if (gap && options.is_max_gap_in_seconds) {
     if (time.unit == TimeUnit::frames) {
-      throw data_error("the times in {} are frames, whose duration is unknown; give {} as a number of frames, or {}",
-                       in_quotes(time.name), option::max_gap, option::input_fps);
+      throw data_error(
+          "the times in {} are frames, whose duration is unknown; give --max-gap as a number of frames, or --input-fps",
+          in_quotes(time.name));
     }
     if (time.unit) *gap *= units_per_second(*time.unit);
   }
@@ -115,8 +115,7 @@ Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const Cur
   const bool by_text = !schema.groups.empty() && !traits.own_curves && !is_grouped;
   if (!schema.time.is_given) require_times(options);
   if (traits.are_segments && options.sort)
-    throw data_error("{} orders keys, but the rows are segments; expected segments in order; remove {}", option::sort,
-                     option::sort);
+    throw data_error("--sort orders keys, but the rows are segments; expected segments in order; remove --sort");
   if (by_text || options.sort) {
     blocks = grouped(without_faults(std::move(blocks), false),
                      {by_text ? schema.groups.size() : 0, options.sort, traits.own_curves,

@@ -14,7 +14,6 @@
 
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
-#include "option_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
@@ -137,10 +136,10 @@ class Groups {
       }
       if (runs > seen.size())
         throw data_error(
-            "{} would mix rows with different values of {} in one curve; expected the rows of one curve; give {} {} "
-            "for one curve per value, or {} {} if the values do not distinguish curves",
-            option::sort, in_quotes(grouping_.marks[i].column), option::group, in_shell(grouping_.marks[i].column),
-            option::columns, in_shell("carry=" + grouping_.marks[i].column));
+            "--sort would mix rows with different values of {} in one curve; expected the rows of one curve; give "
+            "--group {} for one curve per value, or --columns {} if the values do not distinguish curves",
+            in_quotes(grouping_.marks[i].column), in_shell(grouping_.marks[i].column),
+            in_shell("carry=" + grouping_.marks[i].column));
     }
   }
 

@@ -16,7 +16,6 @@
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -173,23 +172,22 @@ class Order : public HoldingStage {
     if (!column_.empty()) {
       return data_error(
                  "{}time {} does not follow the time {}, but the times increase for each value of {}; expected the "
-                 "keys of one curve; give {} {} for one curve per value",
-                 beginning, time, before, in_quotes(column_), option::group, in_shell(column_))
+                 "keys of one curve; give --group {} for one curve per value",
+                 beginning, time, before, in_quotes(column_), in_shell(column_))
           .at(text_position);
     }
     const std::string other_time =
         labels_.has_time_by_place
-            ? fmt::format("{} uniform if the first column is no time, {} time=NUMBER if another one is, or ",
-                          option::parameter, option::columns)
+            ? std::string(
+                  "--parameter uniform if the first column is no time, --columns time=NUMBER if another one is, or ")
             : "";
     if (equal) {
       return data_error(
-                 "{}time {} repeats the time {}; expected increasing times; remove one of the keys, or give {}{} "
-                 "first, "
-                 "last or break{}",
-                 beginning, time, before, other_time, option::duplicates,
+                 "{}time {} repeats the time {}; expected increasing times; remove one of the keys, or give "
+                 "{}--duplicates first, last or break{}",
+                 beginning, time, before, other_time,
                  labels_.channels.empty()
-                     ? fmt::format(", or {} NUMBER if the column of this number tells curves apart", option::group)
+                     ? std::string(", or --group NUMBER if the column of this number tells curves apart")
                      : "")
           .at(text_position);
     }
@@ -197,15 +195,14 @@ class Order : public HoldingStage {
     if (begins_again) {
       return data_error(
                  "{}time {} is less than the time {}, as where a counter or a recording begins again; expected "
-                 "increasing times; count on, or give {}{} with a column that tells recordings apart, or {} if the "
-                 "keys "
-                 "are of one recording in any order",
-                 beginning, time, before, other_time, option::group, option::sort)
+                 "increasing times; count on, or give {}--group with a column that tells recordings apart, or --sort "
+                 "if the keys are of one recording in any order",
+                 beginning, time, before, other_time)
           .at(text_position);
     }
     return data_error(
-               "{}time {} is less than the time {}; expected increasing times; sort the keys by time, or give {}{}",
-               beginning, time, before, other_time, option::sort)
+               "{}time {} is less than the time {}; expected increasing times; sort the keys by time, or give {}--sort",
+               beginning, time, before, other_time)
         .at(text_position);
   }
 
@@ -316,8 +313,8 @@ class Joiner : public HoldingStage {
     if (!(distance <= 0x1p-51 * std::max(size_, std::abs(from.hi)))) {
       throw data_error(
           "this segment starts at {}, but the segment before it ends at {}; expected segments without gaps, in order; "
-          "correct them, or divide the curves with {}",
-          time_text(from), time_text(to), option::group)
+          "correct them, or divide the curves with --group",
+          time_text(from), time_text(to))
           .at(block.text_position(start));
     }
     const std::size_t channels = block.keys.channels;

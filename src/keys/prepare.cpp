@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "error.hpp"
-#include "option_names.hpp"
 #include "schema/roles.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -20,19 +19,19 @@ Error tcb_of_scale(ShownTcbScale shown, std::string_view role, double value) {
   if (shown == ShownTcbScale::percent) {
     return data_error(
         "{} is {}, as in a product that shows percent; expected a number that is usually from -1 to 1; divide it by "
-        "100, or give {} none to take it unchanged",
-        role, value, option::tcb_scale);
+        "100, or give --tcb-scale none to take it unchanged",
+        role, value);
   }
   return data_error(
       "{} is {}, as in 3ds Max and similar programs, which show 0 to 50 with 25 for 0; expected a number that is "
-      "usually from -1 to 1; give {} 3dsmax to convert it, or {} none to take it unchanged",
-      role, value, option::tcb_scale, option::tcb_scale);
+      "usually from -1 to 1; give --tcb-scale 3dsmax to convert it, or --tcb-scale none to take it unchanged",
+      role, value);
 }
 
 void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
   for (const auto& [name, value] : {std::pair{"ease_in", ease.in}, std::pair{"ease_out", ease.out}}) {
     if (value >= 0 && value <= 1) continue;
-    throw data_error("{} is {}; expected a number from 0 to 1; correct it, or give {}", name, value, option::no_ease)
+    throw data_error("{} is {}; expected a number from 0 to 1; correct it, or give --no-ease", name, value)
         .at({"", line, 0});
   }
 }
@@ -81,23 +80,27 @@ class Steps {
     if (step == 0)
       throw data_error(
           "the position repeats the one on line {}, so the distance from which the time is made is 0; expected "
-          "different positions; remove one of the rows, or give {} uniform",
-          line_, option::parameter)
+          "different positions; remove one of the rows, or give --parameter uniform",
+          line_)
           .at({"", line, 0});
     const double earlier = time_.hi;
     time_ = time_ + DoubleDouble(step);
     if (time_.hi == earlier)
       throw data_error(
           "the distance gives a step of {}, which is too small to change the time {}; expected times that doubles can "
-          "distinguish; give a smaller exponent to {}",
-          step, time_.hi, option::parameter)
+          "distinguish; give a smaller exponent to --parameter",
+          step, time_.hi)
           .at({"", line, 0});
   }
 
   /// Other times, and velocities that fit.
   void retime(KeyBlock& block, const Retiming& retiming) const {
-    const double number = nearest_double(retiming.factor);
-    for (Time& time : block.keys.times) time = retimed(time, retiming, needs_.frames);
+    const auto& [factor, origin] = retiming;
+    const double number = nearest_double(factor);
+    for (Time& time : block.keys.times) {
+      const auto frame = needs_.frames ? needs_.frames->exact(time) : std::nullopt;
+      time = nearest_time(origin + (frame.value_or(Rational(time.hi) + Rational(time.lo)) - origin) * factor);
+    }
     for (auto& [in, out] : block.keys.velocities) {
       in /= number;
       out /= number;
@@ -122,29 +125,27 @@ class Steps {
   static void require_rules_alone(const KeyBlock& block) {
     const auto refuse = [&](const Error& error) { throw Error(error).at({"", block.line(0)}); };
     if (!block.keys.eases.empty()) {
-      refuse(data_error(
-          "the keys have ease, and the preset has monotone timing; expected one of the two; give {}, or another {}",
-          option::no_ease, option::preset));
+      refuse(
+          data_error("the keys have ease, and the preset has monotone timing; expected one of the two; give --no-ease, "
+                     "or another --preset"));
     }
     if (!block.keys.velocities.empty()) {
       refuse(
           data_error("the keys have velocities, which a preset with monotone timing would change; expected one of the "
-                     "two; give another {}",
-                     option::preset));
+                     "two; give another --preset"));
     }
     if (block.keys.is_sparse()) {
       refuse(
-          data_error("some numbers were skipped by {} skip-cell, but a preset with monotone timing needs a number in "
-                     "every channel; fill them in, or give another {}",
-                     option::missing, option::preset));
+          data_error("some numbers were skipped by --missing skip-cell, but a preset with monotone timing needs a "
+                     "number in every channel; fill them in, or give another --preset"));
     }
   }
 
   void require_velocities(const KeyBlock& block) {
     const Keys& keys = block.keys;
     if (needs_.equal_speed)
-      throw data_error("the keys have velocities, which {} would change; expected one of the two; remove {}",
-                       option::equal_speed, option::equal_speed);
+      throw data_error(
+          "the keys have velocities, which --equal-speed would change; expected one of the two; remove --equal-speed");
     for (std::size_t i = 0; i < keys.velocities.size(); ++i) {
       const std::size_t channel = i % keys.channels;
       const bool is_key = !std::isnan(keys.positions[i]);
@@ -203,9 +204,9 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel, 
       }
       if (!is_clear && keys > 1 && (!block || keys == most)) {
         throw data_error(
-            "there is no time column, but column {} may be one; expected a column called time; give {} {}, or {} "
-            "uniform if the keys have no times",
-            in_quotes(channel), option::columns, in_shell("time=" + request), option::parameter);
+            "there is no time column, but column {} may be one; expected a column called time; give --columns {}, or "
+            "--parameter uniform if the keys have no times",
+            in_quotes(channel), in_shell("time=" + request));
       }
       is_clear = is_clear || !block;
       if (block) held.push_back(std::move(*block));
@@ -237,12 +238,6 @@ SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles) 
     return std::move(all[next++]);
   };
   return {again, std::move(angles)};
-}
-
-Time retimed(const Time& time, const Retiming& retiming, const std::optional<FrameTimes>& frames) {
-  const auto frame = frames ? frames->exact(time) : std::nullopt;
-  const Rational exact = frame.value_or(Rational(time.hi) + Rational(time.lo));
-  return nearest_time(retiming.origin + (exact - retiming.origin) * retiming.factor);
 }
 
 Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs) {

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "error.hpp"
-#include "option_names.hpp"
 #include "tcb/spline/angle.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/rotation_notation.hpp"
@@ -27,13 +26,12 @@ void require_angle(double angle, bool degrees, bool makes_turns, const std::stri
   constexpr double turn = 6.283185307179586, most_turns = 1e4;
   if (std::abs(angle) <= (degrees ? 360 * most_turns : makes_turns ? turn * most_turns : turn)) return;
   const bool counts_turns = degrees || makes_turns;
-  throw(counts_turns
-            ? data_error(
-                  "{} has an angle of {}; expected at most 10000 turns; check its column, and its unit with {} or {}",
-                  in_quotes(name), angle, option::angles, option::angle)
-            : data_error("{} has an angle of {} radians; expected at most one turn, 6.2832; give degrees as its unit "
-                         "with {} or {}, or subtract whole turns",
-                         in_quotes(name), angle, option::angles, option::angle))
+  throw(counts_turns ? data_error("{} has an angle of {}; expected at most 10000 turns; check its column, and its unit "
+                                  "with --angles or --angle",
+                                  in_quotes(name), angle)
+                     : data_error("{} has an angle of {} radians; expected at most one turn, 6.2832; give degrees as "
+                                  "its unit with --angles or --angle, or subtract whole turns",
+                                  in_quotes(name), angle))
       .at({"", line, 0});
 }
 
@@ -46,8 +44,8 @@ Error rotation_incomplete(const std::string& column) {
 Error velocities_of_part_of_rotation(const std::string& column) {
   return data_error(
       "some numbers of the rotation that begins with {} have velocities; expected velocities of all four numbers of a "
-      "quaternion, or none; leave these columns out with {} ignore=NAME",
-      in_quotes(column), option::columns);
+      "quaternion, or none; leave these columns out with --columns ignore=NAME",
+      in_quotes(column));
 }
 
 using GivenNumbers = spline::RotationNumbers<double>;
@@ -216,8 +214,8 @@ class Conversion {
     if (is_whole && !has_whole_turns_)
       throw data_error(
           "the rotation that begins with {} makes whole turns, with an angle of {}; expected a curve that can make "
-          "them; give {} squad or slerp",
-          in_quotes(given_.columns[0]), angle, option::rotation_curve)
+          "them; give --rotation-curve squad or slerp",
+          in_quotes(given_.columns[0]), angle)
           .at({"", block.line(key), 0});
     block.keys.turns[key * block.keys.turns_per_key() + *turn_] =
         spline::turn_vector_from(numbers, degrees, before_, in_parent_);
@@ -246,15 +244,15 @@ class Conversion {
     if (!(rows.volume() > 1e-6))
       throw data_error(
           "the matrix that begins with {} has the determinant {}, so it is not a rotation; expected 1; check its "
-          "columns and their order, or give {} none for plain channels",
-          in_quotes(given_.columns[0]), rows.determinant(), option::rotation)
+          "columns and their order, or give --rotation none for plain channels",
+          in_quotes(given_.columns[0]), rows.determinant())
           .at({"", line, 0});
     if (given_.normalize || rows.deviation() <= 0.001) return;
     throw data_error(
         "the matrix that begins with {} deviates from an orthogonal one by {}; expected rows of the norm 1 at right "
-        "angles, within 0.001; check its columns and their order, or give {} for the nearest rotation, or {} none for "
-        "plain channels",
-        in_quotes(given_.columns[0]), rows.deviation(), option::normalize, option::rotation)
+        "angles, within 0.001; check its columns and their order, or give --normalize for the nearest rotation, or "
+        "--rotation none for plain channels",
+        in_quotes(given_.columns[0]), rows.deviation())
         .at({"", line, 0});
   }
 
@@ -338,8 +336,8 @@ class SignChain {
     if (velocities > 0 && !has_tangents_)
       throw data_error(
           "the rotation that begins with {} has velocities, which the curve slerp does not use; expected another "
-          "curve; give {} squad, or leave the columns out with {} ignore=NAME",
-          in_quotes(name_), option::rotation_curve, option::columns);
+          "curve; give --rotation-curve squad, or leave the columns out with --columns ignore=NAME",
+          in_quotes(name_));
     std::vector<bool> negated(block.size());
     for (std::size_t key = 0; key < block.size(); ++key) negated[key] = add_key(block, key);
     if (is_quaternion_ && !block.decimals.empty() && std::ranges::count(negated, true) > 0)
@@ -369,8 +367,8 @@ class SignChain {
     if (largest == 0)
       throw data_error(
           "the quaternion that begins with {} is zero, so it is not a rotation; expected the norm 1; correct it, or "
-          "give {} none for plain channels",
-          in_quotes(name_), option::rotation)
+          "give --rotation none for plain channels",
+          in_quotes(name_))
           .at({"", line, 0});
     Numbers scaled = q;
     for (double& number : scaled) number /= largest;
@@ -379,8 +377,8 @@ class SignChain {
     if (!is_unit && !normalize_)
       throw data_error(
           "the quaternion that begins with {} has the norm {}; expected 1, within 0.001; check its columns and their "
-          "order, or give {} to divide by the norm, or {} none for plain channels",
-          in_quotes(name_), norm, option::normalize, option::rotation)
+          "order, or give --normalize to divide by the norm, or --rotation none for plain channels",
+          in_quotes(name_), norm)
           .at({"", line, 0});
     return norm;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <queue>
 #include <type_traits>
 #include <utility>
@@ -144,43 +145,18 @@ class Search {
   double attained_ = -infinity;
 };
 
-Rational exactly(const spline::DoubleDouble& x) { return Rational(x.hi) + Rational(x.lo); }
-Rational exactly(const Real& x) { return x.rational(); }
-
 Rational at_least(const Rational& x) { return x; }
-template <class M>
-Rational at_least(const BallOf<M>& x) {
-  return exactly(x.middle()) - exactly(Middle<M>::number(x.radius()));
-}
-bool is_above_zero(const Rational& x) { return x > 0; }
-template <class M>
-bool is_above_zero(const BallOf<M>& x) {
-  return x.middle() > M() && !x.may_be_zero();
-}
+Rational at_least(const RealBall& x) { return x.middle().rational() - Middle<Real>::number(x.radius()).rational(); }
+Rational at_most(const Rational& x) { return x; }
+Rational at_most(const RealBall& x) { return x.middle().rational() + Middle<Real>::number(x.radius()).rational(); }
 double rough(const Rational& x) { return nearest_double(x); }
-template <class M>
-double rough(const BallOf<M>& x) {
-  return x.rough();
-}
-
-/// The largest coefficient, at most.
-Rational largest_of(const Polynomial<Rational>& x) { return *std::ranges::max_element(x); }
-template <class M>
-Rational largest_of(const Polynomial<BallOf<M>>& x) {
-  const BallOf<M> largest(std::ranges::max_element(x, {}, &BallOf<M>::middle)->middle());
-  Rational most = exactly(largest.middle());
-  for (const BallOf<M>& coefficient : x) {
-    if (!(largest - coefficient).may_be_zero()) continue;  // it is below
-    most = std::max(most, exactly(coefficient.middle()) + exactly(Middle<M>::number(coefficient.radius())));
-  }
-  return most;
-}
+double rough(const RealBall& x) { return x.rough(); }
 
 /// The part of a measure on [begin, begin + size].
 template <class S>
 Measured<S> part_of(const Measured<S>& x, const Rational& begin, const Rational& size) {
   const S first = scalar_of<S>(begin), width = scalar_of<S>(size);
-  return {limits::part_of(x.over, first, width), x.scale, limits::part_of(x.base, first, width), x.base_scale, x.power};
+  return {part_of(x.over, first, width), x.scale, part_of(x.base, first, width), x.base_scale, x.power};
 }
 
 /// A bound on [0, 1]: the largest coefficient of Bernstein's form; nothing where it has none.
@@ -192,11 +168,13 @@ std::optional<Rational> bound_of(const Measured<S>& x) {
     above = with_binomials(above);
     const Polynomial<S> below = power_of(bernstein(x.base, base_degree), x.power);
     for (std::size_t i = 0; i < above.size(); ++i) {
-      if (!is_above_zero(below[i])) return std::nullopt;
+      if (!(at_least(below[i]) > 0)) return std::nullopt;
       above[i] = above[i] / below[i];
     }
   }
-  return largest_of(above);
+  Rational most = at_most(above[0]);
+  for (const S& coefficient : above) most = std::max(most, at_most(coefficient));
+  return most;
 }
 
 /// The simplest fraction between two numbers.
@@ -219,17 +197,17 @@ std::optional<Rational> simple_maximum(const Polynomial<Rational>& x, const Rati
 /// Bounds parts of pieces with exact numbers.
 class ExactSearch {
  public:
+  /// Parts are halved at most `deepest` times. A bound that is then far from what is attained is taken, or is
+  /// Undecided.
+  ExactSearch(int deepest, bool takes_far_bounds) : deepest_(deepest), takes_far_bounds_(takes_far_bounds) {}
+
   std::optional<Extreme> best;
   Rational place;  ///< of the best, in its piece
   std::size_t best_candidate = 0;
 
-  /// A part is halved at most `deepest` times. A bound that is then far from what is attained is taken, or is
-  /// Undecided.
   template <class S>
-  void add(const Measured<S>& x, const Candidate& part, std::size_t number, int deepest, bool takes_far_bounds) {
+  void add(const Measured<S>& x, const Candidate& part, std::size_t number) {
     candidate_ = number;
-    deepest_ = deepest;
-    takes_far_bounds_ = takes_far_bounds;
     bound(part_of(x, Rational(part.begin), Rational(part.size)), Rational(part.begin), Rational(part.size), 0);
   }
 
@@ -250,16 +228,15 @@ class ExactSearch {
     const Rational at = likely_place(x, begin, size);
     const S value = x.at(scalar_of<S>(at));
     attain(at_least(value), begin + at * size);
-    const std::optional<Rational> before = bound_of(part_of(x, 0, at)), after = bound_of(part_of(x, at, 1 - at));
+    const std::optional<Rational> after = at < 1 ? bound_of(part_of(x, at, 1 - at)) : at_most(value);
+    const std::optional<Rational> before = at > 0 ? bound_of(part_of(x, 0, at)) : at_most(value);
     if (before && after) {
       const Rational most = std::max(*before, *after);
-      if (most <= best->high) return;
+      if (most <= best->low) return;
       const bool is_close = most - best->low <= close * abs(most);
       if (is_close || (depth == deepest_ && takes_far_bounds_)) {
         if constexpr (std::is_same_v<S, Rational>) {
           if (const auto exact = simple_maximum(x.over, value, most)) return attain(*exact, begin + at * size);
-        } else if constexpr (std::is_same_v<S, Ball>) {
-          throw Undecided();  // its results are never exact: it only shows that a part has no larger values
         }
         best->high = std::max(best->high, most);
         return;
@@ -295,7 +272,7 @@ class ExactSearch {
     };
     const Polynomial<S> exact = derivative(x.over);
     const Polynomial<double> rate = in_units(exact, largest), base = in_units(x.base, largest_base);
-    const Polynomial<double> over = x.power == 0 ? Polynomial<double>{0} : in_units(x.over, largest);
+    const Polynomial<double> over = x.power == 0 ? Polynomial<double>() : in_units(x.over, largest);
     const auto grows = [&](double u) {
       return value_at(rate, u) * value_at(base, u) > x.power * value_at(over, u) * value_at(derivative(base), u);
     };
@@ -324,10 +301,16 @@ class ExactSearch {
     return rough;
   }
 
-  int deepest_ = 0;
-  bool takes_far_bounds_ = false;
+  int deepest_;
+  bool takes_far_bounds_;
   std::size_t candidate_ = 0;
 };
+
+Polynomial<RealBall> as_balls(const Polynomial<Rational>& x) {
+  Polynomial<RealBall> result(x.size());
+  std::ranges::transform(x, result.begin(), [](const Rational& number) { return scalar_of<RealBall>(number); });
+  return result;
+}
 
 /// Where a curve rests at a place at which it has a curvature before and after it, so that this has no bound; its
 /// velocity has a factor that is 0 there.
@@ -412,27 +395,14 @@ class Corners {
   std::vector<End> first_, before_;
 };
 
-/// Bounds the change of a direction on a part of a piece with balls. The place on the piece where it has no bound, if
-/// there is one. Throws: Undecided where that needs more digits.
-template <class M>
-std::optional<Rational> add_direction(ExactSearch& search, const Piece<Rational>& piece, const Measure& measure,
-                                      const Candidate& part, std::size_t number, bool is_last) {
-  using S = BallOf<M>;
-  const auto x = measured_direction<S>(piece, measure, [](const Polynomial<Rational>& of) {
-    Polynomial<S> balls(of.size());
-    std::ranges::transform(of, balls.begin(), scalar_of<S>);
-    return balls;
-  });
-  const auto rest = x.power == 3 ? sharp_rest(piece, measure) : std::nullopt;
-  if (!rest) search.add(x, part, number, Middle<M>::bits() * 3 / 10, is_last);
-  return rest;
-}
-
-/// The maximum among the parts that may hold it. Throws: Undecided where numbers are too far apart for any digits.
+/// The maximum among the parts that may hold it, with floats of so many bits. Throws: Undecided where numbers are too
+/// far apart for them, and unless this is the last try where a bound is far from what is attained.
 std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const Measure& measure,
-                                     const MeasuredCurve& curve) {
+                                     const MeasuredCurve& curve,
+                                     const std::function<const spline::Segments<Rational>&(std::size_t)>& segment,
+                                     int bits, bool is_last) {
   const auto piece_of = [&](const Candidate& part) -> std::optional<Piece<Rational>> {
-    const spline::Segments<Rational> one = curve.exact(part.segment);
+    const spline::Segments<Rational>& one = segment(part.segment);
     const Rational duration = one.times[1] - one.times[0];
     const auto range = fractions(curve, one.times[0], one.times[1]).value_or(std::pair<Rational, Rational>(0, 1));
     const auto pieces = pieces_of(one, 0, duration == 0 ? Rational(1) : duration, range.first, range.second);
@@ -442,7 +412,7 @@ std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const 
   const auto extreme_at = [&](Extreme extreme, const Candidate& part, const Rational& place) {
     const Piece<Rational> piece = *piece_of(part);
     const Rational fraction = piece.begin + place * piece.size;
-    const spline::Segments<Rational> one = curve.exact(part.segment);
+    const spline::Segments<Rational>& one = segment(part.segment);
     extreme.time = one.times[0] + fraction * (one.times[1] - one.times[0]);
     extreme.is_at_key = fraction == 0 || fraction == 1;
     if (fraction == 1) extreme.side = spline::Side::left;
@@ -450,34 +420,18 @@ std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const 
     for (const Polynomial<Rational>& x : piece.cubics) extreme.position.push_back(nearest_double(value_at(x, u)));
     return extreme;
   };
-  ExactSearch search;
-  const auto add_with_enough_digits = [&](const Piece<Rational>& piece, const Candidate& part, std::size_t number) {
-    try {
-      return add_direction<spline::DoubleDouble>(search, piece, measure, part, number, false);
-    } catch (const Undecided&) {
-    }
-    try {
-      const RealPrecision precision(400);
-      return add_direction<Real>(search, piece, measure, part, number, false);
-    } catch (const Undecided&) {
-    }
-    const RealPrecision precision(2000);
-    return add_direction<Real>(search, piece, measure, part, number, true);
-  };
-  std::vector<std::vector<Polynomial<Rational>>> bounded;  // parts, which repeat where a motion does
+  const RealPrecision precision(bits);
+  ExactSearch search(bits * 3 / 10, is_last);
   for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i) {
     const auto piece = piece_of(parts[i]);
     if (!piece) continue;
-    std::vector<Polynomial<Rational>> part{{piece->duration, Rational(parts[i].begin), Rational(parts[i].size)},
-                                           piece->parameter};
-    for (const std::size_t channel : measure.channels) part.push_back(piece->cubics[channel]);
-    if (std::ranges::find(bounded, part) != bounded.end()) continue;
-    bounded.push_back(std::move(part));
     if (measure.is_of_direction()) {
-      const auto rest = add_with_enough_digits(*piece, parts[i], i);
+      const auto x = measured_direction<RealBall>(*piece, measure, as_balls);
+      const auto rest = x.power == 3 ? sharp_rest(*piece, measure) : std::nullopt;
       if (rest) return extreme_at({.is_unbounded = true}, parts[i], *rest);
+      search.add(x, parts[i], i);
     } else {
-      search.add(measured(*piece, measure), parts[i], i, 600, true);
+      search.add(measured(*piece, measure), parts[i], i);
     }
   }
   if (!search.best) return std::nullopt;
@@ -521,13 +475,27 @@ Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measur
     }
   }
   if (curve.closed && !curve.from && !curve.to) corners.close(end);
+  std::map<std::pair<const void*, std::size_t>, spline::Segments<Rational>> exact;
   Extremes result;
   for (std::size_t k = 0; k < measures.size(); ++k) {
-    try {
-      result.maxima.push_back(exact_maximum(searches[k].rest(), measures[k], curve));
-    } catch (const Undecided&) {
-      result.maxima.push_back(Extreme{.is_unproved = true});
+    const auto& segment_of = measures[k].is_of_rotation      ? curve.turning
+                             : measures[k].is_of_direction() ? curve.directed
+                                                             : curve.exact;
+    const auto exact_segment = [&](std::size_t segment) -> const spline::Segments<Rational>& {
+      const std::pair key(&segment_of, segment);
+      const auto found = exact.find(key);
+      return found != exact.end() ? found->second : exact.emplace(key, segment_of(segment)).first->second;
+    };
+    const std::vector<Candidate> parts = searches[k].rest();
+    std::optional<Extreme> maximum = Extreme{.is_unproved = true};
+    for (const int bits : {400, 2000}) {
+      try {
+        maximum = exact_maximum(parts, measures[k], curve, exact_segment, bits, bits == 2000);
+        break;
+      } catch (const Undecided&) {
+      }
     }
+    result.maxima.push_back(std::move(maximum));
   }
   result.corners = std::move(corners.found);
   return result;

@@ -102,7 +102,7 @@ std::vector<Piece<S>> pieces_of(const spline::Segments<S>& segments, std::size_t
 /// divided by the power `power` of `base`.
 template <class S>
 struct Measured {
-  Polynomial<S> over{S(0)};
+  Polynomial<S> over;
   S scale{0};                ///< the sum of the sizes of its terms, which bounds its rounding; 0: it is 0 without any
   Polynomial<S> base{S(1)};  ///< at least 0, which is where a curve rests
   S base_scale{0};
@@ -141,7 +141,7 @@ std::pair<Polynomial<S>, S> rate_of(const Piece<S>& piece, std::size_t channel, 
   for (S& coefficient : x) coefficient = coefficient * rate;
   S sizes = size_of(x);
   if constexpr (std::is_same_v<S, double>) {
-    if (!is_zero(x)) sizes += 0x1p-50 * cleared * rate;
+    if (!x.is_zero()) sizes += 0x1p-50 * cleared * rate;
   }
   return {x, sizes};
 }
@@ -176,8 +176,7 @@ Measured<To> measured_direction(const Piece<S>& piece, const Measure& measure, c
     const Polynomial<To> x = convert(v[i]);
     result.base = sum(result.base, product(x, x));
     for (std::size_t j = 0; j < i; ++j) {
-      auto minor = sum(product(v[i], a[j]), product(v[j], a[i]), S(-1));
-      minor.pop_back();  // which is 0
+      auto minor = sum(product(v[i], a[j]), product(v[j], a[i]), S(-1)).without_last();  // which is 0
       if constexpr (std::is_same_v<S, Rational>) {
         static const Rational noise = Rational(0x1p-1000) * Rational(0x1p-1000);
         const Rational least = noise * (size_of(v[i]) * size_of(a[j]) + size_of(v[j]) * size_of(a[i]));
@@ -185,7 +184,7 @@ Measured<To> measured_direction(const Piece<S>& piece, const Measure& measure, c
       }
       const Polynomial<To> y = convert(minor);
       result.over = sum(result.over, product(y, y));
-      changes = changes || !is_zero(minor);
+      changes = changes || !minor.is_zero();
     }
     if constexpr (std::is_same_v<S, double>) {
       v_size.push_back(size_of(v[i]));

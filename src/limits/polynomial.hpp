@@ -9,23 +9,42 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cstddef>
+#include <initializer_list>
 #include <utility>
 
 namespace tcb::limits {
 
-/// Coefficients by rising powers, or in Bernstein's form; at least one. Most have seven at most, which need no memory
-/// of their own. They are copied: GCC 12 warns of moving so few.
+/// Coefficients by rising powers, or in Bernstein's form; at least one.
 template <class S>
-struct Polynomial : boost::container::small_vector<S, 7> {
-  using boost::container::small_vector<S, 7>::small_vector;
-  Polynomial(const Polynomial&) = default;
-  Polynomial& operator=(const Polynomial&) = default;
-};
+class Polynomial {
+ public:
+  Polynomial() : coefficients_(1) {}
+  Polynomial(std::initializer_list<S> coefficients) : coefficients_(coefficients) {}
+  explicit Polynomial(std::size_t size) : coefficients_(size) {}
 
-template <class S>
-bool is_zero(const Polynomial<S>& a) {
-  return std::ranges::all_of(a, [](const S& x) { return x == S(0); });
-}
+  std::size_t size() const { return coefficients_.size(); }
+  S& operator[](std::size_t i) { return coefficients_[i]; }
+  const S& operator[](std::size_t i) const { return coefficients_[i]; }
+  const S& front() const { return coefficients_[0]; }
+  const S& back() const { return coefficients_.back(); }
+  S* begin() { return coefficients_.data(); }
+  S* end() { return begin() + size(); }
+  const S* begin() const { return coefficients_.data(); }
+  const S* end() const { return begin() + size(); }
+
+  Polynomial without_last() const {
+    Polynomial result = *this;
+    result.coefficients_.pop_back();
+    return result;
+  }
+  bool is_zero() const {
+    return std::all_of(begin(), end(), [](const S& x) { return x == S(0); });
+  }
+  friend bool operator==(const Polynomial& a, const Polynomial& b) { return std::ranges::equal(a, b); }
+
+ private:
+  boost::container::small_vector<S, 7> coefficients_;  ///< as many as most have, without memory of their own
+};
 
 /// a + factor b.
 template <class S>
@@ -79,7 +98,7 @@ Polynomial<S> part_of(const Polynomial<S>& a, const S& begin, const S& size) {
 
 template <class S>
 Polynomial<S> derivative(const Polynomial<S>& a) {
-  if (a.size() == 1) return {S(0)};
+  if (a.size() == 1) return Polynomial<S>();
   Polynomial<S> result(a.size() - 1);
   for (std::size_t i = 1; i < a.size(); ++i) result[i - 1] = S(static_cast<int>(i)) * a[i];
   return result;
@@ -95,11 +114,12 @@ S value_at(const Polynomial<S>& a, const S& x) {
 /// The common divisor of the largest degree, by Euclid's algorithm; a constant: there is none.
 template <class S>
 Polynomial<S> common_divisor(Polynomial<S> a, Polynomial<S> b) {
-  const auto trim = [](Polynomial<S>& x) {
-    while (x.size() > 1 && x.back() == S(0)) x.pop_back();
+  const auto trimmed = [&](Polynomial<S> x) {
+    while (x.size() > 1 && x.back() == S(0)) x = x.without_last();
+    return x;
   };
-  trim(a);
-  trim(b);
+  a = trimmed(a);
+  b = trimmed(b);
   while (b.size() > 1) {
     while (a.size() >= b.size()) {
       const S factor = a.back() / b.back();
@@ -107,12 +127,11 @@ Polynomial<S> common_divisor(Polynomial<S> a, Polynomial<S> b) {
         S& coefficient = a[a.size() - i];
         coefficient = coefficient - factor * b[b.size() - i];
       }
-      a.pop_back();
-      trim(a);
+      a = trimmed(a.without_last());
     }
     std::swap(a, b);
   }
-  return is_zero(b) ? a : b;
+  return b.is_zero() ? a : b;
 }
 
 /// From rising powers to Bernstein's form of a degree that is not below its own: b_j is the sum over i of

@@ -69,7 +69,6 @@ std::int64_t stride_of(std::int64_t first, std::int64_t last, double most) {
   return last - first;
 }
 
-/// The first multiple with a tick.
 std::int64_t first_multiple(std::int64_t first, std::int64_t last, std::int64_t stride) {
   if (stride == 1 || stride == last - first) return first;
   return static_cast<std::int64_t>(std::ceil(static_cast<double>(first) / static_cast<double>(stride))) * stride;

@@ -27,7 +27,6 @@ SegmentBlock with_zeros(const SegmentBlock& block, const std::vector<std::size_t
   return result;
 }
 
-/// A polyline through keys.
 SegmentBlock polyline(const Keys& keys) {
   SegmentBlock block{{keys.channels, keys.times, {}, {}}, {}, true, false};
   for (std::size_t i = 0; i + 1 < keys.size(); ++i) {

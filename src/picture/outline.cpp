@@ -109,7 +109,6 @@ void CrossedCells::add_line(const Pixel& from, const Pixel& to) {
   add(to);
 }
 
-/// The cells as lines along rows, or along columns.
 std::string CrossedCells::lines(bool along_rows) const {
   const std::size_t lines = along_rows ? rows_.size() : columns_, cells = along_rows ? columns_ : rows_.size();
   const auto is_crossed = [&](std::size_t line, std::size_t i) { return along_rows ? rows_[line][i] : rows_[i][line]; };
@@ -152,7 +151,6 @@ void ThinnedOutline::add_vertex(const Pixel& at) {
   vertices_ = {};
 }
 
-/// The cells that a polyline crosses.
 CrossedCells ThinnedOutline::cells_of(const std::vector<Pixel>& vertices) const {
   CrossedCells cells(box_);
   for (std::size_t i = 1; i < vertices.size(); ++i) cells.add_line(vertices[i - 1], vertices[i]);

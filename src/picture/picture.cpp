@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "error.hpp"
-#include "option_names.hpp"
 #include "picture/scene.hpp"
 #include "picture/svg.hpp"
 #include "picture/view.hpp"
@@ -39,7 +38,6 @@ std::size_t columns_of(const Scene& scene) {
   return std::clamp<std::size_t>((scene.strip_count() + strips_in_column - 1) / strips_in_column, 1, most_columns);
 }
 
-/// The width of a picture of these channels.
 double picture_width(const Scene& scene, const PictureSize& size) {
   if (size.width > 0) return size.width;
   const std::size_t columns = columns_of(scene);
@@ -88,8 +86,7 @@ class Arranger {
  private:
   void require(bool has_room) const {
     if (has_room) return;
-    throw usage_error("the picture is too small for {} channels; give a larger {}, or leave it out", strips_,
-                      option::size);
+    throw usage_error("the picture is too small for {} channels; give a larger --size, or leave it out", strips_);
   }
 
   /// The path, with equal scales. Returns its right end.

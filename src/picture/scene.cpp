@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "error.hpp"
-#include "option_names.hpp"
 #include "sample/build.hpp"
 #include "schema/usual_names.hpp"
 #include "tcb/spline/angle.hpp"
@@ -184,8 +183,9 @@ bool Scene::has_samples() const {
 void Scene::require_few_strips() const {
   if (strip_count() <= most_strips) return;
   throw usage_error(
-      "the picture would have {} strips over time; expected at most {}; choose channels with {} position=NAME:NAME",
-      strip_count(), most_strips, option::columns);
+      "the picture would have {} strips over time; expected at most {}; choose channels with --columns "
+      "position=NAME:NAME",
+      strip_count(), most_strips);
 }
 
 std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::string>& channels,
@@ -204,11 +204,11 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
     if (!channel) {
       throw usage_error("there is no channel {}; expected two of {}, by name or by number from 1{}", in_quotes(name),
                         listed(channels), did_you_mean(name, channels))
-          .about(option::axes);
+          .about("--axes");
     }
     if (!axes.empty() && axes[0] == *channel) {
       throw usage_error("both axes are the channel {}; expected two different channels; replace one", in_quotes(name))
-          .about(option::axes);
+          .about("--axes");
     }
     axes.push_back(*channel);
   }

@@ -106,7 +106,6 @@ std::function<Source<SegmentBlock>()> with_rotations_as_cubics(std::function<Sou
                                                                std::vector<FirstRotation> firsts = {});
 /// Keys with the angles as further channels.
 KeyStore with_angles(const KeyStore& keys, const std::vector<FirstRotation>& firsts);
-/// Adds the angles, and their velocities.
 void add_angles(SceneSample& sample, const std::vector<FirstRotation>& firsts);
 
 /// The extent of the curves, their keys and their samples.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include "numbers/print_number.hpp"
@@ -160,8 +159,8 @@ std::string fitted(std::string_view text, double width, double size) {
 
 void Svg::begin(double width, double height, std::string_view title) {
   text_ += fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" role=\"img\">\n"
-      "<title>{2}</title>\n",
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "role=\"img\">\n<title>{2}</title>\n",
       static_cast<int>(width), static_cast<int>(height), xml_text(title));
   text_ += style;
   text_ += "<rect class=\"b\" width=\"100%\" height=\"100%\"/>\n";

@@ -1,7 +1,6 @@
 // SVG: numbers in pixels, texts with their estimated widths, elements, and the style sheet of a picture.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 

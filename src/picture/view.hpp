@@ -33,7 +33,6 @@ struct View {
 
   /// The place of a point. A channel without a position gives a number that is not finite.
   Pixel at(const Time& t, std::span<const double> position) const;
-  /// The direction of a velocity.
   Pixel direction(std::span<const double> velocity) const;
   PixelSegment segment(const spline::Segments<double>& segments, std::size_t i) const;
 };
@@ -62,7 +61,6 @@ class CurveDrawing {
   void add(const spline::Segments<double>& segments, std::size_t i);
   /// `keys`: all keys of the curve, or none.
   void draw(Svg& svg, const SceneCurve& curve, const Keys& keys);
-  /// The marks that were drawn.
   const Marks& drawn() const { return drawn_; }
 
  private:

@@ -19,7 +19,6 @@
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
-#include "option_names.hpp"
 #include "picture/picture.hpp"
 #include "picture/scene.hpp"
 #include "read/input.hpp"
@@ -133,8 +132,9 @@ class Drawing {
       begin_scene(schema, spec);
     } else if (columns != columns_) {
       throw data_error(
-          "the columns are {}; expected {}, as in the earlier files; give {} FOLDER to draw a picture of each file",
-          listed(columns), listed(columns_), option::output_dir);
+          "the columns are {}; expected {}, as in the earlier files; give --output-dir FOLDER to draw a picture of "
+          "each file",
+          listed(columns), listed(columns_));
     }
   }
 

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "error.hpp"
-#include "option_names.hpp"
 #include "read/json/tape.hpp"
 
 namespace tcb {
@@ -16,7 +15,6 @@ namespace {
 
 using Kind = JsonNode::Kind;
 
-/// The value of a comment line with this name.
 std::optional<std::string> value_of(std::string_view line, std::string_view name) {
   const std::string begin = fmt::format("# {}: ", name);
   if (!line.starts_with(begin)) return std::nullopt;
@@ -116,8 +114,7 @@ EarlierOutput read_earlier_output(const Source<std::string>& bytes, std::uint64_
   EarlierOutputReader reader(max_memory);
   while (const std::optional<std::string> more = bytes()) reader.add(*more);
   if (std::optional<EarlierOutput> output = reader.end()) return std::move(*output);
-  throw data_error("this file has no provenance; expected an output that was made with {}; give such a file",
-                   option::meta);
+  throw data_error("this file has no provenance; expected an output that was made with --meta; give such a file");
 }
 
 }  // namespace tcb

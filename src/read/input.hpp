@@ -1,21 +1,24 @@
-// Input: an opened input, which is the meaning of its records, facts about it, and its keys.
+// Input: an opened input, which is the meaning of its records, facts about it, and its keys; and the half of a format
+// that reads it. Each half is defined in one file of a room of readers, and a row of formats/formats.cpp names it.
 #pragma once
 
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "read/input_options.hpp"
 #include "schema/columns.hpp"
 #include "schema/curve_channels.hpp"
 #include "schema/format.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
 #include "schema/units.hpp"
+#include "stream/source.hpp"
 
 namespace tcb {
 
-/// The shapes of JSON inputs.
 enum class JsonShape { list, object, curves, lines, table, table_by_index, any };
 
 /// What was found at the beginning of an input.
@@ -55,6 +58,27 @@ struct Input {
   Schema schema;
   InputFacts facts = {};
   InputKeys keys = {};
+};
+
+struct InputFormat {
+  /// Opens an input. Requires: the bytes have no byte order mark. Throws: Error (data).
+  Records (*open)(const Format& format, Source<std::string> bytes, InputOptions options);
+
+  /// The options with what the format decides, unless it is requested; null: nothing. The beginning of the bytes may be
+  /// read.
+  InputOptions (*options)(const Format& format, Source<std::string>& bytes, InputOptions given) = nullptr;
+
+  /// Whether a file begins as those of this format alone, whatever its name is; null: no file does.
+  bool (*begins)(std::string_view beginning) = nullptr;
+
+  /// How well a text fits, where its name tells no format or several: 0 is not at all, and the best fit counts, the
+  /// first of equal ones. Nothing: that depends on what follows. null: no text does.
+  std::optional<int> (*fit)(std::string_view beginning) = nullptr;
+
+  bool has_tracks = false;       ///< of several objects, of which --only chooses
+  bool takes_delimiters = true;  ///< options of delimited text are no error
+  bool has_own_columns = false;  ///< the format names its columns
+  bool has_frames = false;       ///< a file may have samples of its own, so that no sampling option is needed
 };
 
 }  // namespace tcb

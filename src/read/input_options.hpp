@@ -16,7 +16,6 @@
 
 namespace tcb {
 
-/// Options of delimited text.
 struct DelimitedOptions {
   std::optional<char> delimiter = {};    ///< ' ' is any run of blanks and tabs; nothing: found in the first record
   std::optional<bool> header = {};       ///< nothing: found in the first records
@@ -30,7 +29,6 @@ struct DelimitedOptions {
   friend bool operator==(const DelimitedOptions&, const DelimitedOptions&) = default;
 };
 
-/// Options of the reading of an input.
 struct InputOptions {
   const Format* format = nullptr;  ///< null: by ending or content
   DelimitedOptions delimited = {};

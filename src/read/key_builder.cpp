@@ -9,7 +9,6 @@
 
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
-#include "option_names.hpp"
 
 namespace tcb {
 namespace {
@@ -46,7 +45,6 @@ bool has_channel_roles(const Columns& columns) {
   return std::ranges::any_of(columns.cells, [](const auto& column) { return is_of_channel(column.role); });
 }
 
-/// The channels in which a column has a role.
 std::vector<std::size_t> channels_with(const Columns& columns, Role role) {
   std::vector<std::size_t> channels;
   for (const Columns::Column& column : columns.cells) {
@@ -60,8 +58,8 @@ std::vector<std::size_t> channels_with(const Columns& columns, Role role) {
 Error time_parts_not_whole(std::string_view time) {
   return data_error(
       "{}: the two columns of the time are not whole seconds and nanoseconds; expected whole numbers, of nanoseconds "
-      "from 0 to 999999999; correct the cells, or give {} time=NAME",
-      time, option::columns);
+      "from 0 to 999999999; correct the cells, or give --columns time=NAME",
+      time);
 }
 
 KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyUnits& units)
@@ -127,6 +125,16 @@ bool KeyBuilder::take_decimal(const Columns::Column& column, std::string_view de
   }
   if (keeps_decimals()) decimals_[index] = ratio_text(scaled);
   return true;
+}
+
+bool KeyBuilder::take(const Columns::Column& column, const WrittenNumber& written) {
+  const bool is_ratio = written.decimal.find('/') != std::string::npos;
+  if (column.role != Role::time) {
+    number(column) = written.value;
+  } else {
+    time_ = is_ratio ? nearest_time(exact_number(written)) : parse_time(written.decimal).value_or(Time(written.value));
+  }
+  return !takes_decimals() || take_decimal(column, written.decimal);
 }
 
 bool KeyBuilder::set_time_in_words(std::string_view text) {

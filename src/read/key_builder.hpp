@@ -1,7 +1,6 @@
 // Key builder: cells become keys, for delimited text and for JSON alike.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -12,12 +11,23 @@
 #include <vector>
 
 #include "error.hpp"
+#include "numbers/rational.hpp"
 #include "schema/columns.hpp"
 #include "schema/key_block.hpp"
 #include "schema/key_rules.hpp"
 #include "schema/units.hpp"
 
 namespace tcb {
+
+/// A number of a file, and its decimal or ratio, which is exact.
+struct WrittenNumber {
+  double value = 0;
+  std::string decimal = "0";
+};
+
+inline Rational exact_number(const WrittenNumber& number) {
+  return parse_rational(number.decimal).value_or(Rational(number.value));
+}
 
 /// The two parts of a time are not whole seconds and nanoseconds. `time`: the name of the column of seconds.
 Error time_parts_not_whole(std::string_view time);
@@ -42,6 +52,8 @@ class KeyBuilder {
   /// Keeps the number of a cell as written, and scales it, as far as that is requested; false for a result beyond the
   /// doubles. Requires: the number is set.
   bool take_decimal(const Columns::Column& column, std::string_view decimal);
+  /// Takes a number as written, of the time or of another cell; false for a result beyond the doubles.
+  bool take(const Columns::Column& column, const WrittenNumber& written);
   void set_time(const Time& time) { time_ = time; }
   /// The times are numbers, of seconds or another unit.
   bool has_times_as_numbers() const { return units_.notation == TimeNotation::seconds; }

@@ -7,7 +7,6 @@
 #include <cstdint>
 
 #include "error.hpp"
-#include "option_names.hpp"
 
 namespace tcb {
 
@@ -25,8 +24,8 @@ class MemoryUse {
       constexpr std::uint64_t mebibyte = 1ULL << 20;
       throw data_error(
           "reading the input needs more than {} MiB of memory, as the format is kept as a whole; expected less; check "
-          "whether the file is the right one, or give more to {}, as in {}GiB",
-          most_ / mebibyte, option::max_memory, most_ / (1024 * mebibyte) * 2 + 2);
+          "whether the file is the right one, or give more to --max-memory, as in {}GiB",
+          most_ / mebibyte, most_ / (1024 * mebibyte) * 2 + 2);
     }
     used_ += bytes;
   }

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <charconv>
 #include <cstddef>
@@ -18,9 +17,8 @@
 #include <vector>
 
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "read/csv/csv_reader.hpp"
-#include "read/input_format.hpp"
+#include "read/input.hpp"
 #include "read/memory_use.hpp"
 #include "text/utf8.hpp"
 
@@ -346,8 +344,8 @@ Source<std::string> text_of_npy(Source<std::string> bytes, InputOptions& options
   NpyBytes input(std::move(bytes));
   const std::string head = input.take_all(npy_magic.size() + 2);
   if (!head.starts_with(npy_magic)) {
-    throw data_error("the file is not an array of NumPy; expected one that numpy.save wrote; give another {}",
-                     option::input_format);
+    throw data_error(
+        "the file is not an array of NumPy; expected one that numpy.save wrote; give another --input-format");
   }
   const auto version = static_cast<unsigned char>(head[npy_magic.size()]);
   if (version < 1 || version > 3) throw unknown_header(std::to_string(version));

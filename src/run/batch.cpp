@@ -13,7 +13,6 @@
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "io/system.hpp"
-#include "option_names.hpp"
 #include "stream/ordered_map.hpp"
 
 namespace tcb {
@@ -110,8 +109,8 @@ Exit convert_each(const Inputs& inputs, const InputListOptions& files, bool fail
       const bool is_certain = change == FileChange::contents;  // else only its links, name or mode may have changed
       report.warning(
           file.path,
-          {fmt::format("the file {} after it was read; its output has the earlier keys, and {} makes it again",
-                       is_certain ? "changed" : "may have changed", option::update)});
+          {fmt::format("the file {} after it was read; its output has the earlier keys, and --update makes it again",
+                       is_certain ? "changed" : "may have changed")});
     }
     return rows;
   };

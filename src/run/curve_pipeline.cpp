@@ -9,7 +9,6 @@
 #include "error.hpp"
 #include "exact/exact_rows.hpp"
 #include "keys/prepare.hpp"
-#include "option_names.hpp"
 #include "sample/build.hpp"
 #include "sample/grid.hpp"
 #include "sample/places.hpp"
@@ -29,7 +28,7 @@ std::optional<MetricSetting> metric_by_names(const Schema& schema) {
     if (!schema.is_plain(channel)) return std::nullopt;
     names.push_back(schema.channels[channel]);
   }
-  return names.empty() ? std::nullopt : std::optional(MetricSetting{names, SettingOrigin{option::metric}});
+  return names.empty() ? std::nullopt : std::optional(MetricSetting{names, SettingOrigin{"--metric"}});
 }
 
 /// Also checks the settings of the input, even those that the command line replaces. The extrapolation of an input
@@ -158,9 +157,9 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
   const bool has_duration = request_.in_seconds.has_duration || spec_.is_period_in_seconds;
   if (has_duration && unit == TimeUnit::frames)
     throw usage_error(
-        "the times in column {} are frames, which have no duration; expected their rate; give it with {}, as in {} 24, "
-        "or give frames without a unit",
-        in_quotes(schema.time.name), option::input_fps, option::input_fps);
+        "the times in column {} are frames, which have no duration; expected their rate; give it with --input-fps, as "
+        "in --input-fps 24, or give frames without a unit",
+        in_quotes(schema.time.name));
   if (unit && unit != TimeUnit::frames) {
     request_.convert_seconds(units_per_second(*unit));
     if (spec_.is_period_in_seconds) *spec_.period *= units_per_second(*unit);
@@ -180,32 +179,23 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     request_.frames.reset();
     if (!spec_.timed && ((spec_.closed && !spec_.period) || (golden_ && time_exponent() != 0))) {
       throw usage_error(
-          "the times are made by the program; expected times of keys; name their column with {} time=NAME",
-          option::columns)
-          .about(option::retime);
-    }
-    if (part_) {
-      const auto later = [retiming = *spec_.retiming, frames = preparation_.frames](const std::optional<Time>& time) {
-        return time ? std::optional(retimed(*time, retiming, frames)) : std::nullopt;
-      };
-      part_->origin = *later(part_->origin);
-      part_->next = [later, next = part_->next] { return later(next()); };
+          "the times are made by the program; expected times of keys; name their column with --columns time=NAME")
+          .about("--retime");
     }
   }
   if (spec_.timed && spec_.parameter) {
     throw data_error(
-        "column \"{}\" has times already; expected keys without times; remove {}, or choose the columns with {}",
-        schema.time.name, option::parameter, option::columns)
-        .about(option::parameter);
+        "column \"{}\" has times already; expected keys without times; remove --parameter, or choose the columns with "
+        "--columns",
+        schema.time.name)
+        .about("--parameter");
   }
   require_fitting_rotations(spec_, request_, request.fields, needs_.metric);
   if (!request.fields.empty() && cells_in_row(request.fields, {schema.channels.size(), spec_.rotations}) == 0) {
     throw data_error(
         "rows would have no columns, as velocity, acceleration and jerk are of positions, and there are only "
-        "rotations; "
-        "expected a position; give angular_velocity, or {} none to take the numbers as positions",
-        option::rotation)
-        .about(option::fields);
+        "rotations; expected a position; give angular_velocity, or --rotation none to take the numbers as positions")
+        .about("--fields");
   }
   if (part_) request_.origin = request_.exact(part_->origin);
 }
@@ -281,9 +271,9 @@ bool CurvePipeline::take_places_of_part(const Extent& extent) {
   });
   for (const Rational& place : request_.places) {
     if (!next || place <= last || spec_.extrapolations.after != Extrapolation::error) continue;
-    throw usage_error("time {} is in the gap from {} to {}; give a time on the curve, or {}", text(place), text(last),
-                      time_text(*next), option::extrapolate)
-        .about(option::at);
+    throw usage_error("time {} is in the gap from {} to {}; give a time on the curve, or --extrapolate", text(place),
+                      text(last), time_text(*next))
+        .about("--at");
   }
   return !request_.places.empty();
 }
@@ -349,7 +339,7 @@ CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const 
   const Extent& extent = curve.extent;
   if (spec_.extrapolations.extend_curve() && may_leave_curve(request_) && !request_.origin) {
     const Rational first = exact_time(extent.first), last = exact_time(*extent.last);
-    for (const auto& [option, time] : {std::pair(option::from, request_.from), std::pair(option::to, request_.to)}) {
+    for (const auto& [option, time] : {std::pair("--from", request_.from), std::pair("--to", request_.to)}) {
       if (time) require_extended_to(option, *time, spec_.extrapolations, first, last);
     }
   }

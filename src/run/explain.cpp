@@ -13,7 +13,6 @@
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
 #include "run/curve_pipeline.hpp"
@@ -267,10 +266,10 @@ Facts lines_of(const CurveOutcome& outcome) {
   Facts lines{{"keys", fmt::format("{}", outcome.keys)}};
   if (outcome.first) lines.emplace_back("curve", range_text(outcome));
   if (const std::string gap = gap_text(outcome); !gap.empty()) {
-    lines.emplace_back("largest gap", fmt::format("{}; {} begins a new curve at gaps", gap, option::max_gap));
+    lines.emplace_back("largest gap", fmt::format("{}; --max-gap begins a new curve at gaps", gap));
   }
   if (!outcome.overshoot.empty()) {
-    lines.emplace_back("largest overshoot", fmt::format("{}; {} removes it", outcome.overshoot, option::no_overshoot));
+    lines.emplace_back("largest overshoot", fmt::format("{}; --no-overshoot removes it", outcome.overshoot));
   }
   if (outcome.facts.length) lines.emplace_back("length", fmt::format("{}", *outcome.facts.length));
   if (outcome.facts.step) lines.emplace_back("step", time_text(*outcome.facts.step));

@@ -10,9 +10,7 @@
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "numbers/decimal_time.hpp"
-#include "option_names.hpp"
 #include "read/input.hpp"
-#include "read/input_format.hpp"
 #include "run/curve_pipeline.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/table.hpp"
@@ -44,9 +42,8 @@ Note angles_note(const std::vector<NamedAngle>& angles) {
   }
   const bool may_be_euler = std::ranges::all_of(
       std::array{"yaw", "pitch", "roll"}, [&](std::string_view name) { return std::ranges::count(names, name) > 0; });
-  const std::string euler =
-      may_be_euler ? fmt::format(", or {} euler=yaw:pitch:roll,order=ZYX as a rotation", option::rotation) : "";
-  return important("angles seem to jump by more than half a turn; {} {} turns them the shorter way{}", option::angle,
+  const std::string euler = may_be_euler ? ", or --rotation euler=yaw:pitch:roll,order=ZYX as a rotation" : "";
+  return important("angles seem to jump by more than half a turn; --angle {} turns them the shorter way{}",
                    in_shell(list), euler);
 }
 
@@ -95,13 +92,12 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   }
   if (input.facts.shape == JsonShape::table_by_index) add(important("the index of the table is taken as the time"));
   if (options.input.records.empty() && !input.facts.records.empty()) {
-    add(important("the keys are the list {}; {} takes another one", in_quotes(input.facts.records), option::records));
+    add(important("the keys are the list {}; --records takes another one", in_quotes(input.facts.records)));
   }
   if (input.facts.names_quaternion) {
     add(
-        important("columns x, y, z and w after x, y and z are taken as the quaternion qx, qy, qz, qw; {} none takes "
-                  "them as positions",
-                  option::rotation));
+        important("columns x, y, z and w after x, y and z are taken as the quaternion qx, qy, qz, qw; --rotation none "
+                  "takes them as positions"));
   }
   if (!input.schema.time.is_given && !options.rules.parameter) {
     const bool needs_seconds = request.is_rate || request.in_seconds.has_duration;
@@ -121,48 +117,46 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   const bool has_duration = request.in_seconds.has_duration || (period && period->value.in_seconds);
   if (time.epoch_unit) {
     add(
-        important("the times in column \"{0}\" may be {1} since 1970; {2} {1} says so, and rates and durations are "
-                  "then in seconds",
-                  time.name, row_of(*time.epoch_unit).name, option::time_unit));
+        important("the times in column \"{0}\" may be {1} since 1970; --time-unit {1} says so, and rates and durations "
+                  "are then in seconds",
+                  time.name, row_of(*time.epoch_unit).name));
   } else if (has_duration && !time.unit) {
-    add(important("the unit of the times in column \"{}\" is unknown; they are taken as seconds; {} gives another one",
-                  time.name, option::time_unit));
+    add(important(
+        "the unit of the times in column \"{}\" is unknown; they are taken as seconds; --time-unit gives another one",
+        time.name));
   }
   if (request.is_rate && input.schema.time.unit == TimeUnit::frames) {
-    add(important("the times in column \"{}\" count frames, so the rate is per frame; {} HZ converts them to seconds",
-                  time.name, option::input_fps));
+    add(important(
+        "the times in column \"{}\" count frames, so the rate is per frame; --input-fps HZ converts them to seconds",
+        time.name));
   }
   const bool chosen = std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
   if (!chosen && options.input.renamings.empty()) {
     const std::vector<std::string> names = found_by_elimination(input);
     if (!names.empty()) {
-      add(important("positions: {}; {} gives other roles, as in ignore=NAME or tension=NAME", listed(names),
-                    option::columns));
+      add(important("positions: {}; --columns gives other roles, as in ignore=NAME or tension=NAME", listed(names)));
     }
   }
   if (!input.facts.other_objects.empty()) {
-    add(important("left out, as they do not move the first object: {}; {} reads them, as in {} '*/position'",
-                  listed(input.facts.other_objects), option::only, option::only));
+    add(important("left out, as they do not move the first object: {}; --only reads them, as in --only '*/position'",
+                  listed(input.facts.other_objects)));
   }
   if (!input.facts.other_tracks.empty()) {
-    add(important("left out, as they have other channels: {}; {} reads them", listed(input.facts.other_tracks),
-                  option::only));
+    add(important("left out, as they have other channels: {}; --only reads them", listed(input.facts.other_tracks)));
   }
   if (!input.facts.constant_tracks.empty()) {
-    add(important("left out, as they have a single key: {}; {} reads them", listed(input.facts.constant_tracks),
-                  option::only));
+    add(important("left out, as they have a single key: {}; --only reads them", listed(input.facts.constant_tracks)));
   }
   if (!input.facts.ignored.empty()) {
     const std::string ignored = listed(input.facts.ignored);
-    add(chosen ? Note{fmt::format("ignored, as {} chooses others: {}", option::columns, ignored)}
-               : important("ignored: {}; {} gives them roles, as in carry=NAME or position=NAME:NAME", ignored,
-                           option::columns));
+    add(chosen ? Note{fmt::format("ignored, as --columns chooses others: {}", ignored)}
+               : important("ignored: {}; --columns gives them roles, as in carry=NAME or position=NAME:NAME", ignored));
   }
 }
 
 Note remainder_note(double distance, bool at_key) {
-  return important("{0} is {1} after the last row; {2} keep or {2} fit includes it",
-                   at_key ? "the last key" : "the end of the range", distance, option::end);
+  return important("{} is {} after the last row; --end keep or --end fit includes it",
+                   at_key ? "the last key" : "the end of the range", distance);
 }
 
 void FileNotes::add_samples(const CurveSamples& samples, const SamplingRequest& request, bool is_closed) {
@@ -200,8 +194,8 @@ void FileNotes::end(const Curves& curves) {
   if (const auto signs = curves.channels().likely_signs(); !signs.empty()) {
     std::vector<std::string> names;
     for (const LikelySign& sign : signs) names.push_back(sign.channel);
-    add(important("{} in {} may stand for a missing number; {}={} {} skip-cell leaves it out", signs[0].number,
-                  listed(names), option::na, signs[0].number, option::missing));
+    add(important("{} in {} may stand for a missing number; --na={} --missing skip-cell leaves it out", signs[0].number,
+                  listed(names), signs[0].number));
   }
 }
 
@@ -239,7 +233,7 @@ Facts rules_in_words(const CurveSpec& spec) {
   }
   if (!spec.timed) {
     const std::string made = spec.parameter ? spec.parameter->name : "uniform";
-    words.emplace_back("times", fmt::format("none; made with {} {}", option::parameter, made));
+    words.emplace_back("times", fmt::format("none; made with --parameter {}", made));
   }
   return words;
 }

@@ -59,7 +59,6 @@ std::string number_in_words(const Rational& value);
 /// The rules of a curve, as names and values.
 Facts rules_in_words(const CurveSpec& spec);
 
-/// The preset of a curve, and its rules.
 Facts preset_in_words(const CurveSpec& spec);
 
 /// The requested samples, as in "every 0.5 of time".

@@ -7,7 +7,6 @@
 
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
-#include "option_names.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
 
@@ -43,7 +42,7 @@ SamplingRequest SampleOptions::of(const InputCurve& curve, const Schema& schema)
     return own;
   }
   if (grouped_places.empty()) return own;
-  own.places = places_of_group(grouped_places, request.mode == Mode::at ? option::at : option::arc_at, curve, schema);
+  own.places = places_of_group(grouped_places, request.mode == Mode::at ? "--at" : "--arc-at", curve, schema);
   return own;
 }
 

@@ -9,7 +9,6 @@
 #include "keys/prepare.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "stream/ordered_map.hpp"
 #include "tcb/spline/build_error.hpp"
 #include "tcb/spline/closing.hpp"
@@ -30,8 +29,9 @@ void measure(SegmentBlock& block, const Rules& rules) {
     if (spline::is_turn(rules.metric)) {
       throw data_error(
           "the rotation from time {} to {} has a tangent of more than 1e27 radians, as a step next to it is far "
-          "shorter; expected steps of which none is 1e-27 of the next one; correct the times, or use {} slerp",
-          from, to, option::rotation_curve);
+          "shorter; expected steps of which none is 1e-27 of the next one; correct the times, or use --rotation-curve "
+          "slerp",
+          from, to);
     }
     throw data_error(
         "the curve from time {} to {} has tangents beyond the range of doubles; expected less than 1.8e308 in size; "
@@ -115,18 +115,18 @@ Error curve_error(const spline::BuildError& error, const KeyStore& keys, const s
   switch (error.code) {
     case channel_without_positions:
       return data_error(
-          "no key has a number in channel \"{}\"; expected at least one; fill one in, or leave the column out with {}",
-          channels[error.channel], option::columns);
+          "no key has a number in channel \"{}\"; expected at least one; fill one in, or leave the column out with "
+          "--columns",
+          channels[error.channel]);
     case ease_with_missing_positions:
       return data_error(
-          "some numbers were skipped by {} skip-cell, but ease_in and ease_out need a number in every channel; fill "
-          "them in, or give {}",
-          option::missing, option::no_ease);
+          "some numbers were skipped by --missing skip-cell, but ease_in and ease_out need a number in every channel; "
+          "fill them in, or give --no-ease");
     case closed_too_few_keys: return data_error("a closed curve needs at least two distinct keys; add keys");
     case period_missing:
       return data_error(
-          "the period of the closed curve is unknown; give {}, or add a last row that repeats the first position",
-          option::period);
+          "the period of the closed curve is unknown; give --period, or add a last row that repeats the first "
+          "position");
     case period_not_finite:
     case period_too_short:
       return data_error("the period ends before the last key, at time {}; give a longer period",

@@ -6,7 +6,6 @@
 
 #include "error.hpp"
 #include "keys/prepare.hpp"
-#include "option_names.hpp"
 #include "sample/table.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
@@ -26,10 +25,16 @@ void set_rotation_rules(spline::CurveRules<double>& rules, const spline::PresetR
   if (settings.rotation_curve) own.curve = *settings.rotation_curve;
 }
 
-/// Multiplies times, also those of velocities.
+/// Multiplies times, also those of velocities. Throws: Error (usage) for a rule that depends on an absolute time.
 void retime(CurveSpec& spec, const Rational& factor) {
   if (spec.period) *spec.period *= factor;
   for (auto* end : {&spec.rules.start, &spec.rules.end}) {
+    if (end->rule == spline::EndRule::lightwave && !spec.closed && factor != 1) {
+      throw usage_error(
+          "the end rule lightwave depends on 1/3600 of a second, so that other times make another curve; name another "
+          "end rule with --ends")
+          .about("--retime");
+    }
     for (double& velocity : end->velocity) velocity /= nearest_double(factor);
   }
 }
@@ -127,8 +132,8 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
   const auto& [names, origin] = *settings.metric;
   if (is_word("rotation")) {
     if (rotations.empty())
-      throw origin.error(data_error("there is no rotation to measure; name its columns with {}, or measure channels",
-                                    option::rotation));
+      throw origin.error(
+          data_error("there is no rotation to measure; name its columns with --rotation, or measure channels"));
     metric = {spline::turn_metric};
     return;
   }
@@ -139,14 +144,14 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
                                     in_quotes(name), listed(channels), did_you_mean(name, channels)));
     if (spline::is_in_rotation(rotations, *channel))
       throw origin.error(
-          data_error("channel \"{}\" belongs to a rotation, which has no length; expected positions; give {} none to "
-                     "take it as a position",
-                     channels[*channel], option::rotation));
+          data_error("channel \"{}\" belongs to a rotation, which has no length; expected positions; give --rotation "
+                     "none to take it as a position",
+                     channels[*channel]));
     if (is_angle(*channel))
       throw origin.error(
           data_error("channel \"{}\" is an angle, which has no length; expected positions; leave it out, or take it as "
-                     "a position by leaving it out of {}",
-                     channels[*channel], option::angle));
+                     "a position by leaving it out of --angle",
+                     channels[*channel]));
     if (std::ranges::count(metric, *channel) > 0)
       throw origin.error(data_error("channel {} is repeated; expected each channel once; remove one", in_quotes(name)));
     metric.push_back(*channel);
@@ -165,22 +170,19 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
   set_metric(spec, settings, channels);
   if (settings.no_overshoot && !rotations.empty()) {
     throw data_error(
-        "{} keeps channels between their keys, which a rotation has no order for; expected no rotations; remove it, or "
-        "give {} none to take their numbers as plain channels",
-        option::no_overshoot, option::rotation);
+        "--no-overshoot keeps channels between their keys, which a rotation has no order for; expected no rotations; "
+        "remove it, or give --rotation none to take their numbers as plain channels");
   }
   for (const auto* end : {&spec.rules.start, &spec.rules.end}) {
     if (end->velocity.empty()) continue;
     if (spec.rules.timing == spline::Timing::monotone)
       throw settings.ends->origin.error(
           data_error("the rule velocity gives a velocity, which a preset with monotone timing would change; expected a "
-                     "different end rule; change it, or give another {}",
-                     option::preset));
+                     "different end rule; change it, or give another --preset"));
     if (!rotations.empty())
       throw settings.ends->origin.error(
           data_error("the rule velocity does not apply to rotations; expected a different end rule; change it, or give "
-                     "{} none to take rotations as plain channels",
-                     option::rotation));
+                     "--rotation none to take rotations as plain channels"));
     if (end->velocity.size() == channels.size()) continue;
     throw settings.ends->origin.error(
         data_error("the velocity has {} numbers; expected {}, one for each of {}; correct it", end->velocity.size(),
@@ -202,52 +204,49 @@ void require_fitting_rotations(const CurveSpec& spec, const SamplingRequest& req
   const auto of_rotations =
       std::ranges::find_if(chosen, [](std::size_t field) { return fields()[field].per_rotation; });
   if (!has_rotations && of_rotations != chosen.end()) {
-    throw data_error("{} needs a rotation, and there is none; name its columns with {}, or remove the field",
-                     fields()[*of_rotations].name, option::rotation)
-        .about(option::fields);
+    throw data_error("{} needs a rotation, and there is none; name its columns with --rotation, or remove the field",
+                     fields()[*of_rotations].name)
+        .about("--fields");
   }
   if (!has_rotations && request.tolerance.limits_angle()) {
     throw data_error(
-        "the tolerance has an angle, but there is no rotation; give the distance alone, or name a rotation with {}",
-        option::rotation)
-        .about(option::tolerance);
+        "the tolerance has an angle, but there is no rotation; give the distance alone, or name a rotation with "
+        "--rotation")
+        .about("--tolerance");
   }
   const bool is_near_path = request.mode == Mode::tolerance && request.tolerance.limits_distance();
   if (has_rotations && spec.lacks_metric && is_near_path) {
     throw data_error(
         "the tolerance has a distance, but there are only rotations or angles, which have none; give an angle alone, "
-        "as in 0.5deg, or {} none to take the numbers as positions",
-        option::rotation)
-        .about(option::tolerance);
+        "as in 0.5deg, or --rotation none to take the numbers as positions")
+        .about("--tolerance");
   }
   const bool emits = request.mode == Mode::emit;
   if (spec.lacks_metric && use != MetricUse::nothing) {
     throw data_error(
-        "there are only rotations or angles, which have no length; expected a position; give {} rotation to measure "
-        "angles, or {} none to take the numbers as positions",
-        option::metric, option::rotation);
+        "there are only rotations or angles, which have no length; expected a position; give --metric rotation to "
+        "measure angles, or --rotation none to take the numbers as positions");
   }
   if (spline::is_turn(spec.rules.metric) && (use == MetricUse::path || spec.rules.equal_speed)) {
     throw usage_error(
-        "{} rotation measures angles, so there are arc lengths, but no distances, speeds or shapes of a path; leave "
-        "these out, or give the field angular_speed",
-        option::metric);
+        "--metric rotation measures angles, so there are arc lengths, but no distances, speeds or shapes of a path; "
+        "leave these out, or give the field angular_speed");
   }
   const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
   const auto is_quaternion = [](const auto& one) { return one.shown.is_quaternion(); };
   if (emits && !spec.rules.angles.empty())
-    throw data_error("the pieces of an angle would lie in different turns; expected no angles; remove {} or {}",
-                     option::angle, option::emit);
+    throw data_error(
+        "the pieces of an angle would lie in different turns; expected no angles; remove --angle or --emit");
   if (emits && curve == spline::RotationCurve::components && !std::ranges::all_of(spec.rotations, is_quaternion)) {
     throw data_error(
-        "the pieces of a rotation are cubics of its quaternion; expected rotations as quaternions; give {} quaternion",
-        option::rotation_output);
+        "the pieces of a rotation are cubics of its quaternion; expected rotations as quaternions; give "
+        "--rotation-output quaternion");
   }
   if (emits && !spec.rules.rotations.empty() && curve != spline::RotationCurve::components) {
     throw data_error(
-        "the rotation curve {} has no cubics to print as pieces; expected components; give {} components, {} none, or "
-        "samples instead, as with {}",
-        name_of(curve), option::rotation_curve, option::rotation, option::count);
+        "the rotation curve {} has no cubics to print as pieces; expected components; give --rotation-curve "
+        "components, --rotation none, or samples instead, as with --count",
+        name_of(curve));
   }
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 
 #include "numbers/rational.hpp"
 #include "schema/curve_settings.hpp"

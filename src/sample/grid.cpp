@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "tcb/spline/double_pair.hpp"
 
 namespace tcb {
@@ -156,8 +155,8 @@ bool Grid::resolves(const Time& t, int decimals) const {
 void require_rows(const Rational& steps, std::uint64_t max_rows, bool at_least) {
   const Rational rows = floor(steps) + 1;
   if (rows <= max_rows) return;
-  throw usage_error("{}{} rows are requested; expected at most {}; request fewer, or raise {}",
-                    at_least ? "at least " : "", shown(rows), max_rows, option::max_rows);
+  throw usage_error("{}{} rows are requested; expected at most {}; request fewer, or raise --max-rows",
+                    at_least ? "at least " : "", shown(rows), max_rows);
 }
 
 void SamplingRequest::convert_seconds(const Rational& units) {
@@ -203,17 +202,17 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
   const Rational from = request.from.value_or(arc ? Rational(0) : request.exact(extent.first));
   std::optional<Rational> to = request.to;
   if (to && *to < from) {  // a start that was given is before it
-    throw usage_error("{} is before {}, where samples begin without {}; give a later end, or {}", text(*to), text(from),
-                      option::from, option::from)
-        .about(option::to);
+    throw usage_error("{} is before {}, where samples begin without --from; give a later end, or --from", text(*to),
+                      text(from))
+        .about("--to");
   }
   if (!to && arc && extent.length) to = Rational(*extent.length);  // a computed double is its own value
   if (!to && !arc && extent.last) to = request.exact(*extent.last);
   if (to && *to < from && request.count != 1) {
-    if (arc) require_not_after(option::from, from, RangeEnds::of_length, Rational(*extent.length));
-    throw usage_error("{} is after {}, where samples end without {}; give an earlier start, or {}", text(from),
-                      text(*to), option::to, option::to)
-        .about(option::from);
+    if (arc) require_not_after("--from", from, RangeEnds::of_length, Rational(*extent.length));
+    throw usage_error("{} is after {}, where samples end without --to; give an earlier start, or --to", text(from),
+                      text(*to))
+        .about("--from");
   }
   if (to && !std::isfinite(nearest_double(*to - from))) {
     throw data_error(
@@ -253,9 +252,7 @@ std::string beside(const Rational& value, const Rational& bound) {
   return shown == text(bound) ? ratio_text(value) : shown;
 }
 
-std::string or_extended(RangeEnds ends) {
-  return ends == RangeEnds::of_keys ? fmt::format(", or {}", option::extrapolate) : "";
-}
+std::string or_extended(RangeEnds ends) { return ends == RangeEnds::of_keys ? ", or --extrapolate" : ""; }
 
 }  // namespace
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "numbers/decimal_time.hpp"
-#include "option_names.hpp"
 #include "sample/grid.hpp"
 #include "sample/sampler.hpp"
 #include "sample/tolerance.hpp"
@@ -70,7 +69,7 @@ std::vector<Rational> exact_times(const SamplingRequest& request, const KeptCurv
   const Rational first = request.exact(extent.first), last = request.exact(*extent.last);
   if (request.mode == Mode::at) {
     for (std::size_t i = 0; request.key_times && i < request.places.size(); ++i) {
-      require_extended_to(option::at, request.places[i], curve.extrapolations(), first, last);
+      require_extended_to("--at", request.places[i], curve.extrapolations(), first, last);
     }
     return request.places;
   }
@@ -99,14 +98,12 @@ class AtPlaces : public Locator {
     const Time& place = places_[row];
     if (by_length_) {
       const Time length(curve_->length());
-      if (place < Time(0.0)) require_not_before(option::arc_at, exact_time(place), RangeEnds::of_length, 0);
-      if (place > length)
-        require_not_after(option::arc_at, exact_time(place), RangeEnds::of_length, exact_time(length));
+      if (place < Time(0.0)) require_not_before("--arc-at", exact_time(place), RangeEnds::of_length, 0);
+      if (place > length) require_not_after("--arc-at", exact_time(place), RangeEnds::of_length, exact_time(length));
       return curve_->curve().find_length(place, side);
     }
     if (place < first_ || place > last_) {
-      require_extended_to(option::at, exact_time(place), curve_->extrapolations(), exact_time(first_),
-                          exact_time(last_));
+      require_extended_to("--at", exact_time(place), curve_->extrapolations(), exact_time(first_), exact_time(last_));
     }
     return curve_->curve().find_time(outside(place).t, side);
   }

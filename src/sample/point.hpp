@@ -1,7 +1,6 @@
 // A point of a curve at any scalar: position, derivatives, speed, tangent, curvature, torsion, arc length, key.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <type_traits>

@@ -6,7 +6,6 @@
 
 #include "error.hpp"
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "tcb/spline/arc_inverse.hpp"
 
 namespace tcb {
@@ -91,12 +90,12 @@ void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const 
   const Rational& from = spacing_.grid.start();
   const auto bound = [&](const Time& end) { return by_length_ ? exact_time(end) : request_.exact(end); };
   const RangeEnds ends = by_length_ ? RangeEnds::of_length : RangeEnds::of_keys;
-  if (segment.number == 0) require_not_before(option::from, from, ends, bound(on.start));
+  if (segment.number == 0) require_not_before("--from", from, ends, bound(on.start));
   if (!segment.last) return;
-  require_not_after(option::from, from, ends, bound(on.end));
+  require_not_after("--from", from, ends, bound(on.end));
   if (!request_.to) return;
   const Rational to = request_.key_times ? *request_.to : request_.exact(end(decimals(segment)));
-  require_not_after(option::to, to, ends, bound(on.end));
+  require_not_after("--to", to, ends, bound(on.end));
 }
 
 /// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
@@ -249,8 +248,8 @@ void PieceSampler::require_bounds(const CurveSegment& segment) const {
     if (segment.number == 0) require_not_before(option, *given, RangeEnds::of_pieces, request_.exact(segment.start));
     if (segment.last) require_not_after(option, *given, RangeEnds::of_pieces, request_.exact(segment.end));
   };
-  require(option::from, request_.from);
-  require(option::to, request_.to);
+  require("--from", request_.from);
+  require("--to", request_.to);
 }
 
 SegmentRows PieceSampler::place(const CurveSegment& segment) {
@@ -261,13 +260,13 @@ SegmentRows PieceSampler::place(const CurveSegment& segment) {
   if (has_row && !segment.warp.is_identity()) {
     throw data_error(
         "segment {}, from the key at time {} to the key at {}, has ease, so it is not cubic in time; expected keys "
-        "without ease; give {}, or a sampling option instead of {}",
-        segment.number, time_text(segment.start), time_text(segment.end), option::no_ease, option::emit);
+        "without ease; give --no-ease, or a sampling option instead of --emit",
+        segment.number, time_text(segment.start), time_text(segment.end));
   }
   if (has_row && ++rows_ > request_.max_rows) require_rows(Rational(rows_ - 1), request_.max_rows, !segment.last);
   if (rows_ == 0 && (done_ || segment.last) && !request_.origin)
-    throw usage_error("no part of the curve lies between {0} and {1}; expected a longer range; correct {0} or {1}",
-                      option::from, option::to);
+    throw usage_error(
+        "no part of the curve lies between --from and --to; expected a longer range; correct --from or --to");
   return {segment.number, segment.number + (has_row ? 1 : 0)};
 }
 

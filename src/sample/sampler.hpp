@@ -8,8 +8,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <span>
-#include <utility>
 #include <vector>
 
 #include "sample/curve_segment.hpp"

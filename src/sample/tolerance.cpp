@@ -19,7 +19,6 @@
 
 #include "error.hpp"
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "sample/chord.hpp"
 #include "sample/grid.hpp"
 #include "tcb/spline/derivatives.hpp"
@@ -265,7 +264,7 @@ class Walker {
     }
     if (number == from.segment && to.u <= from.u)
       throw usage_error("the tolerance is too small: two rows would be the same; give a larger tolerance")
-          .about(option::tolerance);
+          .about("--tolerance");
   }
 
   /// The last place on a segment that was found to be reached, if `start` is and the end of the segment is not; `start`
@@ -432,7 +431,7 @@ void require_resolution(const CurvePoint& place, double tolerance) {
     throw usage_error(
         "the tolerance is too small: a position of {} at {} is rounded by up to {:.4g}; give a larger tolerance",
         number, time_text(place.t), rounding)
-        .about(option::tolerance);
+        .about("--tolerance");
   }
 }
 

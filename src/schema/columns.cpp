@@ -11,7 +11,6 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "option_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -26,9 +25,8 @@ std::string request_of(std::string_view role, std::span<const std::string> heade
 
 Error two_times(std::string_view column, std::string_view other_column, std::string_view request,
                 std::string_view other_request) {
-  return data_error("both {} and {} may be the time; expected one column of times; give {} {} or {} {}",
-                    in_quotes(column), in_quotes(other_column), option::columns, in_shell(request), option::columns,
-                    in_shell(other_request));
+  return data_error("both {} and {} may be the time; expected one column of times; give --columns {} or --columns {}",
+                    in_quotes(column), in_quotes(other_column), in_shell(request), in_shell(other_request));
 }
 
 /// Finds names: exactly, or else in another case.
@@ -67,7 +65,7 @@ std::size_t find_cell(const std::string& wanted, std::string_view option, std::s
 /// Sets the role of a cell. Throws: Error if it has another.
 void assign(Columns& columns, std::size_t cell, Role role, const std::string& name) {
   if (columns.cells[cell].role != Role::ignored)
-    throw data_error("column {} has two roles; expected one; correct {}", in_quotes(name), option::columns);
+    throw data_error("column {} has two roles; expected one; correct --columns", in_quotes(name));
   std::vector<std::string>* const several = role == Role::position ? &columns.channels
                                             : role == Role::group  ? &columns.groups
                                             : role == Role::carry  ? &columns.labels
@@ -105,17 +103,16 @@ void require_whole_velocities(const Columns& columns) {
       if (!has(role) || has(other)) return;
       throw data_error(
           "column {} gives the velocity on one side of a key, but there is no {} for the other side; expected both, or "
-          "one column for both sides; add it, or give {} {}",
-          in_quotes(name(role)), in_quotes(name(other)), option::columns,
-          in_shell(fmt::format("ignore={}", name(role))));
+          "one column for both sides; add it, or give --columns {}",
+          in_quotes(name(role)), in_quotes(name(other)), in_shell(fmt::format("ignore={}", name(role))));
     };
     const bool has_both = has(Role::velocity), has_in = has(Role::velocity_in);
     if (has_both && (has_in || has(Role::velocity_out)))
       throw data_error(
           "columns {} and {} both give the velocity on the same side of a key; expected {} for both sides, or a column "
-          "for each side; remove one, or give {} ignore=NAME",
+          "for each side; remove one, or give --columns ignore=NAME",
           in_quotes(name(Role::velocity)), in_quotes(name(has_in ? Role::velocity_in : Role::velocity_out)),
-          name(Role::velocity), option::columns);
+          name(Role::velocity));
     require_both(Role::velocity_in, Role::velocity_out);
     require_both(Role::velocity_out, Role::velocity_in);
     have_all = have_all && (has_both || has_in);
@@ -123,17 +120,16 @@ void require_whole_velocities(const Columns& columns) {
       if ((has_both || has_in) && has(role))
         throw data_error(
             "column {} gives velocities, so {} has no effect; expected velocities, or tension, continuity and bias; "
-            "remove one of the columns, or give {} ignore=NAME",
-            in_quotes(name(has_both ? Role::velocity : Role::velocity_in)), in_quotes(name(role)), option::columns);
+            "remove one of the columns, or give --columns ignore=NAME",
+            in_quotes(name(has_both ? Role::velocity : Role::velocity_in)), in_quotes(name(role)));
     }
   }
   for (const Role role : {Role::tension, Role::continuity, Role::bias}) {
     if (have_all && columns.has(role))
       throw data_error(
           "all channels have velocities, so the column of {} has no effect; expected velocities, or tension, "
-          "continuity "
-          "and bias; remove the column, or give {} ignore=NAME",
-          role_name(role), option::columns);
+          "continuity and bias; remove the column, or give --columns ignore=NAME",
+          role_name(role));
   }
 }
 
@@ -166,8 +162,8 @@ std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::strin
     }
     throw data_error(
         "column {} names a channel {}, which does not exist; expected one of {}; correct the name, or name the "
-        "channels with {} position=NAME:NAME",
-        in_quotes(header[cell]), in_quotes(named[cell]->channel), listed(channels), option::columns);
+        "channels with --columns position=NAME:NAME",
+        in_quotes(header[cell]), in_quotes(named[cell]->channel), listed(channels));
   }
   return roles;
 }
@@ -210,7 +206,7 @@ void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found
       throw data_error(
           "the role {} names a channel {}, which does not exist; expected one of the channels {}; correct the role",
           role_name(role), in_quotes(role.channel), listed(columns.channels))
-          .about(option::columns);
+          .about("--columns");
     }
     const std::string known = role_name(ChannelRole{role.role, columns.channels[*channel]});
     const auto [other, is_first] = taken.emplace(known, requested);
@@ -243,8 +239,9 @@ bool assign_segments(Columns& columns, std::span<const std::string> header) {
   if (!incomplete.empty()) {
     const std::string column = incomplete[0] + endings[0].first;
     throw data_error(
-        "the rows are segments and have a column {}, but no {}; expected both; add the missing column, or give {} {}",
-        in_quotes(column), in_quotes(incomplete[1]), option::columns, in_shell(fmt::format("ignore={}", column)));
+        "the rows are segments and have a column {}, but no {}; expected both; add the missing column, or give "
+        "--columns {}",
+        in_quotes(column), in_quotes(incomplete[1]), in_shell(fmt::format("ignore={}", column)));
   }
   for (const std::string& channel : channels) {
     for (const auto& ending : endings) {
@@ -380,10 +377,10 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     if (role == Role::position && !header.empty() && is_usual_counter(header[cell])) continue;
     if (role == Role::position && !header.empty() && tells_curves_apart(header[cell])) {
       throw data_error(
-          "column {} looks like a label, not a position; expected its role; give {} {} for one curve per value, {} {} "
-          "to keep it in the rows, or {} {} to leave it out",
-          in_quotes(header[cell]), option::group, in_shell(requested_as(header[cell], cell)), option::columns,
-          in_shell(request_of("carry", header, cell)), option::columns, in_shell(request_of("ignore", header, cell)));
+          "column {} looks like a label, not a position; expected its role; give --group {} for one curve per value, "
+          "--columns {} to keep it in the rows, or --columns {} to leave it out",
+          in_quotes(header[cell]), in_shell(requested_as(header[cell], cell)),
+          in_shell(request_of("carry", header, cell)), in_shell(request_of("ignore", header, cell)));
     }
     if (role == Role::time && columns.has(Role::time)) {
       const auto other = std::ranges::find(columns.cells, Role::time, &Columns::Column::role);
@@ -498,11 +495,10 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
     const bool has_numbers = std::ranges::count(numeric, true) > 0;
     throw data_error(
         "there is no position column; expected at least one column of numbers besides the time; {}",
-        has_other_numbers               ? fmt::format("name it with {} position=NAME", option::columns)
+        has_other_numbers               ? std::string("name it with --columns position=NAME")
         : has_numbers && !texts.empty() ? fmt::format("there are none in {}; correct the first cells", listed(texts))
-        : numeric.size() == 1 && has_numbers
-            ? fmt::format("give {} uniform if the only column is a position", option::parameter)
-        : numeric.size() == 1 ? fmt::format("give a table with numbers, or its delimiter with {}", option::delimiter)
+        : numeric.size() == 1 && has_numbers ? std::string("give --parameter uniform if the only column is a position")
+        : numeric.size() == 1 ? std::string("give a table with numbers, or its delimiter with --delimiter")
                               : "give a table with numbers");
   }
   return columns;
@@ -533,8 +529,8 @@ std::vector<std::string> default_channel_names(std::size_t channels) {
 
 Error same_column_names(std::string_view name) {
   return data_error(
-      "two columns are called {}; expected different names; rename one, or choose columns by number with {}",
-      in_quotes(name), option::columns);
+      "two columns are called {}; expected different names; rename one, or choose columns by number with --columns",
+      in_quotes(name));
 }
 
 Error no_such_column(std::string_view name, std::span<const std::string> columns) {
@@ -547,8 +543,9 @@ Error no_such_column_number(std::string_view number, std::size_t column_count) {
 }
 
 Error two_columns_for_role(std::string_view role, std::string_view second_column) {
-  return data_error("a second column, {}, has the role {}; expected one column with it; choose one with {} {}=NAME",
-                    in_quotes(second_column), role, option::columns, role);
+  return data_error(
+      "a second column, {}, has the role {}; expected one column with it; choose one with --columns {}=NAME",
+      in_quotes(second_column), role, role);
 }
 
 }  // namespace tcb

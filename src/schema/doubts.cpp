@@ -11,7 +11,6 @@
 #include <limits>
 
 #include "numbers/time_notation.hpp"
-#include "option_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -193,8 +192,7 @@ Found near_miss_of_role(const FoundColumns& found) {
     return error(
         "column {} would be a channel, but its name is close to the role {}; expected {}, or a name that is not close "
         "to it; rename the column, or give {} {} if it has this role, or {} {} if it has not",
-        in_quotes(name), *near, *near, option::columns, roles_of(found, *near, {cell}), option::columns,
-        positions_of(found));
+        in_quotes(name), *near, *near, "--columns", roles_of(found, *near, {cell}), "--columns", positions_of(found));
   }
   return std::nullopt;
 }
@@ -209,7 +207,7 @@ Found coefficients_of_pieces(const FoundColumns& found) {
   return error(
       "the columns are coefficients of pieces, which {} poly writes; expected keys; give the keys that the pieces were "
       "made of, pieces that {} hermite writes, or {} for keys with these channels",
-      option::emit, option::emit, option::columns);
+      "--emit", "--emit", "--columns");
 }
 
 Found letters_that_are_data(const FoundColumns& found) {
@@ -222,7 +220,7 @@ Found letters_that_are_data(const FoundColumns& found) {
   return note(
       "positions by a single letter: {}; only T, C and B together are tension, continuity and bias; {} {}={} gives the "
       "role",
-      listed(letters), option::columns, role_name(role_of_name(letters[0])), letters[0]);
+      listed(letters), "--columns", role_name(role_of_name(letters[0])), letters[0]);
 }
 
 /// Columns that are parameters by their names.
@@ -263,8 +261,8 @@ Found parameters_that_are_data(const FoundColumns& found) {
       "{} would shape the curve as {}, but {} is {}; expected parameters, which are usually from -1 to 1; give {} {} "
       "for channels, {} none for parameters as they are, or {} 3dsmax for parameters from 0 to 50",
       listed(names_of(found.names, cells)), cells.size() == 1 ? "a parameter" : "tension, continuity and bias",
-      in_quotes(found.names[first->first]), first->second, option::columns, positions_of(found), option::tcb_scale,
-      option::tcb_scale);
+      in_quotes(found.names[first->first]), first->second, "--columns", positions_of(found), "--tcb-scale",
+      "--tcb-scale");
 }
 
 Found column_numbers_above_rows(const FoundColumns& found) {
@@ -283,7 +281,7 @@ Found column_numbers_above_rows(const FoundColumns& found) {
   }
   const double step = number_in(found, found.rows[1], 0) - begin;
   if (!has_fraction && step == 1) return std::nullopt;
-  return note("the first line counts the columns; {} takes it as their names, not as a key", option::header);
+  return note("the first line counts the columns; {} takes it as their names, not as a key", "--header");
 }
 
 /// A column without a role whose cells are times: dates, times of day or timecode, or numbers by its name.
@@ -304,7 +302,7 @@ Found times_without_role(const FoundColumns& found) {
     return error(
         "column {} seems to have the times, but no column is the time; expected a time; give {} {}, or {} uniform if "
         "the keys have no times",
-        shown(found, cell), option::columns, roles_of(found, "time", {cell}), option::parameter);
+        shown(found, cell), "--columns", roles_of(found, "time", {cell}), "--parameter");
   }
   return std::nullopt;
 }
@@ -325,7 +323,7 @@ Found times_as_names(const FoundColumns& found) {
   return error(
       "the columns are called {}, as times are; expected a row for each time; transpose the table, or give {} uniform "
       "if the rows are keys without times",
-      listed(channels), option::parameter);
+      listed(channels), "--parameter");
 }
 
 Found time_in_two_numbers(const FoundColumns& found) {
@@ -349,7 +347,7 @@ Found time_in_two_numbers(const FoundColumns& found) {
   return error(
       "columns 1 and 2 seem to be the seconds and the nanoseconds of a time; expected names, or roles; give {} "
       "time=1,nanoseconds=2 if they are, or {} time=1 if column 2 is a position",
-      option::columns, option::columns);
+      "--columns", "--columns");
 }
 
 /// The columns of a year, a month and a day: by their names, or the first three without names.
@@ -384,7 +382,7 @@ Found date_in_three_numbers(const FoundColumns& found) {
   return error(
       "the year, the month and the day seem to be in {}, {} and {}; expected one column of times, such as "
       "2024-03-01T13:00; join them, or give {} time=NAME if one of them is the time",
-      shown(found, (*cells)[0]), shown(found, (*cells)[1]), shown(found, (*cells)[2]), option::columns);
+      shown(found, (*cells)[0]), shown(found, (*cells)[1]), shown(found, (*cells)[2]), "--columns");
 }
 
 Found dates_as_numbers(const FoundColumns& found) {
@@ -403,7 +401,7 @@ Found dates_as_numbers(const FoundColumns& found) {
     return error(
         "the dates in column {} are written as whole numbers, such as {}; expected marks between year, month and day, "
         "as in 2024-03-01; add them, or give {} {} to take them as numbers",
-        shown(found, cell), found.rows[0][cell], option::columns, roles_of(found, "time", {cell}));
+        shown(found, cell), found.rows[0][cell], "--columns", roles_of(found, "time", {cell}));
   }
   return std::nullopt;
 }
@@ -437,7 +435,7 @@ Found quaternion_called_wxyz(const FoundColumns& found) {
   return error(
       "columns {} have the norm 1, as quaternions do; expected the rotation to be named; give {} {} for a rotation, or "
       "{} none for plain channels",
-      listed(names), option::rotation, in_shell(fmt::format("quaternion={}", fmt::join(names, ":"))), option::rotation);
+      listed(names), "--rotation", in_shell(fmt::format("quaternion={}", fmt::join(names, ":"))), "--rotation");
 }
 
 /// Columns of slopes beside a single position, as animation curves of game engines have them.
@@ -455,7 +453,7 @@ Found slopes_by_name(const FoundColumns& found) {
         channels, [](std::string_view name) { return same_in_any_case(name, "value") || same_in_any_case(name, "y"); });
     if (std::ranges::count_if(channels, is_slope) != 2 || value == channels.end()) continue;
     return note("columns {} may be the slopes of {}; {} {} takes them as velocities", listed(both), in_quotes(*value),
-                option::columns, in_shell(fmt::format("{0}_vin={1},{0}_vout={2}", *value, both[0], both[1])));
+                "--columns", in_shell(fmt::format("{0}_vin={1},{0}_vout={2}", *value, both[0], both[1])));
   }
   return std::nullopt;
 }
@@ -488,8 +486,8 @@ Found rotation_vector_by_name(const FoundColumns& found) {
   }
   if (cells.size() != 3) return std::nullopt;
   return note("columns {} may be a rotation vector; {} {} resamples them as a rotation, {} none leaves out this note",
-              listed(std::vector{shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2])}),
-              option::rotation, roles_of(found, "axis-angle", cells), option::rotation);
+              listed(std::vector{shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2])}), "--rotation",
+              roles_of(found, "axis-angle", cells), "--rotation");
 }
 
 Found rotation_without_names(const FoundColumns& found) {
@@ -500,7 +498,7 @@ Found rotation_without_names(const FoundColumns& found) {
     return note(
         "the columns may be poses, matrices of 3 rows and 4 columns; {0} uniform {1} matrix=1:2:3:5:6:7:9:10:11 "
         "resamples them as poses, {1} none leaves out this note",
-        option::parameter, option::rotation);
+        "--parameter", "--rotation");
   }
   const std::vector<std::size_t> cells = cells_with(found, Role::position);
   for (std::size_t i = 0; i + 4 <= cells.size(); ++i) {
@@ -510,7 +508,7 @@ Found rotation_without_names(const FoundColumns& found) {
     return note(
         "columns {0} to {3} may be a quaternion; {4} quaternion={0}:{1}:{2}:{3} resamples them as a rotation, {4} none "
         "leaves out this note",
-        first, first + 1, first + 2, first + 3, option::rotation);
+        first, first + 1, first + 2, first + 3, "--rotation");
   }
   return std::nullopt;
 }
@@ -557,7 +555,7 @@ Found lengths_of_degrees(const Schema& schema, const RequestNeeds& needs) {
   return error(
       "{} and {} are degrees, which are not lengths; expected coordinates in one unit of length; convert them, or give "
       "{} {} to measure these numbers as they are",
-      in_quotes(*latitude), in_quotes(*longitude), option::metric, in_shell(fmt::format("{}", fmt::join(names, ","))));
+      in_quotes(*latitude), in_quotes(*longitude), "--metric", in_shell(fmt::format("{}", fmt::join(names, ","))));
 }
 
 Found lengths_of_space(const Schema& schema, const RequestNeeds& needs) {
@@ -570,7 +568,7 @@ Found lengths_of_space(const Schema& schema, const RequestNeeds& needs) {
   }
   if (others.empty()) return std::nullopt;
   return note("lengths and speeds measure {}, without {}; {} all measures all channels",
-              listed(names_of(schema.channels, space)), listed(others), option::metric);
+              listed(names_of(schema.channels, space)), listed(others), "--metric");
 }
 
 Found lengths_of_unlike_things(const Schema& schema, const RequestNeeds& needs) {
@@ -582,13 +580,13 @@ Found lengths_of_unlike_things(const Schema& schema, const RequestNeeds& needs) 
       plain, [&](std::size_t channel) { return !are_of_one_kind(first, schema.channels[channel]); });
   if (other == plain.end()) return std::nullopt;
   return note("lengths and speeds measure all channels together, also {} and {}; {} NAME,... chooses some",
-              in_quotes(first), in_quotes(schema.channels[*other]), option::metric);
+              in_quotes(first), in_quotes(schema.channels[*other]), "--metric");
 }
 
 Found time_by_its_place(const Schema& schema, const RequestNeeds& needs) {
   // Lists of numbers in JSON are often points.
   if (!schema.time.is_by_place || (!needs.by_length && schema.marks)) return std::nullopt;
-  return note("the first column is taken as the time; {} uniform takes it as a position", option::parameter);
+  return note("the first column is taken as the time; {} uniform takes it as a position", "--parameter");
 }
 
 /// Times without a unit are taken as seconds.
@@ -602,19 +600,19 @@ Found seconds_of_unknown_times(const Schema& schema, const RequestNeeds& needs) 
     return note(
         "the unit of the times in column {} is unknown; as seconds they give {:.0f} rows for each key; {} ms or {} 24 "
         "gives another one",
-        column, rows, option::time_unit, option::input_fps);
+        column, rows, "--time-unit", "--input-fps");
   }
   if (schema.time.epoch_unit) {
     return error(
         "the times in column {} seem to be {} since 1970, and as seconds they give {:.0f} rows for each key; expected "
         "their unit; give {} {} if it is this one, or {} s if they are seconds",
-        column, row_of(*schema.time.epoch_unit).name, rows, option::time_unit, row_of(*schema.time.epoch_unit).name,
-        option::time_unit);
+        column, row_of(*schema.time.epoch_unit).name, rows, "--time-unit", row_of(*schema.time.epoch_unit).name,
+        "--time-unit");
   }
   return error(
       "the unit of the times in column {} is unknown, and as seconds they give {:.0f} rows for each key; expected "
       "their unit; give {} ms, us or ns if it is one of these, {} HZ if they count frames, or {} s if they are seconds",
-      column, rows, option::time_unit, option::input_fps, option::time_unit);
+      column, rows, "--time-unit", "--input-fps", "--time-unit");
 }
 
 /// Steps without a unit have that of the times.

@@ -5,7 +5,6 @@
 // the option to copy.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>

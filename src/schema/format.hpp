@@ -5,7 +5,7 @@
 
 namespace tcb {
 
-struct InputFormat;   // read/input_format.hpp
+struct InputFormat;   // read/input.hpp
 struct OutputFormat;  // write/output_format.hpp
 struct PoseFormat;    // schema/pose_formats.hpp
 

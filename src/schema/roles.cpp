@@ -79,8 +79,8 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
       throw usage_error(
           "{} is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, bias=, "
           "tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, ease_in=, ease_out=, group=, "
-          "carry=, ignore=, nanoseconds= or clock=; for example {} time=frame,position=px:py",
-          in_quotes(part), option::columns);
+          "carry=, ignore=, nanoseconds= or clock=; for example --columns time=frame,position=px:py",
+          in_quotes(part));
     }
     const auto columns = split(part.substr(equals + 1), ':');
     requests.push_back({known ? *known : of_channel->role, {columns.begin(), columns.end()}});

@@ -8,8 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "option_names.hpp"
-
 namespace tcb {
 
 enum class Role {
@@ -114,7 +112,7 @@ inline constexpr std::array role_names{
 struct RoleRequest {
   Role role;
   std::vector<std::string> columns;
-  std::string_view option = option::columns;
+  std::string_view option = "--columns";
   std::string channel = {};   ///< of a role in one channel
   bool unless_taken = false;  ///< columns that have the role already keep it
 };

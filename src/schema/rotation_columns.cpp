@@ -2,11 +2,8 @@
 #include "schema/schema.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 
-#include "option_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -41,9 +38,9 @@ std::size_t requested_channel(const std::string& name, const Columns& columns, s
     others.reserve(numbers.size());
     for (const std::size_t other : numbers) others.push_back(std::to_string(other));
     throw data_error(
-        "column {} is the time or has another role; expected one of the columns {}; give another number, or {} uniform "
-        "if the keys have no times",
-        name, listed(others), option::parameter)
+        "column {} is the time or has another role; expected one of the columns {}; give another number, or "
+        "--parameter uniform if the keys have no times",
+        name, listed(others))
         .about(option);
   }
   if (number && !columns.named) throw no_such_column_number(name, columns.cells.size()).about(option);
@@ -68,9 +65,9 @@ void require_letters(const std::vector<std::string>& channels) {
     };
     throw data_error(
         "columns {} may be a quaternion, but their names do not tell which of them is w; expected names with x, y, z "
-        "and w; give {} {} if it is {}, {} {} if it is {}, or {} none for plain channels",
-        listed(names), option::rotation, in_shell(request(1, 2, 3, 0)), in_quotes(names.front()), option::rotation,
-        in_shell(request(0, 1, 2, 3)), in_quotes(names.back()), option::rotation);
+        "and w; give --rotation {} if it is {}, --rotation {} if it is {}, or --rotation none for plain channels",
+        listed(names), in_shell(request(1, 2, 3, 0)), in_quotes(names.front()), in_shell(request(0, 1, 2, 3)),
+        in_quotes(names.back()));
   }
 }
 
@@ -106,8 +103,8 @@ std::vector<spline::RotationChannels> rotations_by_name(const std::vector<std::s
     lacking[name.find('*')] = letters[static_cast<std::size_t>(std::ranges::find(rotation, none) - rotation.begin())];
     throw data_error(
         "columns {} are three numbers of a quaternion, but there is no {}; expected four numbers; add the missing "
-        "column, or give {} none to take the three as plain channels",
-        listed(others), in_quotes(lacking), option::rotation);
+        "column, or give --rotation none to take the three as plain channels",
+        listed(others), in_quotes(lacking));
   }
   std::ranges::sort(rotations, {}, [](const spline::RotationChannels& rotation) { return std::ranges::min(rotation); });
   return rotations;
@@ -151,9 +148,9 @@ void require_own_columns(const Schema& schema, const Columns& columns) {
           .about(option);
     taken[channel] = true;
   };
-  for (const AngleColumn& angle : schema.angles) take(angle.channel, option::angle);
+  for (const AngleColumn& angle : schema.angles) take(angle.channel, "--angle");
   for (const RotationSchema& rotation : schema.rotations) {
-    for (const std::size_t channel : rotation.given.channels) take(channel, option::rotation);
+    for (const std::size_t channel : rotation.given.channels) take(channel, "--rotation");
   }
 }
 
@@ -240,7 +237,7 @@ void add_rotation(Schema& schema, GivenRotation given, const Columns& columns) {
 
 Schema with_rotations(Schema schema, const Columns& columns, const RotationOptions& options) {
   for (const NamedAngle& angle : options.angles) {
-    schema.angles.push_back({{requested_channel(angle.channel, columns, option::angle), angle.degrees}, false});
+    schema.angles.push_back({{requested_channel(angle.channel, columns, "--angle"), angle.degrees}, false});
   }
   if (options.requests.empty() && !options.none) {
     require_letters(columns.channels);
@@ -252,16 +249,16 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
     request.notation.degrees = options.degrees;
     request.normalize = options.normalize;
     for (const std::string& column : request.columns) {
-      request.channels.push_back(requested_channel(column, columns, option::rotation));
+      request.channels.push_back(requested_channel(column, columns, "--rotation"));
     }
     add_rotation(schema, std::move(request), columns);
   }
   require_own_columns(schema, columns);
   if (!options.shown_by_format && options.shown && schema.rotations.empty()) {
     const auto form = std::ranges::find(rotation_forms, options.shown->form, &Named<spline::RotationForm>::value);
-    throw data_error("there is no rotation to show as {}; expected columns of a rotation; name them with {}",
-                     form->name, option::rotation)
-        .about(option::rotation_output);
+    throw data_error("there is no rotation to show as {}; expected columns of a rotation; name them with --rotation",
+                     form->name)
+        .about("--rotation-output");
   }
   set_channels(schema, columns);
   for (std::size_t i = 0; i < schema.rotations.size(); ++i) {
@@ -273,7 +270,7 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
     }
   }
   set_places(schema, columns);
-  if (options.shown) require_distinct_names(schema, option::rotation_output);
+  if (options.shown) require_distinct_names(schema, "--rotation-output");
   return schema;
 }
 

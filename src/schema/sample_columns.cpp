@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "option_names.hpp"
 #include "schema/usual_names.hpp"
 
 namespace tcb {
@@ -16,7 +15,7 @@ Columns find_sample_columns(std::span<const std::string> given, const std::vecto
   std::vector<std::string> header(given.begin(), given.end());
   for (const auto& [theirs, ours] : names.maps) {
     const auto found = std::ranges::find(given, theirs);
-    if (found == given.end()) throw no_such_column(theirs, header).about(option::map);
+    if (found == given.end()) throw no_such_column(theirs, header).about("--map");
     header[static_cast<std::size_t>(found - given.begin())] = ours;
   }
   const std::size_t cells = numeric.size();

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "option_names.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -99,10 +98,10 @@ Schema renamed(Schema schema, const std::vector<Renaming>& renamings) {
   for (const std::string* name : names) before.push_back(*name);
   for (const Renaming& renaming : renamings) {
     const auto found = std::ranges::find(before, renaming.from);
-    if (found == before.end()) throw no_such_column(renaming.from, before).about(option::rename);
+    if (found == before.end()) throw no_such_column(renaming.from, before).about("--rename");
     *names[static_cast<std::size_t>(found - before.begin())] = renaming.to;
   }
-  if (!renamings.empty()) require_distinct_names(schema, option::rename);
+  if (!renamings.empty()) require_distinct_names(schema, "--rename");
   return schema;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "option_names.hpp"
 #include "schema/columns.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
@@ -32,8 +31,8 @@ void require_unit(const UnitOptions& options, const Columns& columns) {
         row_of(unit).name, row_of(*named).name, in_quotes(time))
         .about(option);
   };
-  if (options.frame_rate && *named != TimeUnit::frames) refuse(option::input_fps, TimeUnit::frames);
-  if (options.time && *options.time != *named) refuse(option::time_unit, *options.time);
+  if (options.frame_rate && *named != TimeUnit::frames) refuse("--input-fps", TimeUnit::frames);
+  if (options.time && *options.time != *named) refuse("--time-unit", *options.time);
 }
 
 /// The format of dates like this one; that of others if it is none. Throws: Error (data) if only an option can tell the
@@ -46,14 +45,14 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
           "the dates in column {}, such as {}, have the year first; expected dates with the year last; remove the "
           "option",
           in_quotes(column), in_quotes(date))
-          .about(option::date_order);
+          .about("--date-order");
     return format;
   }
   if (!options.date_order)
     throw data_error(
         "the dates in column {}, such as {}, do not tell which number is the day; expected dates with the year first, "
-        "or their order; give {} dmy if the day is first, or {} mdy if the month is",
-        in_quotes(column), in_quotes(date), option::date_order, option::date_order);
+        "or their order; give --date-order dmy if the day is first, or --date-order mdy if the month is",
+        in_quotes(column), in_quotes(date));
   format.order = *options.date_order;
   return format;
 }
@@ -82,7 +81,7 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
   } else if (options.date_order && !options.are_optional) {
     throw data_error("the times in column {} are not dates; expected dates with the year last; remove the option",
                      in_quotes(columns.time))
-        .about(option::date_order);
+        .about("--date-order");
   }
   units.frame_rate = options.frame_rate;
   if (counts_frames(units.notation) && !options.frame_rate) throw times_without_rate(columns.time);
@@ -99,7 +98,7 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
   for (const ChannelScale& scale : options.scales) {
     const auto channel = std::ranges::find(columns.channels, scale.channel);
     if (channel == columns.channels.end()) {
-      throw no_such_column(scale.channel, columns.channels).about(option::scale);
+      throw no_such_column(scale.channel, columns.channels).about("--scale");
     }
     factors[NumberOfKey::position + static_cast<std::size_t>(channel - columns.channels.begin())] = scale.factor;
   }
@@ -119,9 +118,9 @@ Schema with_unit(Schema schema, const UnitOptions& options) {
   if (!time.is_given) {
     if (!options.frame_rate && !options.time) return schema;
     throw data_error(
-        "there is no time column, but the option needs one; name the column with {} time=NAME, or remove the option",
-        option::columns)
-        .about(options.frame_rate ? option::input_fps : option::time_unit);
+        "there is no time column, but the option needs one; name the column with --columns time=NAME, or remove the "
+        "option")
+        .about(options.frame_rate ? "--input-fps" : "--time-unit");
   }
   if (!time.unit) time.unit = options.time ? options.time : unit_of_time(time.name);
   if (time.notation != TimeNotation::seconds) {
@@ -137,9 +136,9 @@ Schema with_unit(Schema schema, const UnitOptions& options) {
 
 Error times_without_rate(std::string_view column) {
   return data_error(
-      "the times in column {} are frames or timecode, but no frame rate is given; expected one; give it with {}, as in "
-      "{} 24 or {} 30000/1001",
-      in_quotes(column), option::input_fps, option::input_fps, option::input_fps);
+      "the times in column {} are frames or timecode, but no frame rate is given; expected one; give it with "
+      "--input-fps, as in --input-fps 24 or --input-fps 30000/1001",
+      in_quotes(column));
 }
 
 }  // namespace tcb

@@ -1,7 +1,6 @@
 // UTF-8: lines and columns, invalid bytes, and quoting texts in messages.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>

@@ -31,7 +31,6 @@
 
 #include "error.hpp"
 #include "io/digest.hpp"
-#include "option_names.hpp"
 #include "sample/table.hpp"
 #include "schema/curve_channels.hpp"
 #include "schema/schema.hpp"
@@ -55,8 +54,8 @@ constexpr std::size_t numbers_of_piece = 4;          // of a channel: position a
 Error no_target_of_node(const std::vector<std::string>& channels) {
   return data_error(
       "the channels are {}; expected three of a translation, one rotation, or sx, sy and sz of a scale; choose others "
-      "with {}, or give another format to {}",
-      listed(channels), option::columns, option::output_format);
+      "with --columns, or give another format to --output-format",
+      listed(channels));
 }
 
 Error animation_without_rows() {
@@ -132,8 +131,8 @@ class TurningPiece {
     if (last_ - first_ < shortest) {
       throw data_error(
           "the rotation turns too often within the segment at {} for an animation; expected slower angles; give "
-          "samples, as by {}",
-          row_[0], option::fps);
+          "samples, as by --fps",
+          row_[0]);
     }
     TurningPiece part = *this;
     part.last_ = (first_ + last_) / 2;
@@ -278,9 +277,8 @@ class GltfScene : public RowKeeper {
     if (!known_.emplace(name, targets.front().path).second)
       throw data_error(
           "there is more than one curve of {}; expected one for each node of an animation; give another format, such "
-          "as "
-          "csv, to {}",
-          in_quotes(name), option::output_format);
+          "as csv, to --output-format",
+          in_quotes(name));
     nodes_.push_back({std::move(name),
                       {},
                       std::move(targets),
@@ -407,9 +405,8 @@ class GltfScene : public RowKeeper {
     if (track != "scale")
       throw data_error(
           "the track {} is not a position, rotation or scale that a node has; expected one of these; choose others "
-          "with "
-          "{}",
-          in_quotes(track), option::only);
+          "with --only",
+          in_quotes(track));
     targets.front().path = "scale";
     return targets;
   }
@@ -460,8 +457,9 @@ class GltfScene : public RowKeeper {
   void add_time(double time) {
     const double seconds = time * seconds_;
     if (seconds < 0)
-      throw data_error("a keyframe is at {} seconds; expected times from 0 on, as animations have them; give {} {}",
-                       seconds, option::time_zero, time);
+      throw data_error(
+          "a keyframe is at {} seconds; expected times from 0 on, as animations have them; give --time-zero {}",
+          seconds, time);
     constexpr float infinity = std::numeric_limits<float>::infinity();
     auto rounded = static_cast<float>(seconds);
     std::vector<float>& times = nodes_.back().times;
@@ -473,8 +471,8 @@ class GltfScene : public RowKeeper {
       if (!is_step) {
         throw data_error(
             "the keyframe at {} seconds has the time of the one before it in single precision; expected times that "
-            "differ there; give fewer samples, or {} {}",
-            seconds, option::time_zero, first_time_);
+            "differ there; give fewer samples, or --time-zero {}",
+            seconds, first_time_);
       }
       rounded = std::nextafter(times.back(), infinity);
     }

@@ -10,7 +10,6 @@
 
 #include "error.hpp"
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "schema/key_block.hpp"
 #include "schema/units.hpp"
 #include "text/suggest.hpp"
@@ -70,8 +69,8 @@ char* write_cell(char* out, CellKind kind, const Cell& cell, const Notation& not
   if (!notation.is_text() && cell.lo != 0) {
     throw data_error(
         "time {} has more digits than a double holds; expected a double, or a text format; give another format, such "
-        "as csv, to {}",
-        time_text(cell), option::output_format);
+        "as csv, to --output-format",
+        time_text(cell));
   }
   return kind == CellKind::time ? write_time(cell, notation, out) : write_number(cell.hi, notation, out);
 }
@@ -88,7 +87,6 @@ char* write_text(char* out, std::string_view text) {
   return out + 1;
 }
 
-/// The length of the longest row.
 std::size_t longest_row(const Layout& layout) {
   std::size_t length = layout.between_rows.size() + layout.row_end.size() + longest_time;
   const std::size_t cell = std::max(longest_number_in(layout.notation), layout.empty.size());
@@ -111,16 +109,16 @@ void require_path_with_yaw(const Schema& schema) {
   const bool has_yaw = schema.channels.size() == 4 && schema.channels.back() == "yaw";
   if ((schema.channels.size() != 3 && !has_yaw) || !schema.rotations.empty()) {
     throw data_error(
-        "the channels are {}; expected three of a position, and yaw if there is a fourth; choose them with {}, as in "
-        "position=x:y:z:yaw",
-        listed(schema.channels), option::columns);
+        "the channels are {}; expected three of a position, and yaw if there is a fourth; choose them with --columns, "
+        "as in position=x:y:z:yaw",
+        listed(schema.channels));
   }
   const TimeUnit unit = schema.time.unit.value_or(TimeUnit::s);
   if (unit != TimeUnit::s) {
     throw data_error(
         "the times are in {}, but the durations of polynomials are in seconds; expected times in seconds; convert "
-        "them, or give {} where they are frames",
-        row_of(unit).name, option::input_fps);
+        "them, or give --input-fps where they are frames",
+        row_of(unit).name);
   }
 }
 

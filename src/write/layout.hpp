@@ -1,8 +1,6 @@
 // Layouts: the texts around cells and rows of each format, and the loop that prints rows.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,9 +31,7 @@ struct Layout {
 void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
                  const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first);
 
-/// A text as a JSON string.
 std::string json_text(std::string_view text);
-/// Texts as a JSON list.
 std::string json_list(const std::vector<std::string>& texts);
 
 /// Rows of delimited text, below the names if there is a header.

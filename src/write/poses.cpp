@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "error.hpp"
-#include "option_names.hpp"
 #include "schema/pose_formats.hpp"
 #include "schema/schema.hpp"
 #include "text/utf8.hpp"
@@ -29,7 +28,6 @@ std::vector<std::string_view> other_channels(const PoseFormat& format) {
   return channels;
 }
 
-/// The names of the cells of a row in the format.
 std::vector<std::string_view> names_of_cells(const PoseFormat& format, std::string_view name, const Schema& schema) {
   const std::vector<RotationColumns> rotations = rotation_columns(schema);
   const std::vector<std::string_view> numbers = rotation_columns_of(format), others = other_channels(format);
@@ -49,8 +47,9 @@ std::vector<std::string_view> names_of_cells(const PoseFormat& format, std::stri
   if (positions != axes.size() || rotations.size() != 1) {
     throw data_error(
         "each row of {} is a pose, but the curve has channels of position: {}, rotations: {}; expected 3 channels and "
-        "1 rotation; choose them with {} and {}, or give another format, such as csv, to {}",
-        name, positions, rotations.size(), option::columns, option::rotation, option::output_format);
+        "1 rotation; choose them with --columns and --rotation, or give another format, such as csv, to "
+        "--output-format",
+        name, positions, rotations.size());
   }
   return names;
 }
@@ -70,8 +69,8 @@ std::vector<std::size_t> pose_cells(const Format& of, const Schema& schema) {
     if (!find(column))
       throw data_error(
           "no channel is {}, which every row of {} has; expected a column of that name; add one, or give another "
-          "format to {}",
-          in_quotes(column), of.name, option::output_format);
+          "format to --output-format",
+          in_quotes(column), of.name);
   }
   if (!other_channels(format).empty()) std::ranges::for_each(format.others, find);
   return order;

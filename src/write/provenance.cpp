@@ -30,7 +30,6 @@ std::string member(std::string_view name, std::string_view value) {
   return fmt::format("{}:{}", json_text(name), json_word(value));
 }
 
-/// The results of an input, if there are any.
 Facts results_of(const Provenance& provenance, std::size_t input) {
   return input < provenance.results.size() ? provenance.results[input] : Facts{};
 }

@@ -37,7 +37,6 @@ struct Provenance {
 std::string text_before_rows(const Provenance& provenance, const Format& format);
 std::string text_after_rows(const Provenance& provenance, const Format& format);
 
-/// The requested provenance.
 struct ProvenanceRequest {
   Provenance meta;     ///< program and options
   Provenance earlier;  ///< that of the output to reproduce, if there is one

@@ -10,7 +10,6 @@
 
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
-#include "option_names.hpp"
 #include "sample/fields.hpp"
 #include "schema/pose_formats.hpp"
 #include "schema/units.hpp"
@@ -26,13 +25,15 @@ namespace {
 /// Throws: Error (data) where the name is another column's, or the file's is not UTF-8.
 void add_file_column(OutputColumns& columns, const std::string& name, const std::string& file) {
   if (std::ranges::count(columns.names(), name) > 0)
-    throw data_error("there already is a column {}; expected another name for the column of files; give {}=NAME",
-                     in_quotes(name), option::file_column);
+    throw data_error(
+        "there already is a column {}; expected another name for the column of files; give --file-column=NAME",
+        in_quotes(name));
   const std::size_t invalid = find_invalid_utf8(file);
   if (invalid != std::string::npos)
     throw data_error(
-        "the name of the file has the byte {:02X}, which is not UTF-8; expected UTF-8 for {}; rename the file",
-        static_cast<unsigned char>(file[invalid]), option::file_column);
+        "the name of the file has the byte {:02X}, which is not UTF-8; expected UTF-8 for --file-column; rename the "
+        "file",
+        static_cast<unsigned char>(file[invalid]));
   columns.groups.insert(columns.groups.begin(), name);
 }
 
@@ -61,13 +62,14 @@ std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t
 Error text_in_binary_format(std::string_view column, std::string_view format) {
   return data_error(
       "column {} holds text, but {} holds only numbers; expected a format with text; give another one, such as csv, to "
-      "{}, or remove the column",
-      in_quotes(column), format, option::output_format);
+      "--output-format, or remove the column",
+      in_quotes(column), format);
 }
 
 Error dates_from_time_zero() {
-  return usage_error("times that count from {} are not dates; expected another notation; give {} seconds, or neither",
-                     option::time_zero, option::time_format);
+  return usage_error(
+      "times that count from --time-zero are not dates; expected another notation; give --time-format seconds, or "
+      "neither");
 }
 
 }  // namespace
@@ -83,8 +85,8 @@ TextMarks Writer::marks_for(const Schema& schema) const {
   if (options_.like_input) {
     if (!schema.marks)
       throw usage_error(
-          "the input is JSON, which has neither a delimiter nor a decimal mark; expected delimited text; remove {}",
-          option::like_input);
+          "the input is JSON, which has neither a delimiter nor a decimal mark; expected delimited text; remove "
+          "--like-input");
     return *schema.marks;
   }
   return {options_.delimiter.value_or(options_.format->delimiter), options_.decimal};
@@ -120,8 +122,8 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
     output_.write((marks_.crlf ? with_crlf(provenance) : provenance) + head);
   } else if (columns.names() != columns_.names()) {
     throw data_error(
-        "the columns are {}; expected {}, as in the earlier files; give {} to write an output for each file",
-        listed(columns.names()), listed(columns_.names()), option::output_dir);
+        "the columns are {}; expected {}, as in the earlier files; give --output-dir to write an output for each file",
+        listed(columns.names()), listed(columns_.names()));
   }
   output_.set_live(live);
 }
@@ -134,8 +136,8 @@ std::string Writer::set_layouts(bool header) {
     if (format.poses == nullptr) throw text_in_binary_format(texts.front(), format.name);
     throw data_error(
         "column {} holds text, but {} holds only times and poses; expected rows without text; give another format, "
-        "such as csv, to {}",
-        in_quotes(texts.front()), format.name, option::output_format);
+        "such as csv, to --output-format",
+        in_quotes(texts.front()), format.name);
   }
   std::vector<OutputColumn> all;
   for (const std::string& name : columns_.names()) all.push_back({name});
@@ -169,8 +171,8 @@ std::string Writer::text_before(std::span<const std::string> group) {
   if (all_.divider.empty()) {
     throw data_error(
         "there is more than one curve, but {} holds one table of rows; expected one curve; give another format, such "
-        "as csv, to {}",
-        options_.format->name, option::output_format);
+        "as csv, to --output-format",
+        options_.format->name);
   }
   return all_.between_rows + all_.divider;
 }
@@ -234,9 +236,9 @@ void Writer::set_times_of_poses(const TimeSchema& time) {
   whole_times_ = format.unit == TimeUnit::ns;
   if (!time.unit && time.notation == TimeNotation::seconds && whole_times_) {
     throw data_error(
-        "the times in column {} have no known unit, but those of {} are in nanoseconds; expected a unit; give {} s if "
-        "they are seconds",
-        in_quotes(time.name), options_.format->name, option::time_unit);
+        "the times in column {} have no known unit, but those of {} are in nanoseconds; expected a unit; give "
+        "--time-unit s if they are seconds",
+        in_quotes(time.name), options_.format->name);
   }
   unit_ = units_per_second(format.unit.value_or(TimeUnit::s)) / units_per_second(time.unit.value_or(TimeUnit::s));
 }
@@ -272,8 +274,8 @@ std::vector<std::string> Writer::texts(const Table& table) const {
       const char* const name = notation_ == TimeNotation::clock ? "clock" : is_date(notation_) ? "a date" : "timecode";
       throw data_error(
           "the time {} of a row cannot be written as {}; expected a time that is not before 0 and is at a frame for "
-          "timecode, and a year from 0 to 9999 for a date; give {} seconds",
-          time_text(table.cells[i]), name, option::time_format);
+          "timecode, and a year from 0 to 9999 for a date; give --time-format seconds",
+          time_text(table.cells[i]), name);
     }
     const bool has_clock = text->find(':') != std::string::npos;
     texts[i] = in_quotes ? json_text(*text) : has_clock ? with_decimal(*text, marks_.decimal) : *text;

@@ -71,7 +71,6 @@ class Writer {
   /// The text after a row with these labels, each a text as in schema/texts.hpp.
   std::string row_end(std::span<const std::string_view> labels) const;
 
-  /// Writes the rows of a curve.
   void write(const Source<std::string>& rows);
 
   /// Ends the output. Throws: Error (usage) if it cannot be completed.

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "comparing.hpp"
-#include "option_names.hpp"
 #include "run/curve_pipeline.hpp"
 #include "sample/build.hpp"
 

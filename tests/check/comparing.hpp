@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "check/comparison.hpp"
+#include "check/compare_job.hpp"
 #include "error.hpp"
 
 namespace tcb {

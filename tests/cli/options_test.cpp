@@ -1,6 +1,7 @@
 // Options: the table is complete, and its defaults and names are values that the options take.
 #include "cli/options.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -14,7 +15,7 @@ namespace {
 
 TEST(Options, each_is_found_by_its_name) {
   for (const OptionRow& row : option_table()) EXPECT_EQ(&row_of(row.name), &row) << row.name;
-  EXPECT_EQ(row_of(option::step).other_name, "-s");
+  EXPECT_EQ(row_of("--step").other_name, "-s");
 }
 
 TEST(Options, names_are_unique_and_each_option_has_a_long_one) {
@@ -25,21 +26,26 @@ TEST(Options, names_are_unique_and_each_option_has_a_long_one) {
   }
 }
 
-/// Rows begin with the constants of option_names.hpp.
-TEST(Options, constants_of_names_are_those_of_the_table) {
-  std::ifstream file(SOURCE_FOLDER "/src/option_names.hpp");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const std::regex constant(R"re(string_view (\w+) = "([^"]*)";)re");
-  std::set<std::string> names;
-  for (std::sregex_iterator at(text.begin(), text.end(), constant), end; at != end; ++at) {
-    std::string expected = "--" + at->str(1);
-    std::ranges::replace(expected, '_', '-');
-    EXPECT_EQ(at->str(2), expected);
-    names.insert(at->str(2));
+/// Messages and conditions name options as they are typed, and those of the programs that convert files.
+TEST(Options, sources_name_options_of_the_table) {
+  std::set<std::string> known{"--batch", "--csv", "--json", "--long", "--topics"};
+  for (const OptionRow& row : option_table()) {
+    for (const std::string_view name : row.all_names()) known.emplace(name);
   }
-  std::set<std::string> in_table;
-  for (const OptionRow& row : option_table()) in_table.emplace(row.name);
-  EXPECT_EQ(names, in_table);
+  const std::regex text(R"re('(?:[^'\\]|\\.)'|"(?:[^"\\]|\\.)*")re"), option(R"re((?:^|[^\w-])(--[a-z][a-z-]*))re");
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(SOURCE_FOLDER "/src")) {
+    const auto ending = entry.path().extension();
+    if (ending != ".cpp" && ending != ".hpp") continue;
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);) {
+      for (std::sregex_iterator at(line.begin(), line.end(), text), end; at != end; ++at) {
+        const std::string literal = at->str();
+        for (std::sregex_iterator name(literal.begin(), literal.end(), option); name != end; ++name) {
+          EXPECT_TRUE(known.contains(name->str(1))) << entry.path() << ": " << name->str(1);
+        }
+      }
+    }
+  }
 }
 
 TEST(Options, texts_have_no_point_at_the_end_and_flags_no_value) {
@@ -72,7 +78,7 @@ TEST(Options, every_name_is_a_value_of_its_option) {
   for (const OptionRow& row : option_table()) {
     if (row.known == nullptr) continue;
     for (const std::string_view name : row.known()) {
-      if (name == "velocity" && row.name == option::ends) continue;  // it needs numbers
+      if (name == "velocity" && row.name == "--ends") continue;  // it needs numbers
       TypedOptions typed;
       EXPECT_NO_THROW(row.store(typed, std::string(name))) << row.name << " " << name;
     }
@@ -81,9 +87,8 @@ TEST(Options, every_name_is_a_value_of_its_option) {
 
 TEST(Options, an_unknown_name_is_refused_with_the_known_ones) {
   for (const OptionRow& row : option_table()) {
-    if (row.known == nullptr || row.name == option::ends || row.name == option::parameter)
-      continue;  // left to the curve
-    if (row.name == option::delimiter || row.name == option::output_delimiter || row.name == option::thousands)
+    if (row.known == nullptr || row.name == "--ends" || row.name == "--parameter") continue;  // left to the curve
+    if (row.name == "--delimiter" || row.name == "--output-delimiter" || row.name == "--thousands")
       continue;  // also a character
     TypedOptions typed;
     try {

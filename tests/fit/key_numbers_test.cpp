@@ -1,5 +1,5 @@
 // Key numbers: tension, continuity and bias give the slopes that they are made from, by the table of rules.
-#include "fit/key_numbers.hpp"
+#include "fit/fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,10 @@
 // Key times: few keys, within the tolerances at all samples.
-#include "fit/key_times.hpp"
+#include "fit/fit.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "fit/longest_cubics.hpp"
 #include "fit/recordings.hpp"
 
 namespace tcb {

@@ -1,5 +1,5 @@
 // Longest cubics: how many cubics the samples need at least.
-#include "fit/longest_cubics.hpp"
+#include "fit/fit.hpp"
 
 #include <gtest/gtest.h>
 

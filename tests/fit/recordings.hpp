@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "fit/recording.hpp"
+#include "fit/fit.hpp"
 #include "schema/key_block.hpp"
 
 namespace tcb {

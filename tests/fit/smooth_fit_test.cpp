@@ -1,5 +1,5 @@
 // Smooth fits: curves of cubics are found again, and the largest distance is made small.
-#include "fit/smooth_fit.hpp"
+#include "fit/fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "error.hpp"
-#include "option_names.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 namespace {
@@ -86,7 +86,7 @@ TEST(Plot, a_single_key_is_drawn_without_samples) {
 
 TEST(Plot, curves_beyond_the_most_are_counted) {
   PlotJob job = sampled();
-  job.keys.input.columns.roles = {{Role::group, {"id"}, option::group}};
+  job.keys.input.columns.roles = {{Role::group, {"id"}, "--group"}};
   std::string text = "id,time,x\n";
   for (int i = 0; i < 402; ++i) text += fmt::format("{0},0,{0}\n{0},1,0\n", i);
   EXPECT_THAT(drawn(job, {text}), HasSubstr("400 of 402 curves"));

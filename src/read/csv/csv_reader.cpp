@@ -8,10 +8,9 @@
 
 #include "io/encoding.hpp"
 #include "numbers/parse_number.hpp"
-#include "option_names.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/csv/tokenizer.hpp"
-#include "read/input_format.hpp"
+#include "read/input.hpp"
 #include "read/key_builder.hpp"
 #include "schema/pose_formats.hpp"
 #include "schema/usual_names.hpp"
@@ -27,9 +26,9 @@ std::string missing_cell(std::string_view cell) { return cell.empty() ? "an empt
 
 Error wrong_number_of_cells(std::size_t cells, std::size_t expected) {
   return data_error(
-      "the number of cells in the row is {}, but {} in the rows above; expected the same "
-      "number; complete or correct the row, or give the delimiter with {}",
-      cells, expected, option::delimiter);
+      "the number of cells in the row is {}, but {} in the rows above; expected the same number; complete or correct "
+      "the row, or give the delimiter with --delimiter",
+      cells, expected);
 }
 
 /// A cell as a text of a key: a whole number as a number, everything else as a string.
@@ -161,11 +160,11 @@ class RecordReader {
   /// A number in a column of text is a fault: that is a column of numbers with other texts in it.
   void require_text(std::string_view cell) {
     if (!decimals_.number(number_text(cell))) return;
-    add_fault(cell, data_error("{}: {} is a number in a column of text; expected only numbers or only text; give the "
-                               "text that stands for missing numbers to {}, or leave the column out with {} "
-                               "position=NAME:NAME",
-                               fmt::format("column {}", index_of(cell) + 1), in_quotes(unquoted(cell)), option::na,
-                               option::columns));
+    add_fault(
+        cell,
+        data_error("{}: {} is a number in a column of text; expected only numbers or only text; give the text that "
+                   "stands for missing numbers to --na, or leave the column out with --columns position=NAME:NAME",
+                   fmt::format("column {}", index_of(cell) + 1), in_quotes(unquoted(cell))));
   }
 
   void read_no_number(std::string_view cell, const Columns::Column& column) {
@@ -178,40 +177,39 @@ class RecordReader {
       add_fault(
           cell,
           head_.columns.are_segments
-              ? data_error("{}: found {}; expected a number, as each row is a whole segment; fill it in, or remove "
-                           "the row",
-                           name, missing_cell(text))
+              ? data_error(
+                    "{}: found {}; expected a number, as each row is a whole segment; fill it in, or remove the row",
+                    name, missing_cell(text))
           : column.role == Role::position && head_.begin_empty[index_of(cell)]
-              ? data_error("{}: found {}, as at the beginning; expected a number; fill it in, or give {} {} to leave "
-                           "the column out, or {} skip-row, skip-cell or break",
-                           name, missing_cell(text), option::columns,
-                           in_shell("ignore=" + requested_as(head_.columns.named ? name : "", index_of(cell))),
-                           option::missing)
-          : is_of_time ? data_error("{}: found {}; expected a time; fill it in, or give {} skip-row or break", name,
-                                    missing_cell(text), option::missing)
-                       : data_error("{}: found {}; expected a number; fill it in, or give {} skip-row, skip-cell or "
-                                    "break",
-                                    name, missing_cell(text), option::missing));
+              ? data_error("{}: found {}, as at the beginning; expected a number; fill it in, or give --columns {} to "
+                           "leave the column out, or --missing skip-row, skip-cell or break",
+                           name, missing_cell(text),
+                           in_shell("ignore=" + requested_as(head_.columns.named ? name : "", index_of(cell))))
+          : is_of_time
+              ? data_error("{}: found {}; expected a time; fill it in, or give --missing skip-row or break", name,
+                           missing_cell(text))
+              : data_error(
+                    "{}: found {}; expected a number; fill it in, or give --missing skip-row, skip-cell or break", name,
+                    missing_cell(text)));
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
       add_fault(cell, no_time(name, text));
     } else if (repeats_name(index_of(cell))) {
       std::size_t first = 0;  // the fault of the line
       while (!repeats_name(first)) ++first;
       if (first < index_of(cell)) return;
-      add_fault(cell, data_error("the line repeats the names of the columns; expected a key; remove it, as in awk "
-                                 "'!seen[$0]++' FILE"));
+      add_fault(
+          cell,
+          data_error(
+              "the line repeats the names of the columns; expected a key; remove it, as in awk '!seen[$0]++' FILE"));
     } else if (is_footer()) {
       const Error fault = why_not_number(name, text, head_.marks);
       add_fault(cell, data_error("{}{}", fault.message(), if_no_key()));
     } else if (is_word(text, column)) {
       const std::string request = requested_as(column.role == Role::position ? name : "", index_of(cell));
-      add_fault(
-          cell,
-          data_error("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or give it to "
-                     "{} if it "
-                     "stands for a missing number, {} {} to leave the column out, or {} {} if it tells curves apart",
-                     name, in_quotes(text), option::na, option::columns, in_shell("ignore=" + request), option::group,
-                     in_shell(request)));
+      add_fault(cell, data_error("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or "
+                                 "give it to --na if it stands for a missing number, --columns {} to leave the column "
+                                 "out, or --group {} if it tells curves apart",
+                                 name, in_quotes(text), in_shell("ignore=" + request), in_shell(request)));
     } else {
       add_fault(cell, why_not_number(name, text, head_.marks));
     }
@@ -237,7 +235,7 @@ class RecordReader {
 
   /// The remedy for a record that is no key.
   std::string if_no_key() const {
-    return fmt::format(", or give {} {} if such lines are no keys", option::comment, in_shell(bare(cells_[0])));
+    return fmt::format(", or give --comment {} if such lines are no keys", in_shell(bare(cells_[0])));
   }
 
   /// Whether a cell without digits is in a column that may hold words by its name.
@@ -260,9 +258,10 @@ class RecordReader {
                                  "example with iconv -f WINDOWS-1252 -t UTF-8",
                                  in_quotes(unquoted(cell)), static_cast<unsigned char>(text[invalid])));
     if (content(text).empty() && !keys_.miss(column))
-      add_fault(cell, data_error("{}: found an empty cell; expected the name of a curve; fill it in, or give {} "
-                                 "skip-row",
-                                 head_.columns.name_of(column), option::missing));
+      add_fault(
+          cell,
+          data_error("{}: found an empty cell; expected the name of a curve; fill it in, or give --missing skip-row",
+                     head_.columns.name_of(column)));
     keys_.set_text(column, std::move(text));
   }
 
@@ -284,8 +283,8 @@ Source<std::string> without_lines(Source<std::string> bytes, std::uint64_t lines
     std::optional<std::string> text = bytes();
     while (lines > 0) {
       if (!text) {
-        throw data_error("the input ends within the lines that {} skips; expected more lines; give a smaller number",
-                         option::skip_lines);
+        throw data_error(
+            "the input ends within the lines that --skip-lines skips; expected more lines; give a smaller number");
       }
       std::size_t at = 0;
       while (lines > 0 && (at = text->find('\n')) != std::string::npos) {
@@ -451,9 +450,8 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   const bool is_decimal = dialect.delimiter == options.delimited.marks.decimal;
   if (is_decimal && !has_quoted_decimal(beginning.text))
     throw data_error(
-        "the comma is both the decimal mark and the delimiter; expected different characters; "
-        "give another delimiter with {}, or remove {}",
-        option::delimiter, option::decimal);
+        "the comma is both the decimal mark and the delimiter; expected different characters; give another delimiter "
+        "with --delimiter, or remove --decimal");
   const std::string first = beginning.text.substr(0, most_of_preamble);
   const std::uint64_t first_line = beginning.line;
   Source<Chunk> chunks =
@@ -479,9 +477,9 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
       const std::string also =
           delimiter ? "" : fmt::format(" ({})", error.message().substr(0, error.message().find(';')));
       throw data_error(
-          "the lines above line {} are not part of the table that seems to begin there{}; expected a table from "
-          "the first line on; give {} {}",
-          line, also, table->mark.empty() ? option::skip_lines : option::comment,
+          "the lines above line {} are not part of the table that seems to begin there{}; expected a table from the "
+          "first line on; give {} {}",
+          line, also, table->mark.empty() ? "--skip-lines" : "--comment",
           table->mark.empty()
               ? fmt::format("{}{}", line - 1,
                             table->has_names ? "" : ", with which columns have no names and the first is the time")

@@ -12,7 +12,6 @@
 
 #include "io/encoding.hpp"
 #include "numbers/parse_number.hpp"
-#include "option_names.hpp"
 #include "read/csv/tokenizer.hpp"
 #include "schema/doubts.hpp"
 #include "schema/usual_names.hpp"
@@ -26,9 +25,9 @@ Error row_unlike_header(std::size_t cells, std::size_t names) {
   const std::string_view names_of_rows =
       cells == names + 1 ? "add a name to the header if the first cells name the rows, as R writes them, " : "";
   return data_error(
-      "the number of cells in the first row is {}, but {} in the header; expected the same "
-      "number; {}correct one of them, or give the delimiter with {}",
-      cells, names, names_of_rows, option::delimiter);
+      "the number of cells in the first row is {}, but {} in the header; expected the same number; {}correct one of "
+      "them, or give the delimiter with --delimiter",
+      cells, names, names_of_rows);
 }
 
 using HeadCells = std::vector<std::string_view>;
@@ -169,8 +168,7 @@ std::string convert_names(std::vector<std::string>& names, const TextPosition& p
     if (!converted)
       throw data_error(
           "the column name {} has the byte {:02X}, which is neither UTF-8 nor Windows-1252; expected UTF-8; convert "
-          "the "
-          "text from its encoding with iconv",
+          "the text from its encoding with iconv",
           in_quotes(name), static_cast<unsigned char>(name[invalid]))
           .at(position);
     name = *converted;
@@ -235,8 +233,9 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
     const Error fault = why_not_number(name, cell, head.marks);
     if (is_coordinate(name)) throw Error(fault).at(tokenizer.position(cells[i]));
     const std::string column = in_shell(requested_as(i < names.size() ? name : "", i));
-    throw data_error("{}; or give {} {} if these texts tell curves apart, or {} ignore={} to leave the column out",
-                     fault.message(), option::group, column, option::columns, column)
+    throw data_error(
+        "{}; or give --group {} if these texts tell curves apart, or --columns ignore={} to leave the column out",
+        fault.message(), column, column)
         .at(tokenizer.position(cells[i]));
   }
 }
@@ -277,9 +276,8 @@ void require_clear_header(const HeadRecords::Record& record, const DelimitedHead
   const auto number = std::ranges::find_if(record.cells, is_number);
   if (number == record.cells.end() || std::ranges::any_of(record.cells, is_name)) return;
   const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return may_be_value(cell, head); });
-  const std::string remedy =
-      options.samples ? "add a line of names above it, or remove the text"
-                      : fmt::format("give {} if they are names, {} if they are not", option::header, option::no_header);
+  const std::string remedy = options.samples ? "add a line of names above it, or remove the text"
+                                             : "give --header if they are names, --no-header if they are not";
   throw data_error("the first record has both text, {}, and a number, {}; expected only names or only numbers; {}",
                    in_quotes(*text), in_quotes(*number), remedy)
       .at({"", record.line, 1});
@@ -297,8 +295,9 @@ void require_delimiter(const HeadRecords& first, const Dialect& dialect) {
     const std::string argument = c == '|'  ? "pipe"
                                  : c < ' ' ? fmt::format("$'\\x{:02X}'", static_cast<unsigned>(c))
                                            : fmt::format("'{}'", c);
-    throw data_error("the rows have no delimiter {}, but each has {}; expected cells between delimiters; give {} {}",
-                     in_quotes({&dialect.delimiter, 1}), in_quotes({&c, 1}), option::delimiter, argument)
+    throw data_error(
+        "the rows have no delimiter {}, but each has {}; expected cells between delimiters; give --delimiter {}",
+        in_quotes({&dialect.delimiter, 1}), in_quotes({&c, 1}), argument)
         .at({"", first.records[0].line, 1});
   }
 }
@@ -307,10 +306,9 @@ void require_delimiter(const HeadRecords& first, const Dialect& dialect) {
 [[noreturn]] void refuse_header_alone(const HeadRecords::Record& record) {
   const bool carriage_returns =
       std::ranges::any_of(record.cells, [](const auto& cell) { return cell.find('\r') != std::string::npos; });
-  throw(carriage_returns
-            ? data_error("the input is a single line that contains carriage returns; expected a line for each key; "
-                         "change them to line feeds, as in tr '\\r' '\\n'")
-            : data_error("no row follows the header; expected a row for each key; see {}", option::help))
+  throw(carriage_returns ? data_error("the input is a single line that contains carriage returns; expected a line for "
+                                      "each key; change them to line feeds, as in tr '\\r' '\\n'")
+                         : data_error("no row follows the header; expected a row for each key; see --help"))
       .at({"", record.line, 1});
 }
 
@@ -489,10 +487,9 @@ class RolesByCells {
     if (!has_time && !requested_.timeless && (has_dates || !has_times_in_words())) {
       if (!has_dates) {
         throw data_error(
-            "{} counts the rows, and no other column is the time; expected a column of times; give {} time=1 if it is "
-            "the time, or {} uniform if the keys have no times",
-            is_nameless ? "column 1 has no name and" : fmt::format("column {}", in_quotes(names_[0])), option::columns,
-            option::parameter);
+            "{} counts the rows, and no other column is the time; expected a column of times; give --columns time=1 if "
+            "it is the time, or --parameter uniform if the keys have no times",
+            is_nameless ? "column 1 has no name and" : fmt::format("column {}", in_quotes(names_[0])));
       }
       if (is_nameless) names_[0] = "time";
       request(Role::time, 0);
@@ -579,7 +576,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   head.strips_units = options.delimited.strips_units;
   if (first.records.empty())
     throw columns.samples ? data_error("the file is empty; expected samples; give the file that has them")
-                          : data_error("the input is empty; expected a row for each key; see {}", option::help);
+                          : data_error("the input is empty; expected a row for each key; see --help");
   if (!options.delimited.delimiter) require_delimiter(first, dialect);
   std::vector<std::size_t> unread;
   if (!options.delimited.header && !columns.samples) unread = repeated_words(first, head);
@@ -637,9 +634,9 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
 
 Error line_unlike_format(std::size_t cells, std::size_t expected) {
   return data_error(
-      "the line has {} numbers; expected {}, as the format has; complete the line, or give "
-      "another format to {}",
-      cells, expected, option::input_format);
+      "the line has {} numbers; expected {}, as the format has; complete the line, or give another format to "
+      "--input-format",
+      cells, expected);
 }
 
 }  // namespace tcb

@@ -16,8 +16,8 @@ namespace {
 
 [[noreturn]] void refuse_long_record(std::uint64_t line) {
   throw data_error(
-      "a record has more than 64 MiB; expected a line for each key; break the lines, or close a quote that was "
-      "left open")
+      "a record has more than 64 MiB; expected a line for each key; break the lines, or close a quote that was left "
+      "open")
       .at({"", line, 1});
 }
 

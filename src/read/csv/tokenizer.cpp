@@ -10,7 +10,6 @@
 #include <cstring>
 #include <optional>
 
-#include "option_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/utf8.hpp"
 
@@ -39,14 +38,16 @@ const char* find_one(const char* at, const char* end, Chars... chars) {
 
 Error number_with_marks(std::string_view column, std::string_view cell, char decimal, char thousands) {
   const bool has_comma = decimal == ',' && cell.find(',') != std::string_view::npos;
-  const std::string also = has_comma ? fmt::format("{} , ", option::decimal) : "";
-  return {Exit::data,
-          fmt::format("{}: {} is not a number; expected one without thousands separators; remove them, or give {}{} {}",
-                      column, in_quotes(cell), also, option::thousands,
-                      thousands == ' '    ? "space"
-                      : thousands == '\'' ? "apostrophe"
-                      : thousands == '_'  ? "underscore"
-                                          : std::string(1, thousands))};
+  const std::string also = has_comma ? "--decimal , " : "";
+  return {
+      Exit::data,
+      fmt::format(
+          "{}: {} is not a number; expected one without thousands separators; remove them, or give {}--thousands {}",
+          column, in_quotes(cell), also,
+          thousands == ' '    ? "space"
+          : thousands == '\'' ? "apostrophe"
+          : thousands == '_'  ? "underscore"
+                              : std::string(1, thousands))};
 }
 
 /// The text with a point where it has a comma.
@@ -61,7 +62,6 @@ constexpr std::array other_marks{NumberMarks{'.', ','},  NumberMarks{',', 0},   
                                  NumberMarks{',', ' '},  NumberMarks{'.', '\''}, NumberMarks{'.', ' '},
                                  NumberMarks{',', '\''}, NumberMarks{'.', '_'},  NumberMarks{',', '_'}};
 
-/// The marks with which the text is a number.
 std::optional<NumberMarks> marks_of(std::string_view text) {
   const auto* const found = std::ranges::find_if(
       other_marks, [&](const NumberMarks& marks) { return Decimals(marks).number(text).has_value(); });
@@ -163,9 +163,8 @@ void Tokenizer::refuse_cells() {
   const TextPosition where = position({record_, 1});
   skip_line();
   throw data_error(
-      "the record has more than {} cells; expected at most {}; correct the row, or give the "
-      "delimiter with {}",
-      most_cells, most_cells, option::delimiter)
+      "the record has more than {} cells; expected at most {}; correct the row, or give the delimiter with --delimiter",
+      most_cells, most_cells)
       .at(where);
 }
 
@@ -246,27 +245,26 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
     const bool has_point = marks.decimal != '.' && cell.find('.') != std::string_view::npos;
     if (has_point && Decimals({',', '.'}).number(cell)) {
       return data_error(
-          "{}: {} has a decimal point; expected a decimal comma; correct the cell, give {} . if the point divides "
-          "thousands, or remove {}",
-          column, in_quotes(cell), option::thousands, option::decimal);
+          "{}: {} has a decimal point; expected a decimal comma; correct the cell, give --thousands . if the point "
+          "divides thousands, or remove --decimal",
+          column, in_quotes(cell));
     }
     return has_point
-               ? data_error("{}: {} has a decimal point; expected a decimal comma; correct the cell, or remove {}",
-                            column, in_quotes(cell), option::decimal)
+               ? data_error(
+                     "{}: {} has a decimal point; expected a decimal comma; correct the cell, or remove --decimal",
+                     column, in_quotes(cell))
                : number_beyond_doubles(column, cell);
   }
   if (const std::optional<NumberMarks> other = marks_of(cell); other && *other != marks) {
     const bool is_fraction = Decimals({','}).number(cell).has_value();
     if (other->thousands == 0)
-      return data_error(
-          "{}: {} is not a number; expected a decimal point; give {} , if this is a decimal "
-          "comma",
-          column, in_quotes(cell), option::decimal);
+      return data_error("{}: {} is not a number; expected a decimal point; give --decimal , if this is a decimal comma",
+                        column, in_quotes(cell));
     return is_fraction && marks.decimal == '.'
                ? data_error(
-                     "{}: {} is not a number; expected one without thousands separators; remove them, or "
-                     "give {} , if the comma divides thousands, or {} , if it is a decimal comma",
-                     column, in_quotes(cell), option::thousands, option::decimal)
+                     "{}: {} is not a number; expected one without thousands separators; remove them, or give "
+                     "--thousands , if the comma divides thousands, or --decimal , if it is a decimal comma",
+                     column, in_quotes(cell))
                : number_with_marks(column, cell, other->decimal == marks.decimal ? '\0' : other->decimal,
                                    other->thousands);
   }
@@ -287,8 +285,8 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
     return why_not_number(column, number, marks);
   }
   if (number.size() < cell.size() && Decimals(marks).number(number)) {
-    return data_error("{}: {} is a number with a unit; expected a number alone; remove the unit, or give {} strip",
-                      column, in_quotes(cell), option::units);
+    return data_error("{}: {} is a number with a unit; expected a number alone; remove the unit, or give --units strip",
+                      column, in_quotes(cell));
   }
   const bool has_digit = cell.find_first_of("0123456789") != std::string_view::npos;
   const bool may_be_time = (cell.find(':') != std::string_view::npos && cell[0] >= '0' && cell[0] <= '9') ||
@@ -310,17 +308,16 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
   }
   const std::size_t blank = cell.find_first_of(" \t");
   const bool several = blank != std::string_view::npos && parse_number(with_point(cell.substr(0, blank)));
-  return several ? data_error("{}: {} is not a number; expected one number in each cell; give the delimiter with {}",
-                              column, in_quotes(cell), option::delimiter)
+  return several ? data_error(
+                       "{}: {} is not a number; expected one number in each cell; give the delimiter with --delimiter",
+                       column, in_quotes(cell))
                  : data_error("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell",
                               column, in_quotes(cell));
 }
 
 Error number_beyond_doubles(std::string_view column, std::string_view cell) {
-  return data_error(
-      "{}: {} is not a finite double; expected less than 1.8e308 in size; correct "
-      "the cell",
-      column, in_quotes(cell));
+  return data_error("{}: {} is not a finite double; expected less than 1.8e308 in size; correct the cell", column,
+                    in_quotes(cell));
 }
 
 }  // namespace tcb

@@ -3,7 +3,6 @@
 //
 // Source: the viewer of nerfstudio, which writes and reads such files.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -16,13 +15,11 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
-#include "read/input_format.hpp"
+#include "read/input.hpp"
 #include "read/json/keys.hpp"
 #include "read/json/tape.hpp"
 #include "read/key_builder.hpp"
 #include "read/text_bytes.hpp"
-#include "read/written_number.hpp"
 #include "schema/pose_formats.hpp"
 #include "tcb/spline/rules.hpp"
 
@@ -34,46 +31,35 @@ using Kind = JsonNode::Kind;
 constexpr std::string_view keyframe_list = "keyframes";
 constexpr std::size_t matrix_size = 16;  // 4 x 4, row by row
 
-Error array_expected() {
-  return data_error("this is not an array; expected one of numbers, as in the first key; correct it");
-}
-Error number_expected() { return data_error("this is not a number; expected one, as in the first key; correct it"); }
-Error not_a_number(std::string_view text) {
-  return data_error("{} is not a number; expected a number; correct it", in_quotes(text));
-}
-Error true_or_false_expected(std::string_view found) {
-  return data_error("found {}; expected true or false; correct it", in_quotes(found));
-}
 Error no_keyframes() {
   return data_error(
       "the input has no keyframes; expected an object with a list \"keyframes\" that is not empty, as nerfstudio saves "
-      "camera paths; give another {}",
-      option::input_format);
+      "camera paths; give another --input-format");
 }
 
-/// The values of a camera path.
 class CameraValues {
  public:
   explicit CameraValues(const JsonTape& tape) : tape_(tape) {}
 
   WrittenNumber number_of(std::size_t value) const {
+    if (tape_[value].is_nested())
+      throw at(value, data_error("this is not a number; expected one, as in the first key; correct it"));
+    if (tape_.kind(value) != Kind::number)
+      throw at(value, data_error("{} is not a number; expected a number; correct it", in_quotes(tape_.shown(value))));
     const std::string_view decimal = tape_.written(value);
     return {parse_number(decimal).value_or(0), std::string(decimal)};
   }
-  /// The characters of a text, or a word as it is written.
-  std::string_view text_of(std::size_t value) const {
-    return tape_.kind(value) == Kind::string ? tape_.text(value) : tape_.written(value);
-  }
-  Error at(std::size_t value, const Error& error) const {
-    return error.about(tape_.path(0, value).substr(1)).at(tape_.position(value));
+
+  /// The number of a member; nothing where it is null or not there.
+  std::optional<WrittenNumber> number(std::size_t object, std::string_view name) const {
+    const auto value = tape_.member(object, name);
+    return value && tape_.kind(*value) != Kind::null ? std::optional(number_of(*value)) : std::nullopt;
   }
 
-  /// A number among the members around the keyframes, of which arrays and null are none.
+  /// A number among the members around the keyframes, of which arrays are none.
   std::optional<WrittenNumber> number_around(std::string_view name) const {
     const auto value = tape_.member(0, name);
-    if (!value || tape_.kind(*value) == Kind::null || tape_.kind(*value) == Kind::array) return std::nullopt;
-    if (tape_.kind(*value) == Kind::number) return number_of(*value);
-    throw at(*value, tape_.kind(*value) == Kind::object ? number_expected() : not_a_number(text_of(*value)));
+    return value && tape_.kind(*value) == Kind::array ? std::nullopt : number(0, name);
   }
 
   /// A member around the keyframes, if it is a number.
@@ -82,11 +68,46 @@ class CameraValues {
     return value && tape_.kind(*value) == Kind::number ? std::optional(number_of(*value)) : std::nullopt;
   }
 
-  bool is_cycle() const {
-    const auto value = tape_.member(0, "is_cycle");
+  /// Whether a member is true. One that is null or an object, or not there, is false.
+  bool is_true(std::size_t object, std::string_view name) const {
+    const auto value = tape_.member(object, name);
     if (!value || tape_.kind(*value) == Kind::null || tape_.kind(*value) == Kind::object) return false;
-    if (tape_.kind(*value) != Kind::boolean) throw at(*value, true_or_false_expected(text_of(*value)));
+    if (tape_.kind(*value) != Kind::boolean) {
+      throw at(*value, data_error("found {}; expected true or false; correct it", in_quotes(tape_.shown(*value))));
+    }
     return tape_.written(*value) == "true";
+  }
+
+  /// The 4 x 4 matrix of a keyframe, row by row.
+  std::vector<WrittenNumber> matrix_of(std::size_t keyframe) const {
+    const auto value = tape_.member(keyframe, "matrix");
+    if (!value) {
+      throw data_error(
+          "the keyframe has no matrix; expected a 4 x 4 matrix of 16 numbers, row by row; add it, or remove the "
+          "keyframe");
+    }
+    if (tape_.kind(*value) == Kind::string) {
+      throw at(
+          *value,
+          data_error("the matrix is a text, as in files of nerfstudio before version 1, whose curve is another one; "
+                     "expected 16 numbers; give --input-format json --records camera_path --parameter uniform "
+                     "--columns position=camera_to_world[3]:camera_to_world[7]:camera_to_world[11] for its frames"));
+    }
+    if (tape_.kind(*value) != Kind::array)
+      throw at(*value, data_error("this is not an array; expected one of numbers, as in the first key; correct it"));
+    if (const std::size_t size = tape_.count(*value); size != matrix_size) {
+      throw at(*value, data_error("the matrix has {}; expected 16, row by row; correct it", how_many(size, "number")));
+    }
+    std::vector<WrittenNumber> numbers;
+    for (const std::size_t element : tape_.inside(*value)) numbers.push_back(number_of(element));
+    for (std::size_t i = 12; i < matrix_size; ++i) {
+      if (numbers[i].value == (i == 15 ? 1 : 0)) continue;
+      throw data_error(
+          "the last row of the matrix is not 0, 0, 0, 1; expected the 4 x 4 matrix of a pose, row by row; correct it, "
+          "or transpose the matrix")
+          .about(tape_.path(0, *value).substr(1));
+    }
+    return numbers;
   }
 
   /// The members besides the cameras and their rate, which are to be written again.
@@ -95,14 +116,17 @@ class CameraValues {
     std::unordered_set<std::string_view> names;
     for (const std::size_t name : tape_.inside(0)) {
       const std::string_view text = tape_.text(name);
-      if (!names.insert(text).second) {
-        throw at(name, data_error("the object has this member twice; expected it once; remove one"));
-      }
+      if (!names.insert(text).second) throw at(name, twice_in("object"));
       if (text == "camera_path" || text == "fps" || text == "seconds") continue;
       all += fmt::format("{}{}:", all.empty() ? "" : ",", tape_.written(name));
       append(all, name + 1);
     }
     return "{" + all + "}";
+  }
+
+ private:
+  Error at(std::size_t value, const Error& error) const {
+    return error.about(tape_.path(0, value).substr(1)).at(tape_.position(value));
   }
 
   /// Appends a value as it is written, but for NaN, which JSON does not have.
@@ -134,24 +158,15 @@ class KeyframeReader {
         transition_(std::move(transition)),
         fov_(std::move(fov)) {}
 
-  /// Adds a keyframe at a time after that of the one before.
-  void add(std::size_t number, std::size_t value) {
-    number_ = number;
-    position_ = lines_.to(tape_.part().chunk.text, tape_[value].begin);
+  /// Adds a keyframe at a time after that of the one before. Its faults are those of the keys.
+  void add(std::size_t number, std::size_t keyframe) {
+    position_ = lines_.to(tape_.part().chunk.text, tape_[keyframe].begin);
     keys_.begin_key();
-    read(value);
-    if (number > 0) {
-      const auto [duration, member] = transition();
-      if (!(exact_number(duration) > 0)) {
-        refuse(member, data_error("the transition takes {} seconds; expected a number above 0; correct it, or remove "
-                                  "the keyframe",
-                                  duration.decimal));
-      }
-      seconds_ += exact_number(duration);
-    } else {
-      first_transition_ = exact_number(transition().first);
+    try {
+      read(number, keyframe);
+    } catch (const Error& error) {
+      add_fault(error);
     }
-    add_numbers();
     if (!keys_.end_key()) return;
     keys_.set_number(number);
     keys_.set_position(position_.line, position_.column);
@@ -162,120 +177,45 @@ class KeyframeReader {
   const Rational& first_transition() const { return first_transition_; }
 
  private:
-  void read(std::size_t value) {
-    matrix_.clear();
-    own_fov_ = own_transition_ = render_time_ = std::nullopt;
-    has_own_transition_ = is_faulty_ = false;
+  void add_fault(const Error& error) { keys_.add_fault(error.at({"", position_.line, position_.column})); }
+
+  void read(std::size_t number, std::size_t keyframe) {
+    const auto of_member = [number](std::string_view member, const Error& error) {
+      return error.about(fmt::format("{}[{}].{}", keyframe_list, number, member));
+    };
     std::unordered_set<std::string_view> names;
-    for (const std::size_t name : tape_.inside(value)) {
-      if (!names.insert(tape_.text(name)).second) {
-        add_fault(name, data_error("the key has this member twice; expected it once; remove one"));
-      }
-      read_member(tape_.text(name), name + 1);
+    for (const std::size_t name : tape_.inside(keyframe)) {
+      if (names.insert(tape_.text(name)).second) continue;
+      throw of_member(tape_.text(name), twice_in("key")).at(tape_.position(name));
     }
-    if (!names.contains("matrix")) {
-      is_faulty_ = true;
-      keys_.add_fault(
-          data_error("the keyframe has no matrix; expected a 4 x 4 matrix of 16 numbers, row by row; add it, or remove "
-                     "the keyframe")
-              .at({"", position_.line, position_.column}));
+    const std::vector<WrittenNumber> matrix = values_.matrix_of(keyframe);
+    const bool is_own = values_.is_true(keyframe, "override_transition_enabled");
+    const auto own_transition = values_.number(keyframe, "override_transition_sec");
+    const bool has_own = is_own && own_transition;
+    const Rational duration = exact_number(has_own ? *own_transition : transition_);
+    if (number > 0 && duration <= 0) {
+      add_fault(of_member(
+          has_own ? "override_transition_sec" : "default_transition_sec",
+          data_error("the transition takes {} seconds; expected a number above 0; correct it, or remove the keyframe",
+                     (has_own ? *own_transition : transition_).decimal)));
     }
-    if (matrix_.size() < matrix_size || is_faulty_) return;
-    const auto is_number = [&](std::size_t i, double number) { return matrix_[i].value == number; };
-    if (is_number(12, 0) && is_number(13, 0) && is_number(14, 0) && is_number(15, 1)) return;
-    refuse("matrix",
-           data_error("the last row of the matrix is not 0, 0, 0, 1; expected the 4 x 4 matrix of a pose, row "
-                      "by row; correct it, or transpose the matrix"));
-  }
-
-  void read_member(std::string_view name, std::size_t value) {
-    const Kind kind = tape_.kind(value);
-    if (name == "matrix") return read_matrix(value);
-    if (name == "override_transition_enabled") {
-      has_own_transition_ = tape_.written(value) == "true";
-      if (kind == Kind::boolean || kind == Kind::null || kind == Kind::object) return;
-      return add_fault(value, true_or_false_expected(values_.text_of(value)));
-    }
-    std::optional<WrittenNumber>* const number = name == "fov"                       ? &own_fov_
-                                                 : name == "override_transition_sec" ? &own_transition_
-                                                 : name == "render_time"             ? &render_time_
-                                                                                     : nullptr;
-    if (number == nullptr || kind == Kind::null) return;
-    if (kind == Kind::number) {
-      *number = values_.number_of(value);
-    } else {
-      add_fault(value, tape_[value].is_nested() ? number_expected() : not_a_number(values_.text_of(value)));
-    }
-  }
-
-  void read_matrix(std::size_t value) {
-    if (tape_.kind(value) == Kind::string) {
-      return add_fault(value,
-                       data_error("the matrix is a text, as in files of nerfstudio before version 1, whose curve is "
-                                  "another one; expected 16 numbers; give {} json {} camera_path {} uniform {} "
-                                  "position=camera_to_world[3]:camera_to_world[7]:camera_to_world[11] for its frames",
-                                  option::input_format, option::records, option::parameter, option::columns));
-    }
-    if (tape_.kind(value) != Kind::array) return add_fault(value, array_expected());
-    for (const std::size_t element : tape_.inside(value)) {
-      const Kind kind = tape_.kind(element);
-      if (kind == Kind::number) {
-        if (matrix_.size() < matrix_size) matrix_.push_back(values_.number_of(element));
-      } else {
-        add_fault(element, tape_[element].is_nested() ? number_expected()
-                           : kind == Kind::null       ? array_expected()
-                                                      : not_a_number(values_.text_of(element)));
-      }
-    }
-    const std::size_t size = tape_.count(value);
-    if (size == matrix_size) return;
-    add_fault(value, data_error("the matrix has {}; expected 16, row by row; correct it", how_many(size, "number")));
-  }
-
-  /// The first fault in the values of a keyframe.
-  void add_fault(std::size_t value, const Error& error) {
-    if (!std::exchange(is_faulty_, true)) keys_.add_fault(values_.at(value, error));
-  }
-  /// A fault of a whole member.
-  void refuse(std::string_view member, const Error& error) {
-    keys_.add_fault(error.about(fmt::format("{}[{}].{}", keyframe_list, number_, member))
-                        .at({"", position_.line, position_.column}));
-  }
-
-  /// The duration of the transition to the keyframe, and its member.
-  std::pair<WrittenNumber, std::string_view> transition() const {
-    if (has_own_transition_ && own_transition_) return {*own_transition_, "override_transition_sec"};
-    return {transition_, "default_transition_sec"};
-  }
-
-  /// A number that every keyframe needs.
-  WrittenNumber required(std::string_view name, const std::optional<WrittenNumber>& number) {
-    if (!number) refuse(name, data_error("the keyframe has no {}; expected a number in every keyframe; add it", name));
-    return number.value_or(WrittenNumber{});
-  }
-
-  void add_numbers() {
+    (number > 0 ? seconds_ : first_transition_) += duration;
+    const auto required = [&](std::string_view name, const std::optional<WrittenNumber>& given) {
+      if (given) return *given;
+      throw of_member(name, data_error("the keyframe has no {}; expected a number in every keyframe; add it", name));
+    };
     std::vector<WrittenNumber> numbers{{nearest_double(seconds_), ratio_text(seconds_)}};
-    if (matrix_.size() == matrix_size) {
-      constexpr std::array<std::size_t, 12> places{3, 7, 11, 0, 1, 2, 4, 5, 6, 8, 9, 10};  // the position comes first
-      for (const std::size_t place : places) numbers.push_back(matrix_[place]);
-      numbers.push_back(required("fov", own_fov_ ? own_fov_ : fov_));
-      if (numbers.size() < columns_.cells.size()) numbers.push_back(required("render_time", render_time_));
-    }
+    constexpr std::array<std::size_t, 12> places{3, 7, 11, 0, 1, 2, 4, 5, 6, 8, 9, 10};  // the position comes first
+    for (const std::size_t place : places) numbers.push_back(matrix[place]);
+    const auto own_fov = values_.number(keyframe, "fov");
+    numbers.push_back(required("fov", own_fov ? own_fov : fov_));
+    const auto render_time = values_.number(keyframe, "render_time");
+    if (numbers.size() < columns_.cells.size()) numbers.push_back(required("render_time", render_time));
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const Columns::Column& column = columns_.cells[i];
-      const auto& [value, decimal] = numbers[i];
-      if (column.role == Role::time) {
-        keys_.set_time(i == 0 ? nearest_time(seconds_) : parse_time(decimal).value_or(Time(value)));
-      } else if (i > 0 && (column.role == Role::position || is_of_channel(column.role))) {
-        keys_.number(column) = value;
-      } else {
-        continue;
-      }
-      if (keys_.takes_decimals() && !keys_.take_decimal(column, decimal)) {
-        refuse(columns_.name_of(column),
-               data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
-                          in_quotes(decimal)));
+      const bool is_read = column.role == Role::time || column.role == Role::position || is_of_channel(column.role);
+      if (is_read && !keys_.take(column, numbers[i])) {
+        throw of_member(columns_.name_of(column), too_large(numbers[i].decimal));
       }
     }
   }
@@ -287,13 +227,8 @@ class KeyframeReader {
   const WrittenNumber transition_;
   const std::optional<WrittenNumber> fov_;
   LineCounter lines_;
+  LinePosition position_;  ///< of the current keyframe
   Rational seconds_ = Rational(0), first_transition_ = Rational(0);
-  // Of the current keyframe:
-  std::size_t number_ = 0;
-  LinePosition position_;
-  std::vector<WrittenNumber> matrix_;
-  std::optional<WrittenNumber> own_fov_, own_transition_, render_time_;  ///< the transition in seconds
-  bool has_own_transition_ = false, is_faulty_ = false;
 };
 
 /// Lengths and speeds are those of the positions of the cameras, by the numbers of their channels.
@@ -380,7 +315,7 @@ Records open_camera_path(const Format&, Source<std::string> bytes, InputOptions 
   const WrittenNumber tension = path.number_around("smoothness_value").value_or(WrittenNumber{});
   const auto transition = path.number_around("default_transition_sec").value_or(WrittenNumber{usual_transition, "0.5"});
   const std::optional<WrittenNumber> fov = path.number_around("default_fov");
-  const bool is_cycle = path.is_cycle();
+  const bool is_cycle = path.is_true(0, "is_cycle");
   Records records;
   records.camera_path = path.members_besides_cameras();
   records.columns = at_position(position, [&] {

@@ -11,7 +11,6 @@
 
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
-#include "option_names.hpp"
 #include "schema/doubts.hpp"
 #include "schema/key_rules.hpp"
 #include "schema/usual_names.hpp"
@@ -126,9 +125,7 @@ class FirstRecord {
     member.node = cell.value;
     member.place = cell.place == JsonCell::missing ? records_.place(0) : cell.place;
     if (!names_.insert(member.name).second) {
-      throw data_error("the key has this member twice; expected it once; remove one")
-          .about(member.path)
-          .at(tape_.position(member.place));
+      throw twice_in("key").about(member.path).at(tape_.position(member.place));
     }
     if (cell.value == JsonCell::missing) return count(member, false);
     if (tape_.kind(cell.value) != Kind::array) return add_value(member, cell.value, false);
@@ -163,7 +160,7 @@ class FirstRecord {
     if (kind == Kind::number || kind == Kind::null) return count(member, in_array);
     member.empty = false;
     const bool is_quoted = kind != Kind::boolean;
-    const std::string_view text = is_quoted ? tape_.text(value) : tape_.written(value);
+    const std::string_view text = tape_.shown(value);
     const Role role = in_array ? Role::position : role_of_name(member.name);
     const bool is_sign = is_quoted && is_missing_sign(text, signs_);
     if (!in_array && is_quoted && find_notation(text)) {
@@ -179,8 +176,8 @@ class FirstRecord {
     const bool needs_number = role != Role::position || (!is_sign && looks_numeric(text));
     if (!in_array && !is_requested_text && needs_number) {
       throw at(member, value,
-               data_error("{} is not a number; expected a number; correct it, or give {} {}", in_quotes(text),
-                          option::columns, in_shell("ignore=" + member.name)));
+               data_error("{} is not a number; expected a number; correct it, or give --columns {}", in_quotes(text),
+                          in_shell("ignore=" + member.name)));
     }
     note(member, true, in_array);
   }
@@ -657,14 +654,12 @@ class FirstKey {
     const bool is_array = first->array && !first->nested;
     if (is_array && first->numbers < 3) return;  // too few for a rotation in any form
     throw at(*first,
-             is_array
-                 ? data_error("the array has {}; expected four, x, y, z, w of a quaternion; correct it, or "
-                              "give {} {} for plain channels",
-                              how_many(first->numbers, "number"), option::columns, in_shell("position=" + first->name))
-                 : data_error("\"rotation\" has members other than x, y, z and w; expected the four numbers "
-                              "of a quaternion; correct them, or give {} position=NAME:NAME for the "
-                              "members to take",
-                              option::columns));
+             is_array ? data_error("the array has {}; expected four, x, y, z, w of a quaternion; correct it, or give "
+                                   "--columns {} for plain channels",
+                                   how_many(first->numbers, "number"), in_shell("position=" + first->name))
+                      : data_error(
+                            "\"rotation\" has members other than x, y, z and w; expected the four numbers of a "
+                            "quaternion; correct them, or give --columns position=NAME:NAME for the members to take"));
   }
 
   /// Throws: Error (data) for a member that is an array where a number was expected, or the reverse, unless its role is
@@ -693,16 +688,15 @@ class FirstKey {
       throw at(member,
                is_array
                    ? data_error("this array is not used; expected \"position\" as the name of an array of positions; "
-                                "rename it, or give {} {}, or position=NAME:NAME for the members to take",
-                                option::columns, in_shell("position=" + member.name))
+                                "rename it, or give --columns {}, or position=NAME:NAME for the members to take",
+                                in_shell("position=" + member.name))
                    : data_error("the numbers in this value are not used, as they are in an object, or in arrays in an "
-                                "array; expected an array of numbers, or a member for each number; give {} "
+                                "array; expected an array of numbers, or a member for each number; give --columns "
                                 "position=NAME:NAME for the members to take, with their paths, such as {}",
-                                option::columns, path_of_number(member)));
+                                path_of_number(member)));
     }
   }
 
-  /// The path of the first number in a member.
   std::string path_of_number(const FoundMember& member) const {
     std::size_t node = member.node;
     while (node < tape_[member.node].next && tape_.kind(node) != JsonTape::Kind::number) ++node;
@@ -715,9 +709,9 @@ class FirstKey {
       const bool is_number = !member.array && !member.text && member.numbers > 0;
       if (!is_number || std::ranges::count(columns.ignored, member.name) == 0 || is_coordinate(member.name)) continue;
       throw data_error(
-          "no member is the time, but {} may be; expected one called time; give {} {}, or {} uniform if the keys "
-          "have no times",
-          in_quotes(member.name), option::columns, in_shell("time=" + member.name), option::parameter)
+          "no member is the time, but {} may be; expected one called time; give --columns {}, or --parameter uniform "
+          "if the keys have no times",
+          in_quotes(member.name), in_shell("time=" + member.name))
           .at(tape_.position(member.place));
     }
   }

@@ -8,7 +8,6 @@
 
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
-#include "option_names.hpp"
 #include "read/key_builder.hpp"
 
 namespace tcb {
@@ -111,16 +110,15 @@ class KeyReader {
     const std::size_t first = tape_.kind(value) == Kind::array ? value + 1 : value;
     const bool is_number = first < tape_[value].next && tape_.kind(first) == Kind::number;
     if (is_number && !is_provenance_) {
-      add_value_fault(first, data_error("the first key has no such number; expected the same members in every key; add "
-                                        "it there"));
+      add_value_fault(
+          first, data_error("the first key has no such number; expected the same members in every key; add it there"));
     }
   }
 
   void read_value(const Member& member, std::size_t value) {
     if (member.is_nested()) return read_inner(member, value);
     if (seen_[member.number] != 0) {
-      add_value_fault(cell_->place, data_error("the key has this member twice; expected it once; remove one"));
-      return;
+      return add_value_fault(cell_->place, twice_in("key"));
     }
     seen_[member.number] = 1;
     if (member.cells == 0) return;
@@ -177,7 +175,7 @@ class KeyReader {
   void read_cell(const Column& column, std::size_t value) {
     const Kind kind = tape_.kind(value);
     const bool is_quoted = kind == Kind::string || kind == Kind::name;
-    const std::string_view text = is_quoted ? tape_.text(value) : tape_.written(value);
+    const std::string_view text = tape_.shown(value);
     if (column.role == Role::ignored) return kind == Kind::null ? void() : keys_.set_mark(column, text);
     if (is_text(column)) return read_text(column, text, value);
     const bool is_time = column.role == Role::time && is_quoted;
@@ -190,18 +188,18 @@ class KeyReader {
     const bool is_other_time = is_time && (find_notation(text) || !keys_.has_times_as_numbers());
     if (!is_other_time) {
       add_value_fault(
-          value, is_time ? data_error("{} is no time in a known notation; expected a number, or a time such as "
-                                      "2024-03-01T13:00:00Z or 13:00:00, with years of four digits and hours from 0 to "
-                                      "23; convert it",
-                                      in_quotes(text))
-                         : data_error("{} is not a number; expected a number; correct it", in_quotes(text)));
+          value,
+          is_time ? data_error(
+                        "{} is no time in a known notation; expected a number, or a time such as 2024-03-01T13:00:00Z "
+                        "or 13:00:00, with years of four digits and hours from 0 to 23; convert it",
+                        in_quotes(text))
+                  : data_error("{} is not a number; expected a number; correct it", in_quotes(text)));
     } else if (columns_.units.notation != find_notation(text)) {
       add_value_fault(value, time_in_other_notation(text));
     } else {
-      add_value_fault(value,
-                      data_error("{} does not exist; expected a date of the calendar, a time of day without leap "
-                                 "seconds, and an undropped frame below the rate; correct it",
-                                 in_quotes(text)));
+      add_value_fault(value, data_error("{} does not exist; expected a date of the calendar, a time of day without "
+                                        "leap seconds, and an undropped frame below the rate; correct it",
+                                        in_quotes(text)));
     }
   }
 
@@ -215,7 +213,7 @@ class KeyReader {
       default: return keys_.set_text(column, std::string(text));
     }
     if (column.role == Role::carry || keys_.miss(column)) return;
-    add_value_fault(value, data_error("found null; expected a text; fill it in, or give {} skip-row", option::missing));
+    add_value_fault(value, data_error("found null; expected a text; fill it in, or give --missing skip-row"));
   }
 
   static Error time_in_other_notation(std::string_view time) {
@@ -226,8 +224,8 @@ class KeyReader {
   /// A number is missing. `sign`: as a message shows it.
   void miss(const Column& column, const std::string& sign, std::size_t value) {
     if (keys_.miss(column)) return;
-    add_value_fault(value, data_error("found {}; expected a number; fill it in, or give {} skip-row{} or break", sign,
-                                      option::missing, column.role == Role::time ? "" : ", skip-cell"));
+    add_value_fault(value, data_error("found {}; expected a number; fill it in, or give --missing skip-row{} or break",
+                                      sign, column.role == Role::time ? "" : ", skip-cell"));
   }
 
   /// A number, or one in quotes.
@@ -244,16 +242,15 @@ class KeyReader {
       default: keys_.number(column) = number();
     }
     if (keys_.takes_decimals() && !keys_.take_decimal(column, decimal)) {
-      add_value_fault(value, data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
-                                        in_quotes(decimal)));
+      add_value_fault(value, too_large(decimal));
     }
   }
 
   /// Tension, continuity or bias: a member, or a number of "tcb", but not both.
   void store_once(unsigned place, const Column& column, double number, std::size_t value) {
     if (((tcb_given_ >> place) & 1U) != 0) {
-      add_value_fault(value, data_error("this parameter is given twice, in \"tcb\" and alone; expected it once; remove "
-                                        "one"));
+      add_value_fault(value,
+                      data_error("this parameter is given twice, in \"tcb\" and alone; expected it once; remove one"));
     }
     tcb_given_ |= 1U << place;
     keys_.number(column) = number;
@@ -267,9 +264,9 @@ class KeyReader {
       return;
     }
     if (is_full()) return;
-    add_fault(data_error("the key has no member {}; expected the members of the first key; add it, or give {} "
+    add_fault(data_error("the key has no member {}; expected the members of the first key; add it, or give --missing "
                          "skip-row{} or break",
-                         in_quotes(member.title), option::missing, begin->role == Role::time ? "" : ", skip-cell")
+                         in_quotes(member.title), begin->role == Role::time ? "" : ", skip-cell")
                   .at(tape_.position(place)));
   }
 
@@ -353,7 +350,7 @@ KeyBlock parse_json(const JsonPart& part, const JsonColumns& columns) {
     const JsonTape tape(part);
     const JsonTable list(tape, tape.elements(0), columns.row_names, chunk.path, chunk.first);
     if (list.size() > 0) return parse_table(list, 0, list.size(), columns, lines);
-    throw data_error("no key before or after a comma; expected an object; remove the comma").at(tape.position_at(1));
+    throw no_key_at_comma().at(tape.position_at(1));
   } catch (const Error& error) {
     KeyBuilder keys(columns.columns, columns.rules, columns.units);
     keys.add_fault(error);

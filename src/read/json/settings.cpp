@@ -7,7 +7,6 @@
 #include <unordered_set>
 #include <utility>
 
-#include "option_names.hpp"
 #include "read/json/tape.hpp"
 #include "schema/roles.hpp"
 #include "text/suggest.hpp"
@@ -21,9 +20,8 @@ constexpr std::array<std::string_view, 9> known_members{"preset",   "tangents", 
                                                         "channels", "keys",     "curves", "id"};
 
 /// Options that are not members.
-constexpr std::array options_only{option::equal_speed,     option::parameter, option::metric,
-                                  option::extrapolate,     option::no_ease,   option::rotation_curve,
-                                  option::rotation_output, option::angles,    option::normalize};
+constexpr std::array options_only{"--equal-speed",    "--parameter",       "--metric", "--extrapolate", "--no-ease",
+                                  "--rotation-curve", "--rotation-output", "--angles", "--normalize"};
 
 class SettingsReader {
  public:
@@ -45,7 +43,7 @@ class SettingsReader {
     require_no_loss();
     if (!is_setting) return read_other(value);
     if (!settings_.insert(member_).second) {
-      throw at(name_, data_error("the object has this member twice; expected it once; remove one"));
+      throw at(name_, twice_in("object"));
     }
     text_.clear();
     if (tape_.kind(value) == Kind::array) {
@@ -80,9 +78,9 @@ class SettingsReader {
     const auto known = std::ranges::find(options_only, option);
     if (known == options_only.end()) return;
     throw at(name_,
-             data_error("this is an option, not a setting of a file; expected it on the command line; remove it, "
-                        "and give {}",
-                        *known));
+             data_error(
+                 "this is an option, not a setting of a file; expected it on the command line; remove it, and give {}",
+                 *known));
   }
 
   /// Takes a value of a setting, or an element of it.
@@ -115,7 +113,6 @@ class SettingsReader {
     }
   }
 
-  /// Sets the setting that is the member.
   void set(const SettingOrigin& origin) {
     CurveSettings& curve = found.curve_info.settings;
     try {

@@ -10,8 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "option_names.hpp"
-#include "read/input_format.hpp"
+#include "read/input.hpp"
 #include "read/json/columns.hpp"
 #include "read/json/keys.hpp"
 #include "read/json/splitter.hpp"
@@ -25,9 +24,7 @@ namespace {
 using Kind = JsonNode::Kind;
 using SharedColumns = std::shared_ptr<const JsonColumns>;
 
-Error no_text() {
-  return data_error("the input has no keys; expected a JSON object for each key; see {}", option::help);
-}
+Error no_text() { return data_error("the input has no keys; expected a JSON object for each key; see --help"); }
 
 /// A text that is read whole.
 struct WholeJson {
@@ -76,8 +73,7 @@ JsonColumns columns_of(const JsonPart& part, bool are_rows, const InputOptions& 
   std::vector<std::uint32_t> values = first_values(tape);
   const auto is_key = [&](std::size_t value) { return tape.kind(value) == (are_rows ? Kind::array : Kind::object); };
   const auto first = std::ranges::find_if(values, [&](std::size_t value) { return tape.kind(value) != Kind::null; });
-  if (first == values.end())
-    throw data_error("no key before or after a comma; expected an object; remove the comma").at(tape.position_at(1));
+  if (first == values.end()) throw no_key_at_comma().at(tape.position_at(1));
   if (!is_key(*first)) throw not_a_record(tape, *first, are_rows);
   const std::uint64_t number = part.chunk.first + static_cast<std::uint64_t>(first - values.begin());
   const std::vector<std::string> names =
@@ -232,8 +228,7 @@ Records open_list(Source<Task> source, JsonShape shape, unsigned threads) {
 void require_no_groups(const Columns& columns) {
   if (columns.groups.empty()) return;
   throw data_error(
-      "the curves of \"curves\" are separate already; expected keys of several curves in one list; remove {}",
-      option::group);
+      "the curves of \"curves\" are separate already; expected keys of several curves in one list; remove --group");
 }
 
 /// An object with keys, or with curves. Keys are held until the members around them are known.
@@ -354,8 +349,8 @@ Records open_whole(JsonPart part, const InputOptions& options) {
   if (key && options.columns.timeless) return *std::move(key);
   if (reason) throw *reason;
   throw data_error(
-      "found no list of keys; expected an array of objects or of rows, or an object of columns; give {} if it is there",
-      option::records)
+      "found no list of keys; expected an array of objects or of rows, or an object of columns; give --records if it "
+      "is there")
       .at({"", 1, 1});
 }
 

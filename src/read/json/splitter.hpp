@@ -25,7 +25,6 @@ inline bool is_json_blank(char c) { return c == ' ' || c == '\n' || c == '\r' ||
 /// At most, of the first part of a list, by which the meaning of their members is found.
 inline constexpr std::uint64_t most_first_records = 100;
 
-/// A part of a JSON text.
 struct JsonPart {
   enum class Kind {
     list,    ///< an array of whole records of an array, of which there may be more

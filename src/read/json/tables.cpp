@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
-#include "option_names.hpp"
+#include "read/other_files.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
@@ -445,31 +444,6 @@ void follow(const JsonTape& tape, std::size_t value, std::string& path, std::str
   }
 }
 
-/// Files of other products, by their members. In a remedy {} stands for the option with the path of their list.
-struct OtherJson {
-  std::array<std::string_view, 3> members;
-  std::string_view name, remedy;
-};
-constexpr OtherJson other_json[] = {
-    {{"frames", "transform_matrix"},
-     "a transforms.json of poses without times",
-     "give --records frames --parameter uniform --columns "
-     "position=transform_matrix[0][3]:transform_matrix[1][3]:transform_matrix[2][3]"},
-    {{"layers", "ip", "op"}, "a Lottie animation", "export its keyframes as a table"},
-    {{"tracks", "times", "values"},
-     "a clip of three.js, whose values are not by key",
-     "write an object of time and position for each key"},
-    {{"sheetsById"}, "a project of Theatre.js", "give {}--columns time=position,position=value"},
-    {{"fileType", "mission"},
-     "a plan of QGroundControl, whose items have no times",
-     "give --records mission.items --parameter uniform --columns position=params[4]:params[5]:params[6]"},
-    {{"asset", "accessors", "animations"}, "a glTF scene, whose keys are in a buffer", "export them as a table"},
-    {{"type", "coordinates"}, "GeoJSON, whose places have no times", "give {}--parameter uniform"},
-    {{"img_name", "position", "rotation"},
-     "a cameras.json of Gaussian splatting, whose cameras have no times",
-     "give {}--parameter uniform --columns position=position"},
-};
-
 std::string listed_paths(const std::vector<Place>& places) {
   std::vector<std::string> paths;
   for (const Place& place : places) paths.push_back(place.path.empty() ? "the whole text" : place.path);
@@ -484,14 +458,8 @@ void refuse_other_json(const JsonTape& tape, const ColumnOptions& requested, std
   for (std::size_t at = 0; at < tape.size(); ++at) {
     if (tape.kind(at) == Kind::name) names.insert(tape.text(at));
   }
-  const auto* const other = std::ranges::find_if(other_json, [&](const OtherJson& known) {
-    return std::ranges::all_of(known.members, [&](auto name) { return name.empty() || names.contains(name); });
-  });
-  if (other == std::ranges::end(other_json)) return;
-  const std::string records = list.empty() ? "" : fmt::format("{} {} ", option::records, in_shell(list));
-  throw data_error("this is {}; expected a list of keys; {}", other->name,
-                   fmt::format(fmt::runtime(other->remedy), records))
-      .at({"", 1, 1});
+  const std::string records = list.empty() ? "" : fmt::format("--records {} ", in_shell(list));
+  if (const std::optional<Error> error = other_json(names, records)) throw error->at({"", 1, 1});
 }
 
 bool holds_table(const JsonTape& tape, std::size_t value) {
@@ -516,8 +484,8 @@ std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& opt
   if (!path.empty()) {
     follow(tape, 0, current, path, [&](std::size_t value) { add(requested, value); });
     if (requested.empty()) {
-      throw usage_error("{} {}: there is no such value; expected the path of a list of records{}{}; correct it",
-                        option::records, path, fitting.empty() ? "" : ", such as ", listed_paths(fitting));
+      throw usage_error("--records {}: there is no such value; expected the path of a list of records{}{}; correct it",
+                        path, fitting.empty() ? "" : ", such as ", listed_paths(fitting));
     }
   } else {
     // Numbers without names may be times as they rise, or anything else.
@@ -526,9 +494,9 @@ std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& opt
   }
   if (path.empty() && fitting.size() > 1) {
     throw data_error(
-        "{} lists may be the keys: {}; expected one; give {} {}, another one of these, or a path with * "
-        "for any name or number, which makes a curve of each list",
-        fitting.size(), listed_paths(fitting), option::records, in_shell(fitting[0].path))
+        "{} lists may be the keys: {}; expected one; give --records {}, another one of these, or a path with * for any "
+        "name or number, which makes a curve of each list",
+        fitting.size(), listed_paths(fitting), in_shell(fitting[0].path))
         .at({"", 1, 1});
   }
   std::vector<JsonTable> tables;
@@ -538,8 +506,8 @@ std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& opt
       tables.push_back(*std::move(table));
     } else if (!path.empty()) {
       throw data_error(
-          "{}: this is not a list of records; expected an array of objects or of rows, or an object of "
-          "columns; give another path",
+          "{}: this is not a list of records; expected an array of objects or of rows, or an object of columns; give "
+          "another path",
           place.path)
           .at(tape.position(place.value));
     }

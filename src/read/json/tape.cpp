@@ -156,9 +156,7 @@ class JsonTape::Events {
     const bool has_exponent =
         may_have_exponent && (number.find('e') < number.size() || number.find('E') < number.size());
     if ((has_exponent || number.size() > longest) && !parse_number(number)) {
-      throw data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it",
-                       in_quotes(number))
-          .at(tape_.position(tape_.size() - 1));
+      throw too_large(number).at(tape_.position(tape_.size() - 1));
     }
     return true;
   }
@@ -228,7 +226,7 @@ class JsonTape::Events {
     }
     const bool is_key_expected = is_list_ && open_.size() == 1 && may_be_string;
     if (is_key_expected && (is_end || text_[last] == ',')) {
-      throw at(last, data_error("no key before or after a comma; expected an object; remove the comma"));
+      throw at(last, no_key_at_comma());
     }
     if (is_end) {
       const std::size_t end = text_.size() - (is_list_ ? 1 : 0);  // without the bracket that the splitter adds
@@ -323,9 +321,7 @@ std::optional<std::size_t> JsonTape::member(std::size_t object, std::string_view
   std::optional<std::size_t> found;
   for (const std::size_t other : inside(object)) {
     if (text(other) != name) continue;
-    if (found) {
-      throw data_error("{}: the object has this member twice; expected it once; remove one", name).at(position(other));
-    }
+    if (found) throw twice_in("object").about(name).at(position(other));
     found = value_of(other);
   }
   return found;
@@ -347,6 +343,16 @@ std::string JsonTape::path(std::size_t within, std::size_t value) const {
   }
   return path;
 }
+
+Error too_large(std::string_view decimal) {
+  return data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it", in_quotes(decimal));
+}
+
+Error twice_in(std::string_view holder) {
+  return data_error("the {} has this member twice; expected it once; remove one", holder);
+}
+
+Error no_key_at_comma() { return data_error("no key before or after a comma; expected an object; remove the comma"); }
 
 std::string json_number_text(std::string_view decimal) {
   const bool is_whole = decimal.find_first_of(".eE") == std::string_view::npos && decimal != "-0";

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "error.hpp"
 #include "read/json/splitter.hpp"
 #include "text/utf8.hpp"
 
@@ -84,7 +85,6 @@ class JsonTape {
   std::size_t value_of(std::size_t inner) const { return kind(inner) == Kind::name ? inner + 1 : inner; }
   /// The number of elements of an array, or of members of an object.
   std::size_t count(std::size_t value) const { return static_cast<std::size_t>(std::ranges::distance(inside(value))); }
-  /// The values of the elements of an array.
   std::vector<std::uint32_t> elements(std::size_t array) const {
     std::vector<std::uint32_t> values;
     for (const std::size_t value : inside(array)) values.push_back(static_cast<std::uint32_t>(value));
@@ -104,11 +104,15 @@ class JsonTape {
     return std::string_view(part_.chunk.text).substr(node.begin + 1, node.end - node.begin - 2);
   }
 
+  /// The characters of a string or a name; other values as they are written.
+  std::string_view shown(std::size_t value) const {
+    return kind(value) == Kind::string || kind(value) == Kind::name ? text(value) : written(value);
+  }
+
   /// The path of a value within another one, as in ".points[2].x".
   std::string path(std::size_t within, std::size_t value) const;
 
   TextPosition position(std::size_t value) const { return position_at(nodes_[value].begin); }
-  /// The position of a byte of the text.
   TextPosition position_at(std::size_t byte) const;
 
   const JsonPart& part() const { return part_; }
@@ -126,6 +130,11 @@ class JsonTape {
   std::unordered_map<std::uint32_t, std::string> unescaped_;  ///< by the places of strings with escapes
   std::size_t end_ = 0;                                       ///< of the last value that was read
 };
+
+// Faults that are found in several places.
+Error too_large(std::string_view decimal);
+Error twice_in(std::string_view holder);
+Error no_key_at_comma();
 
 /// A number as the program prints it, whole below 2^64; its decimal is valid.
 std::string json_number_text(std::string_view decimal);

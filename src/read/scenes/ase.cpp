@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "option_names.hpp"
 #include "read/scenes/text_lines.hpp"
 #include "tcb/spline/rules.hpp"
 
@@ -56,9 +55,9 @@ class AseExport {
   std::vector<Track> read() {
     lines_.require_next();
     if (lines_.word(0) != "*3DSMAX_ASCIIEXPORT")
-      throw lines_.at(data_error(
-          "the text is not an ASCII export of 3ds Max; expected *3DSMAX_ASCIIEXPORT in its first line; give another {}",
-          option::input_format));
+      throw lines_.at(
+          data_error("the text is not an ASCII export of 3ds Max; expected *3DSMAX_ASCIIEXPORT in its first line; give "
+                     "another --input-format"));
     while (lines_.next()) read_line();
     end_track();
     return std::move(tracks_);

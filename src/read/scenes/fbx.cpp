@@ -17,7 +17,6 @@
 #include <utility>
 #include <vector>
 
-#include "option_names.hpp"
 #include "read/scenes/fbx.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 
@@ -391,8 +390,8 @@ FbxHead read_head(const FbxNode& file) {
   const FbxNode* const node = file.find("FBXHeaderExtension");
   if (node == nullptr || node->find("FBXVersion") == nullptr)
     throw data_error(
-        "the text is not an FBX file; expected the node FBXHeaderExtension with an FBXVersion; give another {}",
-        option::input_format)
+        "the text is not an FBX file; expected the node FBXHeaderExtension with an FBXVersion; give another "
+        "--input-format")
         .at({"", 1, 1});
   FbxHead head;
   const FbxNode& version = node->child("FBXVersion");

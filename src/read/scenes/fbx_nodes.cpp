@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 #include "numbers/parse_number.hpp"
 #include "text/suggest.hpp"

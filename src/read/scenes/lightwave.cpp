@@ -15,12 +15,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "option_names.hpp"
 #include "read/scenes/text_lines.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
@@ -54,7 +52,6 @@ constexpr std::array<EulerTrack::Turn, 3> heading_pitch_bank{{{0, 1}, {1, 0}, {2
 
 enum class Span { tcb, hermite, bezier, linear, stepped, bezier2 };
 
-/// A key of an envelope.
 struct EnvelopeKey : TrackKey {
   Span span = Span::tcb;
   WrittenNumber incoming, outgoing;  ///< tangents of Hermite and Bezier spans, each per its own segment
@@ -134,8 +131,8 @@ class Motions {
     const bool is_motion = lines_.word(0) == "LWMO";
     if (!is_motion && lines_.word(0) != "LWSC")
       throw lines_.at(
-          data_error("the text is not a scene of LightWave; expected LWSC or LWMO in its first line; give another {}",
-                     option::input_format));
+          data_error("the text is not a scene of LightWave; expected LWSC or LWMO in its first line; give another "
+                     "--input-format"));
     lines_.require_next();
     version_ = lines_.count_in(0);
     if (is_motion) name_object("motion");

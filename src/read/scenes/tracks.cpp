@@ -19,7 +19,6 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
-#include "option_names.hpp"
 #include "read/key_builder.hpp"
 #include "schema/columns.hpp"
 #include "schema/units.hpp"
@@ -105,7 +104,7 @@ void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns
     throw usage_error(
         "no object or track is {}; expected one of {}; correct it, where * is any text and ? any character",
         in_quotes(pattern), listed(paths_of(tracks)))
-        .about(option::only);
+        .about("--only");
   }
   const auto moves = [](const Track& track) { return is_placement(track) && (track.failure || track.changes()); };
   const auto first = first_object ? std::ranges::find_if(tracks, moves) : tracks.end();
@@ -142,7 +141,7 @@ void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns
       throw usage_error(
           "{} has other channels than {}; expected tracks with the same channels; choose one kind, such as */position",
           in_quotes(path_of(*track)), in_quotes(path_of(chosen.front())))
-          .about(option::only);
+          .about("--only");
     facts.other_tracks.push_back(path_of(*track));
   }
   if (chosen.empty() && facts.constant_tracks.empty()) {
@@ -150,8 +149,9 @@ void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns
   }
   if (chosen.empty()) {
     throw data_error(
-        "no track has more than one key; expected one that changes; choose one of {} with {} to read it all the same",
-        listed(facts.constant_tracks), option::only);
+        "no track has more than one key; expected one that changes; choose one of {} with --only to read it all the "
+        "same",
+        listed(facts.constant_tracks));
   }
   tracks = std::move(chosen);
 }
@@ -234,7 +234,6 @@ void add_step(TrackChannel& channel, TrackKey& second, TrackSpan::Kind kind) {
   channel.keys.push_back(std::move(middle));
 }
 
-/// Builds the keys of one track.
 class TrackKeys {
  public:
   TrackKeys(const Track& track, const std::string& time, const InputOptions& options)
@@ -282,7 +281,7 @@ class TrackKeys {
     std::uint64_t line = 0;
     for (const Columns::Column& column : columns_.cells) {
       switch (column.role) {
-        case Role::time: add_time(column, first); break;
+        case Role::time: add_number(column, first.time, first); break;
         case Role::group: keys_.set_text(column, '"' + text_of(column)); break;
         case Role::ease_in: add_number(column, first.ease_in, first); break;
         case Role::ease_out: add_number(column, first.ease_out, first); break;
@@ -316,26 +315,13 @@ class TrackKeys {
     if (keys_.end_key()) keys_.set_position(line, 0);
   }
 
-  /// The text of a column of groups.
   std::string text_of(const Columns::Column& column) const {
     const auto index = static_cast<std::size_t>(&column - columns_.cells.data());
     return index == 1 ? track_.object : track_.name;
   }
 
-  void add_time(const Columns::Column& column, const TrackKey& key) {
-    const bool is_ratio = key.time.decimal.find('/') != std::string::npos;
-    keys_.set_time(is_ratio ? nearest_time(exact_number(key.time))
-                            : parse_time(key.time.decimal).value_or(Time(key.time.value)));
-    add_decimal(column, key.time, key);
-  }
-
   void add_number(const Columns::Column& column, const WrittenNumber& number, const TrackKey& key) {
-    keys_.number(column) = number.value;
-    add_decimal(column, number, key);
-  }
-
-  void add_decimal(const Columns::Column& column, const WrittenNumber& number, const TrackKey& key) {
-    if (keys_.takes_decimals() && !keys_.take_decimal(column, number.decimal)) {
+    if (!keys_.take(column, number)) {
       throw track_number_too_large(number.decimal).about(path_of(track_)).at({"", key.line, 0});
     }
   }

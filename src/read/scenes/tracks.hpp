@@ -14,12 +14,10 @@
 #include <vector>
 
 #include "error.hpp"
-#include "numbers/rational.hpp"
 #include "read/input.hpp"
-#include "read/input_format.hpp"
 #include "read/input_options.hpp"
+#include "read/key_builder.hpp"
 #include "read/memory_use.hpp"
-#include "read/written_number.hpp"
 #include "schema/curve_channels.hpp"
 #include "schema/curve_settings.hpp"
 #include "schema/rotation_options.hpp"

@@ -3,7 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include "option_names.hpp"
 #include "read/reading.hpp"
 #include "tcb/spline/rules.hpp"
 

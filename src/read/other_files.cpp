@@ -1,5 +1,5 @@
-// Other files: those of other products, which are neither read nor written, with what converts them to keys.
-#include "formats/formats.hpp"
+// Other files: the table of those of other products, which are neither read nor written.
+#include "read/other_files.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,20 +14,21 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// How a file is recognized: some bytes at a place, and texts somewhere in the first ones.
+/// How a file is recognized: some bytes at a place, and texts somewhere in the first ones; or members of JSON.
 struct Signature {
   std::string_view bytes = {};
   std::size_t at = 0;
   std::array<std::string_view, 2> within = {};
+  std::array<std::string_view, 3> members = {};
 };
 
 /// A file of another product.
 struct OtherFile {
   std::array<std::string_view, 5> endings = {};  ///< of names, none of which an output gets
-  Signature signature = {};                      ///< without bytes: it is not recognized
+  Signature signature = {};                      ///< empty: it is not recognized
   std::string_view name = {};
   std::string_view remedy = {};
-  std::string_view word = {};  ///< in the place of WORD in the remedy
+  std::string_view word = {};  ///< in the place of WORD in the remedy; of JSON it is the option for the list of keys
 };
 
 constexpr std::string_view
@@ -127,6 +128,32 @@ constexpr OtherFile other_files[] = {
     {{".abc"}, {"Ogawa"}, "an Alembic scene", export_keys},
     {{".dae"}, {"<", 0, {"<COLLADA"}}, "a COLLADA scene (.dae)", export_keys},
     {{".obj"}},
+    {{".mot"}},
+    // JSON.
+    {{},
+     {.members = {"frames", "transform_matrix"}},
+     "a transforms.json of poses without times",
+     "give --records frames --parameter uniform --columns "
+     "position=transform_matrix[0][3]:transform_matrix[1][3]:transform_matrix[2][3]"},
+    {{}, {.members = {"layers", "ip", "op"}}, "a Lottie animation", "export its keyframes as a table"},
+    {{},
+     {.members = {"tracks", "times", "values"}},
+     "a clip of three.js, whose values are not by key",
+     "write an object of time and position for each key"},
+    {{}, {.members = {"sheetsById"}}, "a project of Theatre.js", "give WORD--columns time=position,position=value"},
+    {{},
+     {.members = {"fileType", "mission"}},
+     "a plan of QGroundControl, whose items have no times",
+     "give --records mission.items --parameter uniform --columns position=params[4]:params[5]:params[6]"},
+    {{},
+     {.members = {"asset", "accessors", "animations"}},
+     "a glTF scene, whose keys are in a buffer",
+     "export them as a table"},
+    {{}, {.members = {"type", "coordinates"}}, "GeoJSON, whose places have no times", "give WORD--parameter uniform"},
+    {{},
+     {.members = {"img_name", "position", "rotation"}},
+     "a cameras.json of Gaussian splatting, whose cameras have no times",
+     "give WORD--parameter uniform --columns position=position"},
     // Recordings.
     {{".mcap"}, {"\x89MCAP"}, "an MCAP recording", by_mcap},
     {{".bag"}, {"#ROSBAG"}, "a ROS bag", by_rosbag},
@@ -186,6 +213,12 @@ bool fits(const Signature& signature, std::string_view beginning) {
   return std::ranges::all_of(signature.within, [&](auto inner) { return text.find(inner) != std::string_view::npos; });
 }
 
+std::string remedy_with(std::string_view remedy, std::string_view word) {
+  std::string text(remedy);
+  if (const std::size_t at = text.find("WORD"); at != std::string::npos) text.replace(at, 4, word);
+  return text;
+}
+
 }  // namespace
 
 std::optional<Error> other_file(std::string_view beginning) {
@@ -195,9 +228,8 @@ std::optional<Error> other_file(std::string_view beginning) {
     found = std::ranges::find(other_files, by_yaml, &OtherFile::remedy);
   }
   if (found == std::ranges::end(other_files)) return std::nullopt;
-  std::string remedy(found->remedy);
-  if (const std::size_t at = remedy.find("WORD"); at != std::string::npos) remedy.replace(at, 4, found->word);
-  return data_error("this is {}; expected text with a key in each row, or JSON; {}", found->name, remedy);
+  return data_error("this is {}; expected text with a key in each row, or JSON; {}", found->name,
+                    remedy_with(found->remedy, found->word));
 }
 
 bool may_begin_other_file(std::string_view beginning) {
@@ -213,12 +245,17 @@ bool may_begin_other_file(std::string_view beginning) {
   });
 }
 
-std::string_view other_ending(std::string_view path) {
-  path = without_compression(path);
-  for (const Format& format : formats()) {
-    if (!format.can_write() && has_ending(path, format.ending)) return format.ending;
-  }
-  if (has_ending(path, ".mot")) return ".mot";
+std::optional<Error> other_json(const std::unordered_set<std::string_view>& members, std::string_view records) {
+  const auto found = std::ranges::find_if(other_files, [&](const OtherFile& row) {
+    const auto& names = row.signature.members;
+    return !names[0].empty() &&
+           std::ranges::all_of(names, [&](auto name) { return name.empty() || members.contains(name); });
+  });
+  if (found == std::ranges::end(other_files)) return std::nullopt;
+  return data_error("this is {}; expected a list of keys; {}", found->name, remedy_with(found->remedy, records));
+}
+
+std::string_view ending_of_other_file(std::string_view path) {
   for (const OtherFile& row : other_files) {
     for (const std::string_view ending : row.endings) {
       if (!ending.empty() && has_ending(path, ending)) return ending;
