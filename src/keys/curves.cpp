@@ -163,6 +163,7 @@ ObservedChannels::ObservedChannels(const Schema& schema) : has_names_(schema.nam
     channel.source = schema.sources.empty() ? i : schema.sources[i];
     channel.name = schema.channels[i];
     channel.is_named_angle = is_usual_angle(channel.name);
+    channel.is_unknown = schema.is_plain(i) && !is_coordinate(channel.name);
     channel.may_be_angle =
         schema.is_plain(i) && (channel.is_named_angle || !schema.named || may_be_angle(channel.name));
   }
@@ -180,29 +181,44 @@ void ObservedChannels::add(const KeyBlock& block) {
         channel.least = value;
       }
     }
-    for (std::size_t key = 0; channel.may_be_angle && key < block.size(); ++key) {
+    const bool counts = channel.may_be_angle || (channel.is_unknown && is_beginning_);
+    for (std::size_t key = 0; counts && key < block.size(); ++key) {
       if (block.begins_curve(key)) channel.before.reset();
       const double value = keys.position(key)[channel.source];
       if (std::isnan(value)) continue;
       channel.largest = std::max(channel.largest, std::abs(value));
       channel.is_positive = channel.is_positive && value >= 0;
-      channel.jump = std::max(channel.jump, std::abs(value - channel.before.value_or(value)));
+      const double before = channel.before.value_or(value);
+      if (std::abs(value - before) > channel.jump) {
+        channel.jump = std::abs(value - before);
+        channel.from = before;
+        channel.to = value;
+      }
       channel.before = value;
     }
   }
+  is_beginning_ = false;
+}
+
+/// Whether the largest jump is between the eighths of a turn beside its end, as from 179 to -179 or from 359 to 1.
+bool ObservedChannels::Channel::jumps_over_end(bool degrees) const {
+  const double eighth = degrees ? 45 : 0.785;
+  if (is_positive) return std::max(from, to) > 7 * eighth && std::min(from, to) < eighth;
+  return std::min(std::abs(from), std::abs(to)) > 3 * eighth;
 }
 
 std::vector<NamedAngle> ObservedChannels::likely_angles() const {
   constexpr double half_turn = 3.15, whole_turn = 6.3;  // rounded up
   std::vector<NamedAngle> angles;
   // All are in one unit: 5 beside 350 is in degrees, too.
-  const bool any_degrees =
-      std::ranges::any_of(channels_, [](const Channel& channel) { return channel.largest > whole_turn; });
+  const bool any_degrees = std::ranges::any_of(
+      channels_, [](const Channel& channel) { return channel.may_be_angle && channel.largest > whole_turn; });
   for (const Channel& channel : channels_) {
-    const bool degrees = channel.largest > whole_turn || (has_names_ && any_degrees);
+    const bool degrees = channel.largest > whole_turn || (has_names_ && any_degrees && channel.may_be_angle);
     // Within one turn, from 0 or around 0, where the name tells little.
     const double most = channel.is_positive ? (degrees ? 360.5 : 6.29) : (degrees ? 180.5 : half_turn);
     if (!channel.is_named_angle && (channel.largest > most || (!has_names_ && !degrees))) continue;
+    if (!channel.may_be_angle && !channel.jumps_over_end(degrees)) continue;
     if (channel.jump > (degrees ? 180 : half_turn)) angles.push_back({channel.name, degrees});
   }
   return angles;

@@ -34,8 +34,9 @@ class ObservedChannels {
 
   void add(const KeyBlock& block);
 
-  /// Plain channels that seem to be angles: by their names, and as they jump by more than half a turn. Angles that are
-  /// all within a turn of radians are in radians.
+  /// Plain channels that seem to be angles, as they jump by more than half a turn: by their names, or by numbers at the
+  /// beginning that are all within a turn and jump from near its end to near its begin. Angles that are all within a
+  /// turn of radians are in radians.
   std::vector<NamedAngle> likely_angles() const;
   /// Channels with a number such as -9999 far below all others.
   std::vector<LikelySign> likely_signs() const;
@@ -46,12 +47,17 @@ class ObservedChannels {
     std::string name;
     double least = std::numeric_limits<double>::infinity();  ///< of the numbers that are no sign
     double sign = 0;                                         ///< the last one that is; 0: there is none
+    bool is_unknown = false;                                 ///< by its numbers alone it may be an angle
     bool may_be_angle = false, is_named_angle = false;       ///< the latter by a name that is one of angles alone
     bool is_positive = true;                                 ///< no number is below 0
     double largest = 0, jump = 0;
+    double from = 0, to = 0;  ///< of the largest jump
     std::optional<double> before = {};
+
+    bool jumps_over_end(bool degrees) const;
   };
-  bool has_names_;  ///< the channels have; small numbers without a name are no angles
+  bool has_names_;            ///< the channels have; small numbers without a name are no angles
+  bool is_beginning_ = true;  ///< no block was observed
   std::vector<Channel> channels_;
 };
 

@@ -187,7 +187,8 @@ constexpr OtherFile other_files[] = {
     {{}, {"G", 0, {"\nG", " X"}}, "a program of G-code", by_gcode},
     {{}, {"%", 0, {"\nG", "X"}}, "a program of G-code", by_gcode},
     {{}, {"N", 0, {" G", " X"}}, "a program of G-code", by_gcode},
-    {{".xml", ".html", ".htm"}, {"<"}, "XML or HTML", export_keys},
+    {{".xml", ".html", ".htm"}, {"<", 0, {"</"}}, "XML or HTML", export_keys},
+    {{}, {"<", 0, {"/>"}}, "XML or HTML", export_keys},
     {{".toml"}},
 };
 

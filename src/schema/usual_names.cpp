@@ -64,7 +64,7 @@ constexpr std::string_view coordinate_names =
 std::string compact(std::string_view name) {
   std::string text;
   for (const char c : name) {
-    if (std::string_view(" \t_-.%#()[]@").find(c) == std::string_view::npos) text += lower(c);
+    if (std::string_view(" \t_-.%#()[]<>@").find(c) == std::string_view::npos) text += lower(c);
   }
   return text;
 }

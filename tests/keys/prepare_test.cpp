@@ -93,6 +93,9 @@ TEST(LikelyAngles, may_have_names_of_other_numbers_or_none_where_they_are_within
   EXPECT_EQ(likely("x", {350, 10}, false), "x=degrees") << "the name is of a column without one";
   EXPECT_EQ(likely("x", {361, 10}, false), "");
   EXPECT_EQ(likely("x", {6, 0}, false), "") << "radians are like other small numbers";
+  EXPECT_EQ(likely("joint_3", {170, 180, -179.9}), "joint_3=degrees") << "by the numbers alone";
+  EXPECT_EQ(likely("joint_3", {3.1, -3.1}), "joint_3=radians");
+  EXPECT_EQ(likely("R", {255, 0}) + likely("torque", {100, -120}), "") << "not beside the end of a turn";
 }
 
 }  // namespace

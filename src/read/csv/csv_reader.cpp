@@ -324,8 +324,11 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
     if (text.find(delimiter) == std::string_view::npos) continue;
     const auto cells_in = [&](std::string_view line) {
       std::vector<std::string_view> cells;
-      for (const std::string_view each : split(line, delimiter)) {
-        const std::string_view cell = trimmed(each);
+      for (std::size_t begin = 0, end = 0; begin <= line.size(); begin = end + 1) {
+        const bool is_quoted = begin < line.size() && line[begin] == '"';
+        const std::size_t quote = is_quoted ? line.find('"', begin + 1) : begin;
+        end = std::min(line.find(delimiter, std::min(quote, line.size())), line.size());
+        const std::string_view cell = trimmed(line.substr(begin, end - begin));
         if (delimiter != ' ' || !cell.empty()) cells.push_back(cell);
       }
       return cells;

@@ -135,7 +135,7 @@ bool JsonTable::find_layout(std::size_t table, bool is_root, bool is_timeless) {
     const std::string_view text = tape.text(name);
     const bool begins_with_object = value + 1 < tape[value].next && tape.kind(value + 1) == Kind::object;
     if (tape.kind(value) == Kind::array && !begins_with_object) {
-      if (is_usual_time(text)) return read_lists(table), true;
+      if (is_usual_time(text) || !is_root) return read_lists(table), true;
       if (is_root && holds_kind(tape, value, Kind::object)) return false;
     } else if (is_root) {
       return false;
