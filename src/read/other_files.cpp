@@ -189,6 +189,8 @@ constexpr OtherFile other_files[] = {
     {{}, {"N", 0, {" G", " X"}}, "a program of G-code", by_gcode},
     {{".xml", ".html", ".htm"}, {"<", 0, {"</"}}, "XML or HTML", export_keys},
     {{}, {"<", 0, {"/>"}}, "XML or HTML", export_keys},
+    {{}, {"<?xml"}, "XML or HTML", export_keys},
+    {{}, {"<!"}, "XML or HTML", export_keys},
     {{".toml"}},
 };
 
