@@ -427,7 +427,7 @@ Places places_of(const SampleRows& rows, const SampleTable& table, const Matched
 void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
                   const std::shared_ptr<const KeptCurve>& curve, spline::Side side, unsigned threads,
                   const std::function<void(std::size_t, std::span<const Cell>)>& use) {
-  const FoundRows rows = find_rows(curve, places.places, columns.by_length, side);
+  const FoundRows rows = find_rows(curve, {.places = places.places}, columns.by_length, side);
   const auto cells_of = [&columns, &rows](const SampleBlock& block) {
     return evaluate(block, *rows.locator, columns.fields);
   };

@@ -84,13 +84,13 @@ bool has_text(const Notation& notation) {
 Printed time_cell(const FastRow& row, const RowsOfCurve& curve, const Notation& notation) {
   const Time& shown = row.sample.t;
   const bool is_decimal = curve.exact.decimal || curve.exact.channels.frames;
-  const bool is_shown = !row.time && shown.lo == 0 && row.segment.decimals == 0 && !is_decimal;
+  const bool is_shown = !row.exact.time && shown.lo == 0 && row.segment.decimals == 0 && !is_decimal;
   if (is_shown && !has_text(notation)) return {shown};
   if (is_shown && std::abs(shown.hi) < whole_times_from) {
     if (auto text = decimal_text(Ball(shown.hi), notation)) return {shown, *std::move(text)};
   }
   const Rounding rounding(notation, CellKind::time, row.segment.decimals);
-  if (row.time) return rounding.exactly({*row.time});
+  if (row.exact.time) return rounding.exactly({*row.exact.time});
   return rounding.exactly(
       {shown.lo == 0 ? exact_number(shown, curve.exact.decimal, curve.exact.channels.frames) : exact_time(shown)});
 }

@@ -77,91 +77,24 @@ int last_precision(const RowsOfCurve& rows) {
 
 }  // namespace
 
-/// The times of the rows of a request on an exact curve.
-class ExactTimes {
- public:
-  ExactTimes(const ExactCurve& curve, const SamplingRequest& request, const Extent& extent,
-             std::vector<Rational> places)
-      : curve_(curve), request_(request), places_(std::move(places)) {
-    const bool on_grid = request.mode == Mode::step || request.mode == Mode::count || request.mode == Mode::segments;
-    if (curve.decimal && on_grid && places_.empty()) grid_.emplace(spacing(request, extent).grid);
-  }
-
-  /// Sets the times of a row, unless they are those of its samples.
-  void set(FastRow& row) const {
-    if (!curve_.decimal || by_length(request_.mode)) return;
-    if (request_.mode == Mode::emit) {
-      row.time = bounded(request_.from, row.segment, row.segment.number);
-      row.end_time = bounded(request_.to, row.segment, row.segment.number + 1);
-    } else {
-      row.time = time(row);
-    }
-  }
-
- private:
-  std::optional<Rational> time(const FastRow& row) const {
-    const std::uint64_t segment = row.segment.number;
-    if (!places_.empty()) return places_[row.number];
-    if (row.number == SpecialRow::at_key) return key(segment);
-    if (row.number == SpecialRow::at_end) return end(key(segment + 1));
-    if (grid_) return grid_->start() + grid_->step() * row.number;
-    if (request_.mode == Mode::per_segment && has_keys()) {
-      return *key(segment) + (*key(segment + 1) - *key(segment)) * row.number / request_.count;
-    }
-    if (row.sample.at.u == 0) return key(segment);
-    return row.sample.at.w == 0 ? key(segment + 1) : std::nullopt;
-  }
-
-  /// Whether keys have times that no distance makes.
-  bool has_keys() const { return !curve_.exponent; }
-
-  std::optional<Rational> key(std::uint64_t number) const {
-    if (!has_keys()) return std::nullopt;
-    return number < curve_.keys.size() ? curve_.keys.times[number] : curve_.end;
-  }
-
-  /// The end of the range, on a segment that ends at a key.
-  std::optional<Rational> end(const std::optional<Rational>& key) const {
-    if (request_.mode == Mode::per_segment || !request_.to) return key;
-    return key ? std::min(*request_.to, *key) : *request_.to;
-  }
-
-  /// A bound of the range within a segment, or the time of the key with this number.
-  std::optional<Rational> bounded(const std::optional<Rational>& bound, const CurveSegment& segment,
-                                  std::uint64_t number) const {
-    if (!has_keys()) return std::nullopt;
-    return bound ? std::clamp(*bound, *key(segment.number), *key(segment.number + 1)) : key(number);
-  }
-
-  const ExactCurve& curve_;
-  const SamplingRequest request_;
-  std::vector<Rational> places_;
-  std::optional<Grid> grid_;
-};
-
 /// What all rows of a request need, on any thread.
 struct ExactRows::Request {
-  Request(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& rounded,
-          std::vector<Rational> exact_times)
-      : rows{std::move(curve), {}, arc_lengths(request, extent), request.side()},
-        times(rows.exact, request, extent, std::move(exact_times)),
-        notation(rounded) {
+  Request(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& rounded)
+      : rows{std::move(curve), {}, arc_lengths(request, extent), request.side()}, notation(rounded) {
     rows.facts = channel_facts(rows.exact);
   }
 
   RowsOfCurve rows;
-  const ExactTimes times;
   const Notation notation;
 };
 
 /// The evaluation of rows on one thread, with what it keeps for later ones.
 class ExactRows::Evaluation {
  public:
-  explicit Evaluation(const Request& request)
-      : rows_(request.rows), times_(request.times), notation_(request.notation) {}
+  explicit Evaluation(const Request& request) : rows_(request.rows), notation_(request.notation) {}
 
-  void add_row(FastRow row, std::span<const std::size_t> chosen, Table& table) {
-    times_.set(row);
+  void add_row(FastRow row, const Locator& locator, std::span<const std::size_t> chosen, Table& table) {
+    if (rows_.exact.decimal && !rows_.arc) row.exact = exact_times(row, locator);
     if (!has_balls_) {
       balls_ = BallRows::in_double_doubles(rows_, {chosen.begin(), chosen.end()});
       cells_.resize(width(chosen));
@@ -201,6 +134,23 @@ class ExactRows::Evaluation {
       for (const int bits : {first, 2 * first, last}) levels.push_back({bits, false});
     }
     return levels;
+  }
+
+  /// The exact times of a row on a curve whose keys are decimals.
+  ExactTimes exact_times(const FastRow& row, const Locator& locator) const {
+    const ExactCurve& curve = rows_.exact;
+    if (curve.exponent) return locator.exact_times(row.number, nullptr);
+    const std::vector<Rational>& times = curve.keys.times;
+    const std::size_t next = row.segment.number + 1;
+    const ExactKeyTimes keys{times[row.segment.number], next < times.size() ? times[next] : *curve.end};
+    ExactTimes exact = locator.exact_times(row.number, &keys);
+    if (exact.time) return exact;
+    if (row.sample.at.u == 0) {
+      exact.time = keys.start;
+    } else if (row.sample.at.w == 0) {
+      exact.time = keys.end;
+    }
+    return exact;
   }
 
   std::vector<Level>& levels() {
@@ -369,7 +319,6 @@ class ExactRows::Evaluation {
   }
 
   const RowsOfCurve& rows_;
-  const ExactTimes& times_;
   const Notation& notation_;
   std::unique_ptr<BallRows> balls_;                           ///< null: the curve is not for balls
   bool has_balls_ = false;                                    ///< balls_ is set
@@ -381,9 +330,8 @@ class ExactRows::Evaluation {
   std::map<std::uint64_t, std::vector<AlongSegment>> along_;  ///< of segments: along()
 };
 
-ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation,
-                     std::vector<Rational> times)
-    : request_(std::make_unique<Request>(std::move(curve), request, extent, notation, std::move(times))) {}
+ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation)
+    : request_(std::make_unique<Request>(std::move(curve), request, extent, notation)) {}
 ExactRows::~ExactRows() = default;
 
 std::unique_ptr<ExactRows::Evaluation> ExactRows::take() {
@@ -408,7 +356,7 @@ Table ExactRows::evaluate(const SampleBlock& block, const Locator& locator, std:
     for (std::size_t i = 0; i < located.samples.size(); ++i) {
       const Sample* const end = located.ends.empty() ? nullptr : &located.ends[i];
       const Outside* const outside = located.outside.empty() ? nullptr : &located.outside[i];
-      evaluation->add_row({segment, located.samples[i], first + i, end, outside}, chosen, table);
+      evaluation->add_row({segment, located.samples[i], first + i, end, outside}, locator, chosen, table);
     }
   }
   give_back(std::move(evaluation));

@@ -24,10 +24,8 @@ namespace tcb {
 /// The correctly rounded rows of one curve.
 class ExactRows {
  public:
-  /// For the rows of a request that are placed on a curve of this extent. `times`: of rows in any order, where the
-  /// input is exact.
-  ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation,
-            std::vector<Rational> times = {});
+  /// For the rows of a request that are placed on a curve of this extent.
+  ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation);
   ~ExactRows();
 
   /// The cells of a block, row after row, as tcb::evaluate gives them. Threads: any number, each with levels of its

@@ -29,8 +29,7 @@ struct FastRow {
   const Outside* outside = nullptr;     ///< of the sample, if there are rows outside the curve
   std::optional<bool> key_at_end = {};  ///< it is at a key, the one at the segment's end or at its start
   bool is_middle = false;               ///< it is in the middle of its segment, by the symmetry of the curve
-  /// The exact times of the row and of the end of its piece, where they have more digits than those of the samples.
-  std::optional<Rational> time = {}, end_time = {};
+  ExactTimes exact = {};
 };
 
 /// The exact times or arc lengths of rows.
@@ -88,7 +87,8 @@ class RowPoint {
     }
     point_.set(segment_, measured && !sample_.s ? measured_arc() : nullptr);
     point_.set(sample_, outside_ ? &*outside_ : nullptr);
-    if (row.end != nullptr) end_ = row.end_time ? sample_at(*row.end_time) : sample_at(row.segment, row.end->t);
+    if (row.end != nullptr)
+      end_ = row.exact.end_time ? sample_at(*row.exact.end_time) : sample_at(row.segment, row.end->t);
     point_.set_end(&end_);
     return point_;
   }
@@ -350,12 +350,12 @@ class RowPoint {
   /// A row whose exact time is known may lie beside the segment on which its rounded time is.
   void place_by_time(const FastRow& row) {
     const Time& shown = row.sample.t;
-    const S t = row.time ? scalar_of<S>(*row.time) : time(shown);
+    const S t = row.exact.time ? scalar_of<S>(*row.exact.time) : time(shown);
     segment_ = segment(row.segment.number);
-    const bool is_on_segment = row.time ? key_at(*row.time) || (t >= segment_.start && t <= segment_.end)
-                                        : shown >= row.segment.start && shown <= row.segment.end;
+    const bool is_on_segment = row.exact.time ? key_at(*row.exact.time) || (t >= segment_.start && t <= segment_.end)
+                                              : shown >= row.segment.start && shown <= row.segment.end;
     if (is_on_segment) {
-      sample_ = row.time ? sample_at(*row.time) : sample_at(row.segment, shown);
+      sample_ = row.exact.time ? sample_at(*row.exact.time) : sample_at(row.segment, shown);
     } else {
       const std::vector<S>& times = curve_->times();
       outside_ = map_to_curve<S>(rows_.exact.extrapolations, times.front(), times.back(), t);
@@ -363,7 +363,7 @@ class RowPoint {
       std::optional<spline::EasePart> part;
       if (needs_ease_part()) {
         const auto& keys = rows_.exact.keys.times;
-        const Rational exact = row.time ? *row.time : exact_shown(shown);
+        const Rational exact = row.exact.time ? *row.exact.time : exact_shown(shown);
         const Rational end = rows_.exact.end.value_or(keys.back());
         part = ease_part(map_to_curve<Rational>(rows_.exact.extrapolations, keys.front(), end, exact).t);
       }

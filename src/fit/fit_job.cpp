@@ -133,7 +133,7 @@ std::vector<ComparedSample> compared_samples(const Samples& samples, const std::
   }
   const std::vector fields{field_of("time"), field_of("position")};
   const Recording& recording = samples.recording;
-  const FoundRows rows = find_rows(curve, std::move(times), false, spline::Side::left);
+  const FoundRows rows = find_rows(curve, {.places = std::move(times)}, false, spline::Side::left);
   std::vector<ComparedSample> compared;
   while (const std::optional<SampleBlock> block = rows.blocks()) {
     const std::vector<Cell> cells = evaluate(*block, *rows.locator, fields);

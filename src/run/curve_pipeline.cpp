@@ -314,7 +314,7 @@ CurveSamples CurvePipeline::samples_on_grid(StreamedCurve curve, const ExactKeys
   CurveSamples samples = samples_in_order(std::move(segments), sampler, extent.first);
   samples.expected_rows = [rows = estimate.rows()] { return rows; };
   samples.facts = facts;
-  if (exact != nullptr) samples.evaluate = exact_rows(*exact, curve, {}, sampler);
+  if (exact != nullptr) samples.evaluate = exact_rows(*exact, curve, sampler);
   return samples;
 }
 
@@ -350,10 +350,9 @@ CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const 
   const std::size_t rows = places.places.size();
   facts.least_rows = places.least_rows;
   if (facts.least_rows) facts.rows = rows;
-  FoundRows found = find_rows(kept, std::move(places.places), request_.mode == Mode::arc_at, request_.side());
+  FoundRows found = find_rows(kept, std::move(places), request_.mode == Mode::arc_at, request_.side());
   return {.blocks = std::move(found.blocks),
-          .evaluate = exact == nullptr ? fast_rows(found.locator)
-                                       : exact_rows(*exact, curve, std::move(places.exact), found.locator),
+          .evaluate = exact == nullptr ? fast_rows(found.locator) : exact_rows(*exact, curve, found.locator),
           .first_key = extent.first,
           .facts = facts,
           .expected_rows = [rows] { return static_cast<double>(rows); },
@@ -400,11 +399,10 @@ ExactCurve CurvePipeline::exact_curve(const ExactKeys& exact, const StreamedCurv
   return result;
 }
 
-/// Evaluates rows exactly, and rounds each number once. `times`: of rows in any order, or none.
-Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, const StreamedCurve& curve, std::vector<Rational> times,
+/// Evaluates rows exactly, and rounds each number once.
+Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, const StreamedCurve& curve,
                                    std::shared_ptr<const Locator> locator) const {
-  const auto rows = std::make_shared<ExactRows>(exact_curve(exact, curve), request_, curve.extent, golden_->notation,
-                                                std::move(times));
+  const auto rows = std::make_shared<ExactRows>(exact_curve(exact, curve), request_, curve.extent, golden_->notation);
   return [rows, locator = std::move(locator)](const SampleBlock& block, std::span<const std::size_t> chosen) {
     return rows->evaluate(block, *locator, chosen);
   };

@@ -122,8 +122,7 @@ class CurvePipeline {
   void set_key_times(const StreamedCurve& curve, const ExactKeys& exact);
   Rational exact_end(const ExactKeys& exact, const StreamedCurve& curve) const;
   ExactCurve exact_curve(const ExactKeys& exact, const StreamedCurve& curve) const;
-  Evaluate exact_rows(const ExactKeys& exact, const StreamedCurve& curve, std::vector<Rational> times,
-                      std::shared_ptr<const Locator> locator) const;
+  Evaluate exact_rows(const ExactKeys& exact, const StreamedCurve& curve, std::shared_ptr<const Locator> locator) const;
 
   SamplingRequest request_;
   CurveSpec spec_;

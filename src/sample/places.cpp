@@ -84,8 +84,9 @@ std::vector<Rational> exact_times(const SamplingRequest& request, const KeptCurv
 /// Rows at the places of a list: arc lengths, or times, which may be outside the curve.
 class AtPlaces : public Locator {
  public:
-  AtPlaces(std::vector<Time> places, bool by_length, const std::shared_ptr<const KeptCurve>& curve)
-      : places_(std::move(places)),
+  AtPlaces(RowPlaces places, bool by_length, const std::shared_ptr<const KeptCurve>& curve)
+      : places_(std::move(places.places)),
+        exact_(std::move(places.exact)),
         by_length_(by_length),
         curve_(curve),
         first_(curve->extent().first),
@@ -126,6 +127,10 @@ class AtPlaces : public Locator {
     if (all_on_curve) located.outside.clear();
   }
 
+  ExactTimes exact_times(std::uint64_t row, const ExactKeyTimes*) const override {
+    return exact_.empty() ? ExactTimes{} : ExactTimes{exact_[row]};
+  }
+
  private:
   /// Where times are frames, the time on the curve is a double, as all are.
   Outside outside(const Time& t) const {
@@ -138,6 +143,7 @@ class AtPlaces : public Locator {
   }
 
   std::vector<Time> places_;
+  std::vector<Rational> exact_;
   bool by_length_;
   std::shared_ptr<const KeptCurve> curve_;
   Time first_, last_;
@@ -182,7 +188,7 @@ RowPlaces row_places(const SamplingRequest& request, const KeptCurve& curve, boo
 }
 
 /// Neighbouring rows on one segment are located together.
-FoundRows find_rows(const std::shared_ptr<const KeptCurve>& curve, std::vector<Time> places, bool by_length,
+FoundRows find_rows(const std::shared_ptr<const KeptCurve>& curve, RowPlaces places, bool by_length,
                     spline::Side side) {
   const auto rows = std::make_shared<const AtPlaces>(std::move(places), by_length, curve);
   const auto next_block = [curve, rows, side, row = std::uint64_t{0}]() mutable -> std::optional<SampleBlock> {

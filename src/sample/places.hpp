@@ -37,7 +37,6 @@ struct FoundRows {
 
 /// Finds the segments of rows at these places. `side`: of a key, the segment on which a row there is.
 /// The blocks throw: Error (usage) for a place outside the curve where nothing extends it.
-FoundRows find_rows(const std::shared_ptr<const KeptCurve>& curve, std::vector<Time> places, bool by_length,
-                    spline::Side side);
+FoundRows find_rows(const std::shared_ptr<const KeptCurve>& curve, RowPlaces places, bool by_length, spline::Side side);
 
 }  // namespace tcb

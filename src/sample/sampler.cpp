@@ -19,6 +19,7 @@ class OnGrid : public Sampler {
 
   SegmentRows place(const CurveSegment& segment) override;
   void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+  ExactTimes exact_times(std::uint64_t row, const ExactKeyTimes* keys) const override;
   bool done() const override { return done_; }
   std::optional<Rational> remainder() const override { return remainder_; }
 
@@ -65,6 +66,7 @@ class PerSegment : public Sampler {
 
   SegmentRows place(const CurveSegment& segment) override;
   void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+  ExactTimes exact_times(std::uint64_t row, const ExactKeyTimes* keys) const override;
   bool done() const override { return false; }
 
  private:
@@ -194,6 +196,12 @@ void OnGrid::locate(const CurveSegment& segment, std::uint64_t first, std::uint6
   }
 }
 
+ExactTimes OnGrid::exact_times(std::uint64_t row, const ExactKeyTimes* keys) const {
+  if (row < SpecialRow::at_key) return {spacing_.grid.start() + spacing_.grid.step() * row};
+  if (keys == nullptr) return {row == SpecialRow::at_end ? request_.to : std::nullopt};
+  return {row == SpecialRow::at_key ? keys->start : request_.to ? std::min(*request_.to, keys->end) : keys->end};
+}
+
 SegmentRows PerSegment::place(const CurveSegment& segment) {
   require_rows(Rational(segment.number + 1) * request_.count, request_.max_rows, !segment.last);
   if (segment.start < segment.end) require_resolution(grid(segment), segment.end, segment.decimals);
@@ -212,6 +220,12 @@ void PerSegment::locate(const CurveSegment& segment, std::uint64_t first, std::u
   });
 }
 
+ExactTimes PerSegment::exact_times(std::uint64_t row, const ExactKeyTimes* keys) const {
+  if (keys == nullptr) return {};
+  if (row >= SpecialRow::at_key) return {row == SpecialRow::at_key ? keys->start : keys->end};
+  return {keys->start + (keys->end - keys->start) * row / request_.count};
+}
+
 /// A row for each segment, or for the piece of it that lies in the range of the request.
 class PieceSampler : public Sampler {
  public:
@@ -219,6 +233,7 @@ class PieceSampler : public Sampler {
 
   SegmentRows place(const CurveSegment& segment) override;
   void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
+  ExactTimes exact_times(std::uint64_t row, const ExactKeyTimes* keys) const override;
   bool done() const override { return done_; }
 
  private:
@@ -277,6 +292,14 @@ void PieceSampler::locate(const CurveSegment& segment, std::uint64_t first, std:
   const auto at = [&](const Time& t) -> Sample { return {t, locate(segment.precise(t))}; };
   fill(located, first, last, [&, start = start](std::uint64_t) { return at(start); });
   located.ends.assign(last - first, at(end));
+}
+
+ExactTimes PieceSampler::exact_times(std::uint64_t, const ExactKeyTimes* keys) const {
+  if (keys == nullptr) return {};
+  const auto bound = [&](const std::optional<Rational>& given, const Rational& key) {
+    return given ? std::clamp(*given, keys->start, keys->end) : key;
+  };
+  return {bound(request_.from, keys->start), bound(request_.to, keys->end)};
 }
 
 }  // namespace

@@ -41,6 +41,16 @@ struct Located {
   spline::SegmentLength<double> arc = {};
 };
 
+/// The exact times of a row and of the end of its piece, where they have more digits than those of the samples.
+struct ExactTimes {
+  std::optional<Rational> time = {}, end_time = {};
+};
+
+/// The exact times of the keys of a segment.
+struct ExactKeyTimes {
+  Rational start, end;
+};
+
 /// Locates samples on the segment on which they lie.
 class Locator {
  public:
@@ -52,6 +62,10 @@ class Locator {
   /// Replaces the samples in `located` with those from first to before last. Requires: they lie on this segment.
   /// Threads: any number at once, each with its own memory.
   virtual void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const = 0;
+
+  /// The exact times of a row that locate() places by time, where they are known. `keys`: null where distances make the
+  /// times of keys.
+  virtual ExactTimes exact_times(std::uint64_t row, const ExactKeyTimes* keys) const = 0;
 
  protected:
   /// Samples that are located one by one.
