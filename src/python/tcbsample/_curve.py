@@ -51,7 +51,8 @@ class _Pieces:
         middles = starts + durations / 2
         u = ((middles.astype(np.longdouble) - starts) / durations)[:, None]
         a, b, c, d = left = powers(*points)
-        self._breaks = parts(starts, np.maximum(starts + durations / 4, np.nextafter(starts, np.inf)), ends - durations / 4)
+        after = np.maximum(starts + durations / 4, np.nextafter(starts, np.inf))
+        self._breaks = parts(starts, after, ends - durations / 4)
         self._bases = parts(starts, middles, ends)
         self._scales = parts(durations, durations, -durations)
         middle = [a + u * (b + u * (c + u * d)), b + u * (2 * c + u * (3 * d)), c + u * (3 * d), d]

@@ -99,7 +99,8 @@ def _keyword(option: str) -> str:
     return name + "_" if keyword.iskeyword(name) else name
 
 
-_VALUE = re.compile(r"""[ =](?P<quoted>'[^']*'|"[^"]*")|[ =](?P<word>(?!instead)[^\s,;]*[^\s,;.:])(?P<end>(?: if| for| to|,|$))?""")
+# A value after an option, and what follows a value in a remedy.
+_VALUE = re.compile(r"""[ =](?P<word>'[^']*'|"[^"]*"|(?!instead)[^\s,;]*[^\s,;.:])(?P<end> if| for| to|,|$)?""")
 
 
 def in_python(message: str) -> str:
@@ -121,12 +122,14 @@ def in_python(message: str) -> str:
             parts.append(f"{name}=True")
         else:
             value = _VALUE.match(message, end)
-            if value is None or not (value["quoted"] or value["end"] is not None or value["word"] in option.known or
-                                     re.search(r"[\d=*]", value["word"])):  # fmt: skip
+            word = value["word"].strip("'\"") if value else ""
+            if value is None or not (
+                value["end"] is not None or word in option.known or re.search(r"[\d=*'\"]", value["word"])
+            ):
                 parts.append(name)
                 continue
-            end = value.end("quoted" if value["quoted"] else "word")
-            parts.append(f'{name}="{message[value.start() + 1 : end].strip(chr(39) + chr(34))}"')
+            end = value.end("word")
+            parts.append(f'{name}="{word}"')
             while (more := re.compile(r"((?:,| or|, or) )([\w-]+)").match(message, end)) and more[2] in option.known:
                 parts.append(f'{more[1]}"{more[2]}"')
                 end = more.end()
@@ -227,7 +230,8 @@ class Run:
             self.sources["standard input"] = source
         self.table = source.table
         if self.table is not None:
-            self.words = ["--input-format=csv", "--comment=none", "--no-header" if self.table.names is None else "--header"]
+            self.words = ["--input-format=csv", "--comment=none"]
+            self.words.append("--no-header" if self.table.names is None else "--header")
         self.resources = contextlib.ExitStack()
         self.folder: Optional[str] = None  # of files made for options
         self.input = self._temporary()

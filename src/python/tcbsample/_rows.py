@@ -10,7 +10,7 @@ from typing import Any, Optional
 import numpy as np
 
 from ._program import Error, Run
-from ._tables import Table, are_floats, array_of, cells, in_nanoseconds, is_missing, text
+from ._tables import Table, are_floats, cells, in_nanoseconds, quoted, text
 
 _ROOM_OF_LINES = 1 << 16  # bytes of JSON Lines; longer results are arrays
 _LARGEST_WHOLE = 2**53  # up to here, every whole number is a double
@@ -30,28 +30,20 @@ def _kept_names(options: Mapping[str, Any]) -> set[str]:
     """The columns whose values are repeated, and not computed."""
     roles = [part.partition("=")[::2] for part in text(options.get("columns") or "").split(",")]
     names = [names for role, names in roles if role in ("group", "carry")]
-    return set(re.split("[,:]", ":".join([text(options.get("group") or ""), *names])))
+    return {*re.split("[,:]", ":".join([text(options.get("group") or ""), *names]))} - {""}
 
 
-def _as_text(value: Any) -> str:
-    return "" if value is None else "-0" if value == 0 and isinstance(value, float) else str(value)
-
-
-def _kept_column(values: list[Any], original: np.ndarray[Any, Any]) -> Optional[np.ndarray[Any, Any]]:
-    """A repeated column with the type of the keys; None for objects of several types."""
-    kind = original.dtype.kind
-    if kind in "iu":
-        return np.array(values, dtype=original.dtype)
-    if kind == "f":
-        return np.array([float(value or "nan") for value in map(_as_text, values)], original.dtype)
-    if kind == "b":
-        return np.array([value == "True" for value in values])
-    if kind in "US":
-        return np.array([_as_text(value) for value in values])
-    if kind == "O" and all(isinstance(value, str) or is_missing(value) for value in original):
-        empty = "" if any(isinstance(value, str) and not value for value in original) else None
-        return np.array([_as_text(value) or empty for value in values], dtype=object)
-    return None
+def _kept_column(values: list[Any], table: Table, at: int) -> Any:
+    """The values of the keys that a column repeats, with their type; None if it has others."""
+    rows = {cell: row for row, cell in enumerate(cells(table.columns[at]))}
+    row_of = {value: rows.get(quoted(str(value))) for value in set(values)}
+    if None in row_of:  # a missing value
+        row_of[None] = rows.get("", rows.get("nan"))
+    if None in row_of.values():
+        return None
+    places = np.array([row_of[value] for value in values], dtype=np.intp)
+    original = table.originals[at]
+    return original[places] if table.frame is None else original.take(places).array
 
 
 def dates_of(texts: Iterable[Optional[str]]) -> np.ndarray[Any, Any]:
@@ -73,8 +65,6 @@ def _column(values: list[Any], original: Optional[np.ndarray[Any, Any]], is_kept
         return dates_of(values)
     if original is not None and original.dtype.kind == "m" and kinds <= {int, float}:
         return durations_of(values)
-    if original is not None and is_kept and (column := _kept_column(values, original)) is not None:
-        return column
     if kinds == {int} and None not in values:
         largest = max(abs(value) for value in values)
         may_be_whole = original is None or original.dtype.kind != "f"
@@ -82,39 +72,24 @@ def _column(values: list[Any], original: Optional[np.ndarray[Any, Any]], is_kept
             return np.array(values, dtype=np.int64)
     if kinds <= {int, float}:
         return np.array(values, dtype=np.float64)  # None is NaN
-    return np.array([_as_text(value) for value in values])
+    return np.array(["" if value is None else str(value) for value in values])
 
 
 # Frames.
 
 
-def _frame_column(column: np.ndarray[Any, Any], kind: Any, is_kept: bool) -> Any:
-    """A column with the pandas type of the keys."""
+def _frame_column(column: np.ndarray[Any, Any], kind: Any) -> Any:
+    """A computed column with the pandas type of the keys."""
     import pandas
 
-    name = str(kind)
-    if isinstance(kind, pandas.CategoricalDtype) and is_kept:
-        known = dict(zip(cells(array_of(kind.categories)), kind.categories))
-        return pandas.Categorical([known.get(cell) for cell in cells(column)], dtype=kind)
     if getattr(kind, "tz", None) is not None and column.dtype.kind == "M":
         return pandas.DatetimeIndex(column).tz_localize("UTC").tz_convert(kind.tz)
-    if isinstance(kind, pandas.api.extensions.ExtensionDtype) and name in _NULLABLE:
-        if is_kept:
-            values = [None if is_missing(v) or (name != "string" and v == "") else v for v in column.tolist()]
-            if name == "boolean":
-                values = [None if value is None else _as_text(value) == "True" for value in values]
-            elif name != "string":
-                values = [None if value is None else float(value) for value in values]
-            return pandas.array(values, dtype=kind)
-        if column.dtype.kind == "f":
-            return pandas.array(column, dtype="Float64")
+    if column.dtype.kind == "f" and re.fullmatch(r"U?Int\d+|Float\d+", str(kind)):
+        return pandas.array(column, dtype="Float64")
     return column
 
 
-_NULLABLE = {"boolean", "string", "Float32", "Float64", *(f"{sign}Int{bits}" for sign in ("", "U") for bits in (8, 16, 32, 64))}
-
-
-def _frame(names: list[str], columns: list[np.ndarray[Any, Any]], table: Table, kept: set[str]) -> Any:
+def _frame(names: list[str], columns: list[Any], table: Table) -> Any:
     import pandas
 
     labels: list[Any] = []
@@ -122,7 +97,8 @@ def _frame(names: list[str], columns: list[np.ndarray[Any, Any]], table: Table, 
     for name, column in zip(names, columns):
         at = table.original(name)
         labels.append(name if at is None else table.labels[at])
-        data.append(column if at is None else _frame_column(column, table.types[at], name in kept))
+        is_array = isinstance(column, np.ndarray)
+        data.append(column if at is None or not is_array else _frame_column(column, table.originals[at].dtype))
     frame = pandas.DataFrame(dict(enumerate(data)))
     frame.columns = pandas.Index(labels) if labels else frame.columns
     if table.time_index is not None and table.labels[0] in labels:
@@ -131,9 +107,9 @@ def _frame(names: list[str], columns: list[np.ndarray[Any, Any]], table: Table, 
     return frame
 
 
-def _returned(names: list[str], columns: list[np.ndarray[Any, Any]], table: Optional[Table], kept: set[str]) -> Any:
+def _returned(names: list[str], columns: list[Any], table: Optional[Table]) -> Any:
     if table is not None and table.frame is not None:
-        return _frame(names, columns, table, kept)
+        return _frame(names, columns, table)
     result = np.empty(len(columns[0]) if columns else 0, dtype=[(n, c.dtype) for n, c in zip(names, columns)])
     for name, column in zip(names, columns):
         result[name] = column
@@ -148,23 +124,26 @@ def _lines_to_rows(rows: list[Optional[dict[str, Any]]], table: Optional[Table],
     names = list(dicts[0]) if dicts else []
     sent = {} if table is None else dict(zip(table.names or names, table.columns))
     kept = _kept_names(options)
-    columns = [_column([row[name] for row in dicts], sent.get(name), name in kept) for name in names]
+    columns = []
+    for name in names:
+        values = [row[name] for row in dicts]
+        at = table.original(name) if table is not None and name in kept else None
+        column = None if table is None or at is None else _kept_column(values, table, at)
+        columns.append(_column(values, sent.get(name), name in kept) if column is None else column)
     if breaks:
         if "curve" in names:
             raise ValueError("there is a column curve, whose name the number of the curve needs; rename it")
         names, columns = ["curve", *names], [curves, *columns]
-    return _returned(names, columns, table, kept)
+    return _returned(names, columns, table)
 
 
-def _array_to_rows(array: np.ndarray[Any, Any], names: list[str], table: Optional[Table], kept: set[str]) -> Any:
-    if table is not None and any(column.dtype.kind == "m" for column in table.columns):
-        sent = dict(zip(table.names or names, table.columns))
-        columns = [durations_of(column) if name in sent and sent[name].dtype.kind == "m" else column
-                   for name, column in zip(names, array.T)]  # fmt: skip
-        return _returned(names, columns, table, kept)
-    if table is not None and table.frame is not None:
-        return _frame(names, list(array.T), table, kept)
-    return array.view([(name, array.dtype) for name in names]).reshape(-1)
+def _array_to_rows(array: np.ndarray[Any, Any], names: list[str], table: Optional[Table]) -> Any:
+    sent = {} if table is None else dict(zip(table.names or names, table.columns))
+    durations = {name for name, column in sent.items() if column.dtype.kind == "m"}
+    if durations.isdisjoint(names) and (table is None or table.frame is None):
+        return array.view([(name, array.dtype) for name in names]).reshape(-1)
+    columns = [durations_of(column) if name in durations else column for name, column in zip(names, array.T)]
+    return _returned(names, columns, table)
 
 
 def _parsed(lines: bytes) -> list[Optional[dict[str, Any]]]:
@@ -180,10 +159,11 @@ def rows_of(run: Run, options: Mapping[str, Any]) -> Any:
     lines, complete = run.beginning(["--output-format=jsonl"], _ROOM_OF_LINES)
     if not complete:
         first = _parsed(lines[: lines.rfind(b"\n")])
-        if _are_doubles(first, run.table) and "break" not in (options.get("missing"), options.get("duplicates")):
+        labelled = _kept_names(options) or "break" in (options.get("missing"), options.get("duplicates"))
+        if not labelled and _are_doubles(first, run.table):
             try:
                 array = np.load(run.result(["--output-format=npy"]), allow_pickle=False)
-                return _array_to_rows(array, list(first[0] or ()), run.table, _kept_names(options))
+                return _array_to_rows(array, list(first[0] or ()), run.table)
             except Error:
                 pass  # rows that only text can hold, or an error that reading the text shows
         lines = run.result(["--output-format=jsonl"]).read()

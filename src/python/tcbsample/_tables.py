@@ -22,7 +22,7 @@ class Table(NamedTuple):
     names       the text of each name; None for an array without names
     columns     1-D arrays
     labels      the names as they are in the keys, such as the number 0 of a DataFrame
-    types       the pandas type of each column; None for an array
+    originals   the columns as they are in the keys: arrays, or the Series of a DataFrame
     time_index  the name of the index of a DataFrame or Series that is the time, the first column; None without one
     frame       the DataFrame or Series
     """
@@ -30,7 +30,7 @@ class Table(NamedTuple):
     names: Optional[list[str]]
     columns: list[np.ndarray[Any, Any]]
     labels: list[Any]
-    types: list[Any]
+    originals: list[Any]
     time_index: Optional[tuple[Any]] = None
     frame: Any = None
 
@@ -87,7 +87,8 @@ def array_of(values: Any) -> np.ndarray[Any, Any]:
         return in_nanoseconds(array)
     if array.dtype.kind != "O":
         return array
-    objects = [one.to_timestamp() if hasattr(one, "to_timestamp") else one for one in array.ravel().tolist()]  # of periods
+    objects = array.ravel().tolist()
+    objects = [one.to_timestamp() if hasattr(one, "to_timestamp") else one for one in objects]  # of periods
     known = [one for one in objects if not is_missing(one)]
     for types, unit in ((_DATES, "datetime64[ns]"), (_DURATIONS, "timedelta64[ns]")):
         if known and all(isinstance(one, types) for one in known):
@@ -126,8 +127,7 @@ def _frame_table(frame: Any) -> Table:
     elif frame.index.dtype.kind == "f":
         raise TypeError("the index has no name, so it is unclear what it means; frame.rename_axis('time') makes it a "
                         "column of times, frame.reset_index(drop=True) leaves it out")  # fmt: skip
-    types = [one.dtype for one in series]
-    return Table([str(label) for label in labels], [array_of(one) for one in series], labels, types, index, frame)
+    return Table([str(label) for label in labels], [array_of(one) for one in series], labels, series, index, frame)
 
 
 def _series_table(series: Any) -> Table:
@@ -138,8 +138,8 @@ def _series_table(series: Any) -> Table:
     label = series.name if series.name is not None else "x"
     time = _unused(str(index.name or "time"), [label])
     times = index.to_series()
-    return Table([time, str(label)], [array_of(times), array_of(series)], [time, label],
-                 [times.dtype, series.dtype], (index.name,), series)  # fmt: skip
+    return Table([time, str(label)], [array_of(times), array_of(series)], [time, label], [times, series], (index.name,),
+                 series)  # fmt: skip
 
 
 def _named(columns: Mapping[Any, Any]) -> Table:
@@ -147,7 +147,7 @@ def _named(columns: Mapping[Any, Any]) -> Table:
     shapes = {str(name): array.shape for name, array in zip(columns, arrays)}
     if any(len(shape) != 1 for shape in shapes.values()) or len(set(shapes.values())) > 1:
         raise ValueError(f"shapes of columns: {shapes}; expected 1-D columns of one length, one for each channel")
-    return Table([str(name) for name in columns], arrays, list(columns), [None] * len(arrays))
+    return Table([str(name) for name in columns], arrays, list(columns), arrays)
 
 
 def _rows_of_dicts(rows: Sequence[Mapping[Any, Any]]) -> Table:
@@ -193,7 +193,7 @@ def table(keys: Any) -> Table:
         return _named({name: array[name] for name in array.dtype.names})
     if array.ndim == 2:
         return Table(None, [array_of(column) for column in array.T], [], [])
-    raise TypeError(f"a {type(keys).__name__} that is no table; expected a 2-D or structured array, a pair of times and "
+    raise TypeError(f"{type(keys).__name__} is no table of keys; expected a 2-D or structured array, a pair of times and "
                     "positions, a dict of columns, a list of dicts, a DataFrame, a Series, a path, an open file, or "
                     "bytes")  # fmt: skip
 
@@ -257,7 +257,8 @@ def nanoseconds(value: Any) -> int:
         return count
     if isinstance(value, datetime.datetime) and value.tzinfo is not None:
         value = value.astimezone(datetime.timezone.utc).replace(tzinfo=None)
-    return int(in_nanoseconds(np.asarray(value, dtype="m8" if isinstance(value, _DURATIONS) else "M8")).astype(np.int64))
+    kind = "m8" if isinstance(value, _DURATIONS) else "M8"
+    return int(in_nanoseconds(np.asarray(value, dtype=kind)).astype(np.int64))
 
 
 def decimal_seconds(value: Any) -> str:
