@@ -142,7 +142,8 @@ def resample(data: Any, /, *, step: Value = None, count: Optional[int] = None, a
     Returns a structured array of shape (m,), or a DataFrame of m rows if data is a DataFrame or a Series. Its fields
     are the groups, the time, the channels, and labels, or what fields= chooses: float64, where undefined values are
     NaN; whole times from 2^53 up are int64; dates are datetime64[ns], durations timedelta64[ns]; groups and labels
-    have the type that they have in data. A time zone, and an index of times, are those of the keys.
+    have the type that they have in data. A time zone, and an index of times, are those of the keys. Dates are doubles
+    of seconds since 1970, which are rounded to some 0.2 microseconds, unless a key has a date with more digits.
     With missing="break" or duplicates="break", a first field "curve" counts curves from 0.
 
     Raises Error if keys or options are rejected, and TypeError for an unknown option or what is not a table.
