@@ -550,6 +550,19 @@ class Curves(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "expected dates"):
             curve(datetime.timedelta(seconds=1))
 
+    def test_dates_far_from_the_first_one(self):
+        rng = np.random.default_rng(13)
+        nanoseconds = 1_700_000_000_000_000_000 + 1000 * np.cumsum(rng.integers(1, 10**6, 3000))
+        keys = {"time": nanoseconds.astype("M8[ns]"), "x": rng.uniform(-1, 1, 3000)}
+        curve = tcbsample.Curve(keys)
+        np.testing.assert_array_equal(curve(keys["time"])[:, 0], keys["x"])
+        rows = tcbsample.resample(keys, at=rng.integers(nanoseconds[0], nanoseconds[-1], 500).astype("M8[ns]"))
+        piece = np.clip(keys["time"].searchsorted(rows["time"], "right") - 1, 0, 2998)
+        sizes = np.abs(curve._pieces.bezier[piece, :, 0]).max(axis=1)
+        self.assertLessEqual((np.abs(curve(rows["time"])[:, 0] - rows["x"]) / np.spacing(sizes)).max(), 4)
+        seconds = [count / 10**9 for count in rows["time"][:9].astype(np.int64).tolist()]
+        np.testing.assert_array_equal(curve(seconds), curve(rows["time"][:9]))
+
     def test_other_notations_of_time(self):
         for keys, options in ((b"time,x\n00:00:01:00,0\n00:00:03:12,2\n", {"input_fps": 24}),
                               (b"time,x\n00:01,0\n00:03.5,2\n", {"quiet": True})):  # fmt: skip

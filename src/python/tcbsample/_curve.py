@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import decimal
 import os
 import re
 from bisect import bisect_right
@@ -30,8 +31,8 @@ _DERIVATIVES = ("position", "velocity", "acceleration", "jerk")
 class _Pieces:
     """Cubics one after another, each by its ends and its middle, so that a place is evaluated from the nearest.
 
-    starts, ends  (n,) the times of n pieces
-    durations     (n,) seconds, or units of time
+    starts, ends  (n,) the times of n pieces: doubles, or whole numbers, of which the differences are exact
+    durations     (n,) the unit by which derivatives are; that of doubles
     bezier        (n, 4, c) control points of c channels
     """
 
@@ -46,22 +47,25 @@ class _Pieces:
         def powers(b0: Any, b1: Any, b2: Any, b3: Any) -> list[Any]:
             return [b0, 3 * (b1 - b0), 3 * ((b2 - b1) - (b1 - b0)), (b3 - b0) - 3 * (b2 - b1)]
 
-        # Of part p of piece i at 3 i + p: where it begins, the time that distances count from, the duration, which is
-        # negative from the right end, and the coefficients of the powers of the distance.
-        middles = starts + durations / 2
-        u = ((middles.astype(np.longdouble) - starts) / durations)[:, None]
-        a, b, c, d = left = powers(*points)
-        after = np.maximum(starts + durations / 4, np.nextafter(starts, np.inf))
-        self._breaks = parts(starts, after, ends - durations / 4)
+        # Of part p of piece i at 3 i + p: where it begins, the time that distances count from, the length that they are
+        # divided by, the duration (both negative from the right end), and the coefficients of powers of the quotient.
+        is_float = starts.dtype.kind == "f"
+        lengths = durations if is_float else (ends - starts).astype(np.float64)
+        quarters = np.maximum(lengths / 4, abs(np.spacing(starts)) if is_float else 1).astype(starts.dtype)
+        middles = starts + (lengths / 2).astype(starts.dtype)
+        self._breaks = parts(starts, starts + quarters, np.maximum(starts + quarters, ends - quarters))
         self._bases = parts(starts, middles, ends)
+        self._lengths = parts(lengths, lengths, -lengths)
         self._scales = parts(durations, durations, -durations)
+        u = ((middles - starts.astype(np.longdouble)) / lengths)[:, None]
+        a, b, c, d = left = powers(*points)
         middle = [a + u * (b + u * (c + u * d)), b + u * (2 * c + u * (3 * d)), c + u * (3 * d), d]
         right = powers(*points[::-1])
         self._powers = [parts(*three).astype(np.float64) for three in zip(left, middle, right)]
         self._columns: dict[int, list[Array]] = {}  # by the order of the derivative: coefficients of the powers of u
         self._numbers: dict[tuple[int, int], tuple[float, float, list[list[float]]]] = {}  # by the order and the part
         self._break_list: list[float] = self._breaks.tolist()
-        self.first, self.last = float(starts[0]), float(ends[-1])
+        self.first, self.last = starts[0].item(), ends[-1].item()
 
     def powers(self) -> list[Array]:
         """The coefficients of u^0, u^1, u^2, u^3 of each piece, (n, c) each, for u from 0 to 1."""
@@ -77,7 +81,7 @@ class _Pieces:
         return self._columns[order]
 
     def at(self, time: float, order: int) -> Array:
-        """A derivative of order 0 to 3 at one time, (channels,). Requires: first <= time <= last."""
+        """A derivative of order 0 to 3 at one time, (channels,). Requires: times are doubles, first <= time <= last."""
         part = bisect_right(self._break_list, time) - 1
         found = self._numbers.get((order, part))
         if found is None:
@@ -113,8 +117,8 @@ class _Pieces:
         result = np.empty((len(times), self.bezier.shape[2]))
         first, *others = self._coefficients(order)[order:]
         for run, part in self._runs(times):
-            scale = self._scales.take(part)
-            u = (times[run] - self._bases.take(part)) / scale
+            u = (times[run] - self._bases.take(part)) / self._lengths.take(part)
+            scale = self._scales.take(part) if order > 0 else None
             for channel in range(result.shape[1]):
                 value = first[channel].take(part)
                 for column in others:
@@ -124,6 +128,15 @@ class _Pieces:
                     value /= scale
                 result[run, channel] = value
         return result
+
+
+def _times(times: Any) -> Any:
+    """Times that the program printed: dates, whole numbers beyond 2^53, or doubles."""
+    return dates_of(times.tolist()) if times.dtype.kind == "U" else times
+
+
+def _are_missing(places: Any) -> Any:
+    return np.isnat(places) if places.dtype.kind == "M" else np.isnan(places)
 
 
 class Curve:
@@ -167,13 +180,12 @@ class Curve:
         if not options.get("equal_speed") and options.get("parameter") is None:
             self._options.pop("metric", None)  # only lengths depend on it
         self._pieces: Optional[_Pieces] = None
-        self._origin: Any = None  # where dates, and whole numbers beyond those that are doubles, count from
         try:
             rows, table = self._rows(emit="bezier")
         except Error:  # no cubics in time, or rejected keys
             rows, table = self._rows(per_segment=1, fields="time,position")
             time, *self.names = rows.dtype.names
-            times = self._times(rows[time])
+            times = _times(rows[time])
         else:
             times = self._set_pieces(rows)
         has_durations = table is not None and any(column.dtype.kind == "m" for column in table.columns)
@@ -191,27 +203,19 @@ class Curve:
             return self._rows(**{**sampling, "time_format": "seconds"})
         return rows, table
 
-    def _times(self, times: Any) -> Any:
-        """Times as the program prints them, as dates, whole numbers or doubles."""
-        if times.dtype.kind == "U":
-            times = dates_of(times.tolist())
-        if times.dtype.kind in "Mi":
-            self._origin = times[0]
-        return times
-
     def _set_pieces(self, rows: Any) -> Any:
         """The times where pieces begin and end."""
         self.names = [name[: -len("_b0")] for name in rows.dtype.names if name.endswith("_b0")]
-        starts, durations = self._times(rows["start"]), rows["duration"].astype(np.float64)
-        if self._origin is None:
-            edges = times = np.append(starts, starts[-1] + durations[-1])
+        starts, durations = _times(rows["start"]), rows["duration"].astype(np.float64)
+        if starts.dtype.kind == "f":
+            ticks = times = np.append(starts, starts[-1] + durations[-1])
         else:
             duration = round(durations[-1] * (1e9 if starts.dtype.kind == "M" else 1))
-            times = np.append(starts, (starts[-1:].view(np.int64) + duration).view(starts.dtype))
-            edges = self._numbers(times)
+            ticks = np.append(starts.view(np.int64), starts[-1:].view(np.int64) + duration)
+            times = ticks.view(starts.dtype)
         bezier = np.stack([np.stack([rows[f"{name}_b{i}"] for name in self.names], axis=1) for i in range(4)], axis=1)
         if np.abs(bezier).max() < 1e306:  # coefficients are up to 48 times as large
-            self._pieces = _Pieces(edges[:-1], edges[1:], durations, bezier.astype(np.float64))
+            self._pieces = _Pieces(ticks[:-1], ticks[1:], durations, bezier.astype(np.float64))
         return times
 
     def _places(self, t: Any) -> Any:
@@ -220,29 +224,22 @@ class Curve:
         if array.dtype.kind == "O":
             numbers = [np.nan if is_missing(one) else one for one in array.ravel().tolist()]
             array = np.array(numbers, dtype=np.float64).reshape(array.shape)
-        kind, keys = array.dtype.kind, "f" if self._origin is None else self._origin.dtype.kind
-        expected = {"M": "dates", "i": "whole numbers, as those of the keys are beyond 2^53", "f": "numbers"}[keys]
-        if kind not in {"M": "Mbiuf", "i": "iu", "f": "mbiuf"}[keys]:
+        kind, keys = array.dtype.kind, self.times.dtype.kind
+        expected = {"M": "dates", "i": "whole numbers, as those of the keys are beyond 2^53"}.get(keys, "numbers")
+        if kind not in {"M": "Mbiuf", "i": "iu"}.get(keys, "mbiuf"):
             raise TypeError(f"times of the type {array.dtype}; expected {expected}")
         if kind == "m":
             return array / np.timedelta64(1, "s")
-        return array if kind == "M" or keys == "i" else array.astype(np.float64, copy=False)
-
-    def _numbers(self, places: Any) -> Any:
-        """Places as the pieces have them, in one dimension."""
-        flat = places.ravel()
-        if self._origin is None:
-            return flat
-        if flat.dtype.kind == "M":
-            return (flat - self._origin) / np.timedelta64(1, "s")
-        if self._origin.dtype.kind == "M":  # seconds since 1970, as the program counts dates
-            return flat - self._origin.astype(np.int64) / 1e9
-        return (flat.astype(np.int64) - self._origin).astype(np.float64)
+        if keys == "M" and kind != "M":  # seconds since 1970, as the program counts dates
+            seconds = [decimal.Decimal(repr(one)) for one in array.astype(np.float64).ravel().tolist()]
+            nanoseconds = ["NaT" if one.is_nan() else int(one.scaleb(9)) for one in seconds]
+            return np.array(nanoseconds, dtype="M8[ns]").reshape(array.shape)
+        return array.astype({"M": "M8[ns]", "i": "i8"}.get(keys, "f8"), copy=False)
 
     def _ask(self, option: str, places: Any, fields: str, columns: int, **more: Any) -> Array:
         """The columns of some fields that the program prints at places of any shape; NaN at NaN."""
         flat = places.ravel()
-        asked = ~(np.isnat(flat) if flat.dtype.kind == "M" else np.isnan(flat))
+        asked = ~_are_missing(flat)
         result: Array = np.full((flat.size, columns), np.nan)
         if asked.any():
             write = decimal_seconds if flat.dtype.kind == "M" else repr
@@ -271,27 +268,29 @@ class Curve:
         2.0
         """
         pieces = self._pieces
-        if isinstance(t, (float, int)) and type(nu) is int and 0 <= nu <= 3 and not golden and self._origin is None:
-            if pieces is not None and pieces.first <= t <= pieces.last:  # a number, without the cost of arrays
+        if isinstance(t, (float, int)) and type(nu) is int and 0 <= nu <= 3 and not golden and pieces is not None:
+            if isinstance(pieces.first, float) and pieces.first <= t <= pieces.last:  # without the cost of arrays
                 return pieces.at(float(t), nu)
         if nu != int(nu) or nu < 0:
             raise ValueError(f"nu: {nu!r}; expected the order of a derivative: 0, 1, 2, ...")
         nu = int(nu)
         places = self._places(t)
-        flat, shape = self._numbers(places), (*places.shape, len(self.names))
+        shape, places = (*places.shape, len(self.names)), places.ravel()
+        ticks = places.view(np.int64) if places.dtype.kind == "M" else places
         if pieces is None or golden:
-            inside = np.zeros(flat.size, dtype=bool)
-        elif flat.size > 0 and pieces.first <= flat.min() and flat.max() <= pieces.last and nu <= 3:
-            return pieces.evaluate(flat, nu).reshape(shape)
+            inside = np.zeros(ticks.size, dtype=bool)
+        elif ticks.size > 0 and pieces.first <= ticks.min() and ticks.max() <= pieces.last and nu <= 3:
+            return pieces.evaluate(ticks, nu).reshape(shape)
         else:
-            inside = (flat >= pieces.first) & (flat <= pieces.last)
-        result: Array = np.full((flat.size, len(self.names)), np.nan)
+            inside = (ticks >= pieces.first) & (ticks <= pieces.last)
+        result: Array = np.full((ticks.size, len(self.names)), np.nan)
         if pieces is not None:
-            result[inside] = pieces.evaluate(flat[inside], nu) if nu <= 3 else 0.0
-        if not (inside | np.isnan(flat)).all():
+            result[inside] = pieces.evaluate(ticks[inside], nu) if nu <= 3 else 0.0
+        outside = ~(inside | _are_missing(places))
+        if outside.any():
             if nu > 3:
                 raise ValueError(f"nu: {nu}; expected at most 3 outside the keys, for rotations and with ease")
-            result[~inside] = self._ask("at", places.ravel()[~inside], _DERIVATIVES[nu], len(self.names), golden=golden,
+            result[outside] = self._ask("at", places[outside], _DERIVATIVES[nu], len(self.names), golden=golden,
                                         extrapolate=self._extrapolate)  # fmt: skip
         return result.reshape(shape)
 
@@ -350,7 +349,8 @@ class Curve:
         return found[..., 0, :] if len(forms) == 1 else found
 
     def to_ppoly(self) -> Any:
-        """The curve as a scipy.interpolate.PPoly, whose values have the shape t.shape + (c,).
+        """The curve as a scipy.interpolate.PPoly, whose values have the shape t.shape + (c,). Where times are dates, it
+        takes seconds since the first key.
 
         Raises ValueError for a curve that is not a cubic in time, and ImportError without SciPy.
         """
@@ -362,6 +362,8 @@ class Curve:
         p = self._pieces.powers()
         coefficients = np.stack([p[3] / h / h / h, p[2] / h / h, p[1] / h, p[0]])
         x = np.append(self._pieces.starts, self._pieces.ends[-1])
+        if x.dtype.kind == "i":  # from the first key
+            x = (x - x[0]) / (1e9 if self.times.dtype.kind == "M" else 1)
         return PPoly(coefficients, x, extrapolate="periodic" if self._options.get("closed") else False)
 
     @classmethod

@@ -193,9 +193,9 @@ def table(keys: Any) -> Table:
         return _named({name: array[name] for name in array.dtype.names})
     if array.ndim == 2:
         return Table(None, [array_of(column) for column in array.T], [], [])
-    raise TypeError(f"{type(keys).__name__} is no table of keys; expected a 2-D or structured array, a pair of times and "
-                    "positions, a dict of columns, a list of dicts, a DataFrame, a Series, a path, an open file, or "
-                    "bytes")  # fmt: skip
+    raise TypeError(f"{type(keys).__name__} is no table of keys; expected a 2-D or structured array, a pair of times "
+                    "and positions, a dict of columns, a list of dicts, a DataFrame, a Series, a path, an open file, "
+                    "or bytes")  # fmt: skip
 
 
 # From columns to text.
