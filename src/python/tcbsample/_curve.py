@@ -61,21 +61,17 @@ class _Pieces:
         a, b, c, d = left = powers(*points)
         middle = [a + u * (b + u * (c + u * d)), b + u * (2 * c + u * (3 * d)), c + u * (3 * d), d]
         right = powers(*points[::-1])
-        self._powers = [parts(*three).astype(np.float64) for three in zip(left, middle, right)]
+        self.powers = [parts(*three).astype(np.float64) for three in zip(left, middle, right)]
         self._columns: dict[int, list[Array]] = {}  # by the order of the derivative: coefficients of the powers of u
         self._numbers: dict[tuple[int, int], tuple[float, float, list[list[float]]]] = {}  # by the order and the part
         self._break_list: list[float] = self._breaks.tolist()
         self.first, self.last = starts[0].item(), ends[-1].item()
 
-    def powers(self) -> list[Array]:
-        """The coefficients of u^0, u^1, u^2, u^3 of each piece, (n, c) each, for u from 0 to 1."""
-        return [power[::3] for power in self._powers]
-
     def _coefficients(self, order: int) -> list[Array]:
         """Those of u^3 down to u^0 of a derivative by u, (c, 3 n) each, which is contiguous for a channel."""
         if order not in self._columns:
             factors = ((1.0, 1.0, 1.0, 1.0), (1.0, 2.0, 3.0), (2.0, 6.0), (6.0,))[order]
-            columns: list[Array] = [np.ascontiguousarray(p.T) * f for f, p in zip(factors, self._powers[order:])]
+            columns: list[Array] = [np.ascontiguousarray(p.T) * f for f, p in zip(factors, self.powers[order:])]
             columns += [np.zeros_like(columns[0])] * order
             self._columns[order] = columns[::-1]
         return self._columns[order]
@@ -242,8 +238,7 @@ class Curve:
         asked = ~_are_missing(flat)
         result: Array = np.full((flat.size, columns), np.nan)
         if asked.any():
-            write = decimal_seconds if flat.dtype.kind == "M" else repr
-            words = [write(place) for place in (flat[asked] if flat.dtype.kind == "M" else flat[asked].tolist())]
+            words = decimal_seconds(flat[asked]) if flat.dtype.kind == "M" else list(map(repr, flat[asked].tolist()))
             with Run(self._keys).add({**self._options, "quiet": True, "fields": fields, **more, option: words}) as run:
                 run.table = None  # no row has the types of the keys
                 rows = rows_of(run, {})
@@ -359,7 +354,7 @@ class Curve:
         if self._pieces is None:
             raise ValueError("the curve is not a cubic in time, as it has rotations or ease; sample it instead")
         h = self._pieces.durations[:, None]
-        p = self._pieces.powers()
+        p = [power[::3] for power in self._pieces.powers]  # of the distance from the start
         coefficients = np.stack([p[3] / h / h / h, p[2] / h / h, p[1] / h, p[0]])
         x = np.append(self._pieces.starts, self._pieces.ends[-1])
         if x.dtype.kind == "i":  # from the first key

@@ -228,7 +228,7 @@ def cells(column: np.ndarray[Any, Any]) -> list[str]:
     if kind == "M":
         return ["" if text == "NaT" else text for text in np.datetime_as_string(column, timezone="UTC").tolist()]
     if kind == "m":
-        return ["" if is_missing(duration) else decimal_seconds(duration) for duration in column]
+        return decimal_seconds(column)
     if kind in "OUSbf":
         return [_cell(value) for value in column.tolist()]
     raise TypeError(f"a column of {column.dtype}; expected numbers, texts, dates or durations")
@@ -261,9 +261,10 @@ def nanoseconds(value: Any) -> int:
     return int(in_nanoseconds(np.asarray(value, dtype=kind)).astype(np.int64))
 
 
-def decimal_seconds(value: Any) -> str:
-    """A duration in seconds, or a date in seconds since 1970, exactly."""
-    return f"{decimal.Decimal(nanoseconds(value)).scaleb(-9):f}"
+def decimal_seconds(times: np.ndarray[Any, Any]) -> list[str]:
+    """Durations in seconds, or dates in seconds since 1970, exactly; an empty text for a missing one."""
+    counts = zip(times.ravel().view(np.int64).tolist(), np.isnat(times.ravel()).tolist())
+    return ["" if missing else f"{decimal.Decimal(count).scaleb(-9):f}" for count, missing in counts]
 
 
 def date_text(seconds: str) -> str:
@@ -273,31 +274,38 @@ def date_text(seconds: str) -> str:
 
 def word(value: Any) -> str:
     """The text of a single value. Raises TypeError."""
-    if isinstance(value, (*_DATES, *_DURATIONS)) and is_missing(value):
-        raise TypeError("NaT is no time; expected a date or a duration")
     if isinstance(value, (str, os.PathLike)):
         return os.fspath(value)
     if isinstance(value, bytes):
         return value.decode()
-    if isinstance(value, _DURATIONS):
-        return decimal_seconds(value) + "s"
-    if isinstance(value, np.generic) and value.dtype.kind != "M":
+    if isinstance(value, (*_DATES, *_DURATIONS)):
+        times = array_of(value)
+        if times.dtype.kind in "mM":
+            return _times_text(times)
+    if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, float):
         return repr(value)
-    if isinstance(value, _DATES):
-        return decimal_seconds(value)
     if isinstance(value, (int, np.longdouble, decimal.Decimal, fractions.Fraction)):
         return str(value)
     raise TypeError(f"{value!r} is a {type(value).__name__}; expected a number, a text or a date")
 
 
+def _times_text(times: np.ndarray[Any, Any]) -> str:
+    texts = decimal_seconds(times)
+    if "" in texts:
+        raise TypeError("NaT is no time; expected a date or a duration")
+    return ",".join(text + "s" if times.dtype.kind == "m" else text for text in texts)
+
+
 def text(value: Any) -> str:
-    """The text of the value of an option: A,B for a list, A=B:C for a dict."""
+    """The text of the value of an option: A,B for a list, A=B:C for a dict. Raises TypeError."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
     if isinstance(value, Mapping):
         return ",".join(f"{key}={text(part).replace(',', ':')}" for key, part in value.items())
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes)):
+        if hasattr(value, "dtype") and (times := array_of(value)).dtype.kind in "mM":
+            return _times_text(times)
         return ",".join(text(part) for part in value)
     return word(value)
