@@ -581,8 +581,9 @@ class Curves(unittest.TestCase):
             curve(1.7e18)
 
     def test_what_is_not_one_curve(self):
-        with self.assertRaisesRegex(TypeError, "step: a Curve has no samples"):
-            tcbsample.Curve(KEYS, step=1)
+        for option in ("step", "digits", "time_zero"):
+            with self.assertRaisesRegex(TypeError, f"{option}: an option of rows"):
+                tcbsample.Curve(KEYS, **{option: 1})
         with self.assertRaisesRegex(TypeError, "each group"):
             tcbsample.Curve({"id": [1, 1], "t": [0, 1], "x": [0, 1]}, group="id")
         with self.assertRaises(tcbsample.Error):

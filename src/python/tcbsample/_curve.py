@@ -23,8 +23,9 @@ if TYPE_CHECKING:
 
 _BLOCK = 1 << 13  # places that are evaluated together, which fit into the cache of a processor
 _RUN = 1 << 10  # so many places on a piece are faster together than with those of other pieces
-_SAMPLING = {"step", "rate", "fps", "count", "segments", "per_segment", "at", "arc_step", "arc_count", "arc_at",
-             "tolerance", "emit", "fit_keys", "keep_times", "corner", "from_", "to", "end", "keys", "fields"}  # fmt: skip
+_OF_ROWS = {"step", "rate", "fps", "count", "segments", "per_segment", "at", "arc_step", "arc_count", "arc_at", "tolerance",
+            "emit", "fit_keys", "keep_times", "corner", "from_", "to", "end", "keys", "fields", "digits", "fixed",
+            "time_format", "time_zero", "file_column"}  # fmt: skip
 _DERIVATIVES = ("position", "velocity", "acceleration", "jerk")
 
 
@@ -166,9 +167,9 @@ class Curve:
         if options.get("group") is not None:
             raise TypeError("group: a Curve is one curve; make one for each group, as in {name: Curve(rows) for name, "
                             "rows in frame.groupby('id')}")  # fmt: skip
-        samples = _SAMPLING.intersection(name for name, value in options.items() if value is not None)
-        if samples:
-            raise TypeError(f"{samples.pop()}: a Curve has no samples until it is called with times; leave it out")
+        of_rows = _OF_ROWS.intersection(name for name, value in options.items() if value is not None)
+        if of_rows:
+            raise TypeError(f"{of_rows.pop()}: an option of rows, which a Curve does not have; leave it out")
         self._keys = keys if isinstance(keys, (str, os.PathLike)) else source_of(keys, "keys")
         self._options: dict[str, Any] = dict(options, preset=preset)
         self._extrapolate = self._options.pop("extrapolate", None)
