@@ -103,27 +103,19 @@ Doubt error(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
 
 // Names that are nearly those of roles.
 
-bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
-
-/// Whether `longer` is `shorter` with one additional letter.
-bool is_with_a_letter(std::string_view longer, std::string_view shorter) {
-  if (longer.size() != shorter.size() + 1) return false;
-  std::size_t at = 0;
-  while (at < shorter.size() && lower(longer[at]) == lower(shorter[at])) ++at;
-  return is_letter(longer[at]) && same_in_any_case(longer.substr(at + 1), shorter.substr(at));
-}
-
-/// Whether `name` is a near miss of `known`.
+/// Whether two names differ in one letter that is added or, in long names, changed, or in two that are swapped.
 bool is_near(std::string_view name, std::string_view known) {
-  if (is_with_a_letter(name, known) || is_with_a_letter(known, name)) return true;
-  if (name.size() != known.size()) return false;
-  std::size_t at = 0;
-  while (at < name.size() && lower(name[at]) == lower(known[at])) ++at;
-  if (at + 1 >= name.size()) return at < name.size() && known.size() > 4;
-  const bool changed = same_in_any_case(name.substr(at + 1), known.substr(at + 1));
-  const bool swapped = lower(name[at]) == lower(known[at + 1]) && lower(name[at + 1]) == lower(known[at]) &&
-                       same_in_any_case(name.substr(at + 2), known.substr(at + 2));
-  return swapped || (changed && known.size() > 4);
+  if (std::max(name.size(), known.size()) - std::min(name.size(), known.size()) > 1) return false;
+  const std::string one = in_lower_case(name), other = in_lower_case(known);
+  const std::size_t shorter = std::min(one.size(), other.size());
+  std::size_t first = 0, last = 0;  // how many letters are the same
+  while (first < shorter && one[first] == other[first]) ++first;
+  while (last < shorter - first && one[one.size() - 1 - last] == other[other.size() - 1 - last]) ++last;
+  const std::string here = one.substr(first, one.size() - first - last);
+  const std::string there = other.substr(first, other.size() - first - last);
+  const auto are = [&](std::size_t a, std::size_t b) { return here.size() == a && there.size() == b; };
+  if (are(1, 0) || are(0, 1)) return (here + there)[0] >= 'a' && (here + there)[0] <= 'z';
+  return (are(1, 1) && known.size() > 4) || (are(2, 2) && here[0] == there[1] && here[1] == there[0]);
 }
 
 /// The role of which this name is a near miss: with a letter dropped, added or changed, or two letters swapped. In
@@ -490,25 +482,40 @@ Found rotation_vector_by_name(const FoundColumns& found) {
               roles_of(found, "axis-angle", cells), "--rotation");
 }
 
-Found rotation_without_names(const FoundColumns& found) {
-  if (!found.names.empty() || found.has_rotations || !found.requested.roles.empty() || found.rows.size() < 2) {
+Found poses_without_names(const FoundColumns& found) {
+  if (!found.names.empty() || found.has_rotations || !found.requested.roles.empty() || !is_pose_matrix(found)) {
     return std::nullopt;
   }
-  if (is_pose_matrix(found)) {
-    return note(
-        "the columns may be poses, matrices of 3 rows and 4 columns; {0} uniform {1} matrix=1:2:3:5:6:7:9:10:11 "
-        "resamples them as poses, {1} none leaves out this note",
-        "--parameter", "--rotation");
+  return note(
+      "the columns may be poses, matrices of 3 rows and 4 columns; {0} uniform {1} matrix=1:2:3:5:6:7:9:10:11 "
+      "resamples them as poses, {1} none leaves out this note",
+      "--parameter", "--rotation");
+}
+
+/// Four neighbours of norm 1, without names or with names that are not those of rotations.
+Found quaternion_by_norm(const FoundColumns& found) {
+  if (found.has_rotations || !found.requested.roles.empty() || found.rows.size() < 2 || is_pose_matrix(found)) {
+    return std::nullopt;
   }
   const std::vector<std::size_t> cells = cells_with(found, Role::position);
   for (std::size_t i = 0; i + 4 <= cells.size(); ++i) {
     const std::array four{cells[i], cells[i + 1], cells[i + 2], cells[i + 3]};
+    const auto is_whole = [&](const auto& row) {
+      return std::ranges::all_of(four, [&](std::size_t cell) {
+        const double number = number_in(found, row, cell);
+        return number == std::floor(number);
+      });
+    };
     if (four[3] != four[0] + 3 || !are_units(found, four)) continue;
-    const std::size_t first = four[0] + 1;
+    if (!found.names.empty() && (rotation_stem_of(found.names[four[0]]) || std::ranges::all_of(found.rows, is_whole))) {
+      continue;
+    }
+    std::vector<std::string> names;
+    for (const std::size_t cell : four) names.push_back(request_of(found, cell));
     return note(
-        "columns {0} to {3} may be a quaternion; {4} quaternion={0}:{1}:{2}:{3} resamples them as a rotation, {4} none "
-        "leaves out this note",
-        first, first + 1, first + 2, first + 3, "--rotation");
+        "columns {} may be a quaternion; {} {} resamples them as a rotation whose last number is w, {} none leaves out "
+        "this note",
+        listed(names), "--rotation", in_shell(fmt::format("quaternion={}", fmt::join(names, ":"))), "--rotation");
   }
   return std::nullopt;
 }
@@ -523,11 +530,11 @@ Found minutes_and_seconds(const FoundColumns& found) {
 }
 
 /// The list. The first error is the one that is shown.
-constexpr std::array about_columns{coefficients_of_pieces,   near_miss_of_role,         letters_that_are_data,
-                                   parameters_that_are_data, column_numbers_above_rows, times_as_names,
-                                   times_without_role,       time_in_two_numbers,       date_in_three_numbers,
-                                   dates_as_numbers,         quaternion_called_wxyz,    rotation_vector_by_name,
-                                   rotation_without_names,   minutes_and_seconds,       slopes_by_name};
+constexpr std::array about_columns{
+    coefficients_of_pieces,    near_miss_of_role,  letters_that_are_data,  parameters_that_are_data,
+    column_numbers_above_rows, times_as_names,     times_without_role,     time_in_two_numbers,
+    date_in_three_numbers,     dates_as_numbers,   quaternion_called_wxyz, rotation_vector_by_name,
+    poses_without_names,       quaternion_by_norm, minutes_and_seconds,    slopes_by_name};
 
 // The rows about a request.
 

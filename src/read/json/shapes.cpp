@@ -10,11 +10,13 @@
 #include <memory>
 #include <utility>
 
+#include "numbers/time_notation.hpp"
 #include "read/input.hpp"
 #include "read/json/columns.hpp"
 #include "read/json/keys.hpp"
 #include "read/json/splitter.hpp"
 #include "read/json/tables.hpp"
+#include "schema/usual_names.hpp"
 #include "stream/ordered_map.hpp"
 #include "text/suggest.hpp"
 
@@ -347,7 +349,8 @@ Records open_whole(JsonPart part, const InputOptions& options) {
   std::vector<JsonTable> tables = find_tables(tape, options);
   if (!tables.empty()) return open_tables(text, std::move(tables), options);
   if (key && options.columns.timeless) return *std::move(key);
-  if (reason) throw *reason;
+  const auto is_time = [&](std::size_t name) { return is_usual_time(tape.text(name)); };
+  if (reason && std::ranges::any_of(tape.inside(0), is_time)) throw *reason;
   throw data_error(
       "found no list of keys; expected an array of objects or of rows, or an object of columns; give --records if it "
       "is there")
@@ -413,9 +416,11 @@ std::optional<int> fit_of_json(std::string_view beginning) {
   const std::size_t at = beginning.find_first_not_of(" \t\r\n");
   if (at == std::string_view::npos || (beginning[at] != '[' && beginning[at] != '{')) return 0;
   const char next = at + 1 < beginning.size() ? lower(beginning[at + 1]) : '\0';
+  const std::size_t end = std::min(beginning.find_first_of(",]\n", at), beginning.size());
+  const bool is_stamp = beginning[at] == '[' && find_notation(beginning.substr(at + 1, end - at - 1));  // of a log
   const bool is_section = beginning[at] == '[' && next >= 'a' && next <= 'z' && next != 't' && next != 'f' &&
                           next != 'n' && next != 'i';  // of a text such as [Header], as no value begins so
-  return is_section ? 0 : 2;
+  return is_section || is_stamp ? 0 : 2;
 }
 
 }  // namespace
