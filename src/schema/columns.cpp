@@ -497,9 +497,8 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
         "there is no position column; expected at least one column of numbers besides the time; {}",
         has_other_numbers               ? std::string("name it with --columns position=NAME")
         : has_numbers && !texts.empty() ? fmt::format("there are none in {}; correct the first cells", listed(texts))
-        : numeric.size() == 1 && has_numbers ? std::string("give --parameter uniform if the only column is a position")
-        : numeric.size() == 1 ? std::string("give a table with numbers, or its delimiter with --delimiter")
-                              : "give a table with numbers");
+        : has_numbers && numeric.size() == 1 ? std::string("give --parameter uniform if the only column is a position")
+                                             : std::string("give a table with numbers"));
   }
   return columns;
 }

@@ -16,7 +16,6 @@
 #include "read/json/keys.hpp"
 #include "read/json/splitter.hpp"
 #include "read/json/tables.hpp"
-#include "schema/usual_names.hpp"
 #include "stream/ordered_map.hpp"
 #include "text/suggest.hpp"
 
@@ -349,8 +348,7 @@ Records open_whole(JsonPart part, const InputOptions& options) {
   std::vector<JsonTable> tables = find_tables(tape, options);
   if (!tables.empty()) return open_tables(text, std::move(tables), options);
   if (key && options.columns.timeless) return *std::move(key);
-  const auto is_time = [&](std::size_t name) { return is_usual_time(tape.text(name)); };
-  if (reason && std::ranges::any_of(tape.inside(0), is_time)) throw *reason;
+  if (reason) throw *reason;
   throw data_error(
       "found no list of keys; expected an array of objects or of rows, or an object of columns; give --records if it "
       "is there")
