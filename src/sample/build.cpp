@@ -49,7 +49,11 @@ void make_precise(std::vector<Time>& times, const std::optional<FrameTimes>& fra
 /// The block of these segments, with their times as doubles where they are frames.
 SegmentBlock finished(SegmentBlock block, const Rules& rules, const SegmentOptions& options) {
   if (options.frames) {
-    for (Time& time : block.segments.times) time = options.frames->key_time(time);
+    std::vector<Time>& times = block.segments.times;
+    for (Time& time : times) time = options.frames->key_time(time);
+    if (options.frames->are_decimals() && std::ranges::any_of(times, is_long_decimal)) {  // all, so that they compare
+      for (Time& time : times) time = with_all_digits(time);
+    }
   }
   if (options.measured) measure(block, rules);
   return block;

@@ -133,7 +133,7 @@ template <class S>
 S piece_duration(const Point<S>& point) {
   const spline::Time<S>&start = piece_start(point), &end = piece_end(point);
   if constexpr (std::is_same_v<S, double>) {
-    if (point.segment().frames == nullptr && (is_long_decimal(start) || is_long_decimal(end))) {
+    if (is_long_decimal(start) || is_long_decimal(end)) {
       return nearest_double(exact_number(end, false) - exact_number(start, false));
     }
   }

@@ -271,7 +271,7 @@ SegmentRows PieceSampler::place(const CurveSegment& segment) {
   if (!request_.origin && (segment.number == 0 || segment.last)) require_bounds(segment);
   const auto [start, end] = range(segment);
   done_ = request_.to && nearest_time(*request_.to, segment.decimals) <= segment.end;
-  const bool has_row = segment.precise(start) < segment.precise(end);
+  const bool has_row = start < end;
   if (has_row && !segment.warp.is_identity()) {
     throw data_error(
         "segment {}, from the key at time {} to the key at {}, has ease, so it is not cubic in time; expected keys "
