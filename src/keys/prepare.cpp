@@ -95,12 +95,8 @@ class Steps {
 
   /// Other times, and velocities that fit.
   void retime(KeyBlock& block, const Retiming& retiming) const {
-    const auto& [factor, origin] = retiming;
-    const double number = nearest_double(factor);
-    for (Time& time : block.keys.times) {
-      const auto frame = needs_.frames ? needs_.frames->exact(time) : std::nullopt;
-      time = nearest_time(origin + (frame.value_or(Rational(time.hi) + Rational(time.lo)) - origin) * factor);
-    }
+    const double number = nearest_double(retiming.factor);
+    for (Time& time : block.keys.times) time = retimed(time, retiming, needs_.frames);
     for (auto& [in, out] : block.keys.velocities) {
       in /= number;
       out /= number;
@@ -238,6 +234,12 @@ SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles) 
     return std::move(all[next++]);
   };
   return {again, std::move(angles)};
+}
+
+Time retimed(const Time& time, const Retiming& retiming, const std::optional<FrameTimes>& frames) {
+  const auto frame = frames ? frames->exact(time) : std::nullopt;
+  const Rational exact = frame.value_or(Rational(time.hi) + Rational(time.lo));
+  return nearest_time(retiming.origin + (exact - retiming.origin) * retiming.factor);
 }
 
 Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs) {

@@ -37,6 +37,9 @@ struct KeyPreparation {
   std::size_t least = 2;                             ///< number of keys, 1 or 2
 };
 
+/// The new time of a key. `frames`: where times are frames in seconds.
+Time retimed(const Time& time, const Retiming& retiming, const std::optional<FrameTimes>& frames);
+
 /// The keys after all steps. Without times they get t[i+1] = t[i] + |P[i+1] - P[i]|^exponent, which is t[i] + 1 for
 /// exponent 0. Throws: Error (data) with the line of a key.
 Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs);

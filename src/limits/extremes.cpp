@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <queue>
 #include <type_traits>
 #include <utility>
@@ -145,18 +144,43 @@ class Search {
   double attained_ = -infinity;
 };
 
+Rational exactly(const spline::DoubleDouble& x) { return Rational(x.hi) + Rational(x.lo); }
+Rational exactly(const Real& x) { return x.rational(); }
+
 Rational at_least(const Rational& x) { return x; }
-Rational at_least(const RealBall& x) { return x.middle().rational() - Middle<Real>::number(x.radius()).rational(); }
-Rational at_most(const Rational& x) { return x; }
-Rational at_most(const RealBall& x) { return x.middle().rational() + Middle<Real>::number(x.radius()).rational(); }
+template <class M>
+Rational at_least(const BallOf<M>& x) {
+  return exactly(x.middle()) - exactly(Middle<M>::number(x.radius()));
+}
+bool is_above_zero(const Rational& x) { return x > 0; }
+template <class M>
+bool is_above_zero(const BallOf<M>& x) {
+  return x.middle() > M() && !x.may_be_zero();
+}
 double rough(const Rational& x) { return nearest_double(x); }
-double rough(const RealBall& x) { return x.rough(); }
+template <class M>
+double rough(const BallOf<M>& x) {
+  return x.rough();
+}
+
+/// The largest coefficient, at most.
+Rational largest_of(const Polynomial<Rational>& x) { return *std::ranges::max_element(x); }
+template <class M>
+Rational largest_of(const Polynomial<BallOf<M>>& x) {
+  const BallOf<M> largest(std::ranges::max_element(x, {}, &BallOf<M>::middle)->middle());
+  Rational most = exactly(largest.middle());
+  for (const BallOf<M>& coefficient : x) {
+    if (!(largest - coefficient).may_be_zero()) continue;  // it is below
+    most = std::max(most, exactly(coefficient.middle()) + exactly(Middle<M>::number(coefficient.radius())));
+  }
+  return most;
+}
 
 /// The part of a measure on [begin, begin + size].
 template <class S>
 Measured<S> part_of(const Measured<S>& x, const Rational& begin, const Rational& size) {
   const S first = scalar_of<S>(begin), width = scalar_of<S>(size);
-  return {part_of(x.over, first, width), x.scale, part_of(x.base, first, width), x.base_scale, x.power};
+  return {limits::part_of(x.over, first, width), limits::part_of(x.base, first, width), x.power};
 }
 
 /// A bound on [0, 1]: the largest coefficient of Bernstein's form; nothing where it has none.
@@ -168,13 +192,11 @@ std::optional<Rational> bound_of(const Measured<S>& x) {
     above = with_binomials(above);
     const Polynomial<S> below = power_of(bernstein(x.base, base_degree), x.power);
     for (std::size_t i = 0; i < above.size(); ++i) {
-      if (!(at_least(below[i]) > 0)) return std::nullopt;
+      if (!is_above_zero(below[i])) return std::nullopt;
       above[i] = above[i] / below[i];
     }
   }
-  Rational most = at_most(above[0]);
-  for (const S& coefficient : above) most = std::max(most, at_most(coefficient));
-  return most;
+  return largest_of(above);
 }
 
 /// The simplest fraction between two numbers.
@@ -197,17 +219,17 @@ std::optional<Rational> simple_maximum(const Polynomial<Rational>& x, const Rati
 /// Bounds parts of pieces with exact numbers.
 class ExactSearch {
  public:
-  /// Parts are halved at most `deepest` times. A bound that is then far from what is attained is taken, or is
-  /// Undecided.
-  ExactSearch(int deepest, bool takes_far_bounds) : deepest_(deepest), takes_far_bounds_(takes_far_bounds) {}
-
   std::optional<Extreme> best;
   Rational place;  ///< of the best, in its piece
   std::size_t best_candidate = 0;
 
+  /// A part is halved at most `deepest` times. A bound that is then far from what is attained is taken, or is
+  /// Undecided.
   template <class S>
-  void add(const Measured<S>& x, const Candidate& part, std::size_t number) {
+  void add(const Measured<S>& x, const Candidate& part, std::size_t number, int deepest, bool takes_far_bounds) {
     candidate_ = number;
+    deepest_ = deepest;
+    takes_far_bounds_ = takes_far_bounds;
     bound(part_of(x, Rational(part.begin), Rational(part.size)), Rational(part.begin), Rational(part.size), 0);
   }
 
@@ -228,15 +250,16 @@ class ExactSearch {
     const Rational at = likely_place(x, begin, size);
     const S value = x.at(scalar_of<S>(at));
     attain(at_least(value), begin + at * size);
-    const std::optional<Rational> after = at < 1 ? bound_of(part_of(x, at, 1 - at)) : at_most(value);
-    const std::optional<Rational> before = at > 0 ? bound_of(part_of(x, 0, at)) : at_most(value);
+    const std::optional<Rational> before = bound_of(part_of(x, 0, at)), after = bound_of(part_of(x, at, 1 - at));
     if (before && after) {
       const Rational most = std::max(*before, *after);
-      if (most <= best->low) return;
+      if (most <= best->high) return;
       const bool is_close = most - best->low <= close * abs(most);
       if (is_close || (depth == deepest_ && takes_far_bounds_)) {
         if constexpr (std::is_same_v<S, Rational>) {
           if (const auto exact = simple_maximum(x.over, value, most)) return attain(*exact, begin + at * size);
+        } else if constexpr (std::is_same_v<S, Ball>) {
+          throw Undecided();  // its results are never exact: it only shows that a part has no larger values
         }
         best->high = std::max(best->high, most);
         return;
@@ -272,7 +295,7 @@ class ExactSearch {
     };
     const Polynomial<S> exact = derivative(x.over);
     const Polynomial<double> rate = in_units(exact, largest), base = in_units(x.base, largest_base);
-    const Polynomial<double> over = x.power == 0 ? Polynomial<double>() : in_units(x.over, largest);
+    const Polynomial<double> over = x.power == 0 ? Polynomial<double>{0} : in_units(x.over, largest);
     const auto grows = [&](double u) {
       return value_at(rate, u) * value_at(base, u) > x.power * value_at(over, u) * value_at(derivative(base), u);
     };
@@ -301,16 +324,10 @@ class ExactSearch {
     return rough;
   }
 
-  int deepest_;
-  bool takes_far_bounds_;
+  int deepest_ = 0;
+  bool takes_far_bounds_ = false;
   std::size_t candidate_ = 0;
 };
-
-Polynomial<RealBall> as_balls(const Polynomial<Rational>& x) {
-  Polynomial<RealBall> result(x.size());
-  std::ranges::transform(x, result.begin(), [](const Rational& number) { return scalar_of<RealBall>(number); });
-  return result;
-}
 
 /// Where a curve rests at a place at which it has a curvature before and after it, so that this has no bound; its
 /// velocity has a factor that is 0 there.
@@ -372,8 +389,8 @@ class Corners {
   std::vector<End> ends(const Piece<double>& piece, bool at_end) const {
     std::vector<End> result;
     for (const std::size_t channel : channels_) {
-      const auto [rate, sizes] = rate_of(piece, channel, 1);
-      result.push_back({value_at(rate, at_end ? 1.0 : 0.0), sizes});
+      const Polynomial<double> rate = rate_of(piece, channel, 1);
+      result.push_back({value_at(rate, at_end ? 1.0 : 0.0), scale_of(rate, piece, channel, 1)});
     }
     return result;
   }
@@ -395,14 +412,39 @@ class Corners {
   std::vector<End> first_, before_;
 };
 
-/// The maximum among the parts that may hold it, with floats of so many bits. Throws: Undecided where numbers are too
-/// far apart for them, and unless this is the last try where a bound is far from what is attained.
+/// Bounds a part of a piece with balls. The place on the piece where a curvature has no bound, if there is one. Throws:
+/// Undecided where that needs more digits.
+template <class M>
+std::optional<Rational> add_with_balls(ExactSearch& search, const Piece<Rational>& piece, const Measure& measure,
+                                       const Candidate& part, std::size_t number, bool is_last) {
+  using S = BallOf<M>;
+  const auto balls = [](const Polynomial<Rational>& of) {
+    Polynomial<S> result(of.size());
+    std::ranges::transform(of, result.begin(), scalar_of<S>);
+    return result;
+  };
+  const auto measured_with_balls = [&] {
+    if (measure.is_of_direction()) return measured_direction<S>(piece, measure, balls);
+    Piece<S> same{piece.number,
+                  scalar_of<S>(piece.begin),
+                  scalar_of<S>(piece.size),
+                  scalar_of<S>(piece.duration),
+                  balls(piece.parameter),
+                  std::vector<Polynomial<S>>(piece.cubics.size())};
+    for (const std::size_t channel : measure.channels) same.cubics[channel] = balls(piece.cubics[channel]);
+    return measured(same, measure);
+  };
+  const Measured<S> x = measured_with_balls();
+  const auto rest = x.power == 3 ? sharp_rest(piece, measure) : std::nullopt;
+  if (!rest) search.add(x, part, number, Middle<M>::bits() * 3 / 10, is_last);
+  return rest;
+}
+
+/// The maximum among the parts that may hold it. Throws: Undecided where numbers are too far apart for any digits.
 std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const Measure& measure,
-                                     const MeasuredCurve& curve,
-                                     const std::function<const spline::Segments<Rational>&(std::size_t)>& segment,
-                                     int bits, bool is_last) {
+                                     const MeasuredCurve& curve) {
   const auto piece_of = [&](const Candidate& part) -> std::optional<Piece<Rational>> {
-    const spline::Segments<Rational>& one = segment(part.segment);
+    const spline::Segments<Rational> one = curve.exact(part.segment, measure.is_of_direction());
     const Rational duration = one.times[1] - one.times[0];
     const auto range = fractions(curve, one.times[0], one.times[1]).value_or(std::pair<Rational, Rational>(0, 1));
     const auto pieces = pieces_of(one, 0, duration == 0 ? Rational(1) : duration, range.first, range.second);
@@ -412,7 +454,7 @@ std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const 
   const auto extreme_at = [&](Extreme extreme, const Candidate& part, const Rational& place) {
     const Piece<Rational> piece = *piece_of(part);
     const Rational fraction = piece.begin + place * piece.size;
-    const spline::Segments<Rational>& one = segment(part.segment);
+    const spline::Segments<Rational> one = curve.exact(part.segment, measure.is_of_direction());
     extreme.time = one.times[0] + fraction * (one.times[1] - one.times[0]);
     extreme.is_at_key = fraction == 0 || fraction == 1;
     if (fraction == 1) extreme.side = spline::Side::left;
@@ -420,19 +462,35 @@ std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const 
     for (const Polynomial<Rational>& x : piece.cubics) extreme.position.push_back(nearest_double(value_at(x, u)));
     return extreme;
   };
-  const RealPrecision precision(bits);
-  ExactSearch search(bits * 3 / 10, is_last);
+  ExactSearch search;
+  const auto add_with_enough_digits = [&](const Piece<Rational>& piece, const Candidate& part, std::size_t number) {
+    try {
+      return add_with_balls<spline::DoubleDouble>(search, piece, measure, part, number, false);
+    } catch (const Undecided&) {
+    }
+    if (!measure.is_of_direction()) {
+      search.add(measured(piece, measure), part, number, 600, true);
+      return std::optional<Rational>();
+    }
+    try {
+      const RealPrecision precision(400);
+      return add_with_balls<Real>(search, piece, measure, part, number, false);
+    } catch (const Undecided&) {
+    }
+    const RealPrecision precision(2000);
+    return add_with_balls<Real>(search, piece, measure, part, number, true);
+  };
+  std::vector<std::vector<Polynomial<Rational>>> bounded;  // parts, which repeat where a motion does
   for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i) {
     const auto piece = piece_of(parts[i]);
     if (!piece) continue;
-    if (measure.is_of_direction()) {
-      const auto x = measured_direction<RealBall>(*piece, measure, as_balls);
-      const auto rest = x.power == 3 ? sharp_rest(*piece, measure) : std::nullopt;
-      if (rest) return extreme_at({.is_unbounded = true}, parts[i], *rest);
-      search.add(x, parts[i], i);
-    } else {
-      search.add(measured(*piece, measure), parts[i], i);
-    }
+    std::vector<Polynomial<Rational>> part{{piece->duration, Rational(parts[i].begin), Rational(parts[i].size)},
+                                           piece->parameter};
+    for (const std::size_t channel : measure.channels) part.push_back(piece->cubics[channel]);
+    if (std::ranges::find(bounded, part) != bounded.end()) continue;
+    bounded.push_back(std::move(part));
+    const auto rest = add_with_enough_digits(*piece, parts[i], i);
+    if (rest) return extreme_at({.is_unbounded = true}, parts[i], *rest);
   }
   if (!search.best) return std::nullopt;
   Extreme& best = *search.best;
@@ -475,27 +533,13 @@ Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measur
     }
   }
   if (curve.closed && !curve.from && !curve.to) corners.close(end);
-  std::map<std::pair<const void*, std::size_t>, spline::Segments<Rational>> exact;
   Extremes result;
   for (std::size_t k = 0; k < measures.size(); ++k) {
-    const auto& segment_of = measures[k].is_of_rotation      ? curve.turning
-                             : measures[k].is_of_direction() ? curve.directed
-                                                             : curve.exact;
-    const auto exact_segment = [&](std::size_t segment) -> const spline::Segments<Rational>& {
-      const std::pair key(&segment_of, segment);
-      const auto found = exact.find(key);
-      return found != exact.end() ? found->second : exact.emplace(key, segment_of(segment)).first->second;
-    };
-    const std::vector<Candidate> parts = searches[k].rest();
-    std::optional<Extreme> maximum = Extreme{.is_unproved = true};
-    for (const int bits : {400, 2000}) {
-      try {
-        maximum = exact_maximum(parts, measures[k], curve, exact_segment, bits, bits == 2000);
-        break;
-      } catch (const Undecided&) {
-      }
+    try {
+      result.maxima.push_back(exact_maximum(searches[k].rest(), measures[k], curve));
+    } catch (const Undecided&) {
+      result.maxima.push_back(Extreme{.is_unproved = true});
     }
-    result.maxima.push_back(std::move(maximum));
   }
   result.corners = std::move(corners.found);
   return result;

@@ -21,9 +21,8 @@ namespace tcb::limits {
 /// A curve whose segments can be read again, as doubles and as exact numbers.
 struct MeasuredCurve {
   std::function<Source<SegmentBlock>()> segments;
-  std::function<spline::Segments<Rational>(std::size_t)> exact;     ///< the segment with this number
-  std::function<spline::Segments<Rational>(std::size_t)> directed;  ///< with digits that show equal directions
-  std::function<spline::Segments<Rational>(std::size_t)> turning;   ///< with the numbers of rotations
+  /// The segment with this number, and whether directions are measured, for which irrational numbers need more digits.
+  std::function<spline::Segments<Rational>(std::size_t number, bool directions)> exact;
   std::optional<FrameTimes> frames;  ///< where the times of the keys are frames in seconds
   std::optional<Rational> from, to;  ///< the times that are measured; nothing: all
   bool closed = false;

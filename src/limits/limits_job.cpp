@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "exact/ball_angle.hpp"
@@ -45,114 +46,80 @@ constexpr std::array of_channels{Quantity{"position", 0}, Quantity{"velocity", 1
                                  Quantity{"jerk", 3}};
 constexpr std::array norms{Quantity{"speed", 1}, Quantity{"acceleration", 2}, Quantity{"jerk", 3}};
 
-/// What can be measured of a curve.
-struct MeasuredChannels {
-  std::vector<std::string> names;
-  std::vector<std::size_t> numbers;    ///< of those that are none of a rotation
-  std::vector<std::size_t> positions;  ///< of those of them that are no angles, which have no range
-  std::vector<std::size_t> metric;
-  std::vector<spline::KeyRotation> rotations;
-  spline::RotationCurve rotation_curve;
-};
-
-MeasuredChannels channels_of(const CurveSpec& spec, const std::vector<std::string>& names) {
-  MeasuredChannels channels{names,
-                            {},
-                            {},
-                            spline::metric_of(spec.rules, names.size()),
-                            spec.rules.rotations,
-                            spec.rules.rotation_rules.curve};
-  if (spline::is_turn(channels.metric)) channels.metric.clear();
-  if (channels.metric.empty() && spec.rules.rotations.empty() && spec.rules.angles.empty()) {
-    for (std::size_t i = 0; i < names.size(); ++i) channels.metric.push_back(i);
+/// All measures of a curve with channels of these names, as sizes.
+std::vector<Measure> known_measures(const CurveSpec& spec, const std::vector<std::string>& names) {
+  const auto& [rotations, angles] = std::tie(spec.rules.rotations, spec.rules.angles);
+  std::vector<std::size_t> metric = spline::metric_of(spec.rules, names.size());
+  if (spline::is_turn(metric)) metric.clear();
+  if (metric.empty() && rotations.empty() && angles.empty()) {
+    for (std::size_t i = 0; i < names.size(); ++i) metric.push_back(i);
   }
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!spline::is_in_rotation(spec.rules.rotations, i)) channels.numbers.push_back(i);
-    if (spline::is_plain(spec.rules, i)) channels.positions.push_back(i);
-  }
-  return channels;
-}
-
-/// All measures of a curve, as sizes.
-std::vector<Measure> known_measures(const MeasuredChannels& channels) {
   std::vector<Measure> known;
   for (const Quantity& norm : norms) {
-    if (!channels.metric.empty())
-      known.push_back({std::string(norm.name), Measure::Kind::size, norm.derivative, channels.metric});
+    if (!metric.empty()) known.push_back({std::string(norm.name), Measure::Kind::size, norm.derivative, metric});
   }
-  if (channels.metric.size() > 1) known.push_back({"curvature", Measure::Kind::curvature, 0, channels.metric});
-  for (std::size_t i = 0; i < channels.rotations.size(); ++i) {
-    Measure one{channels.rotations.size() == 1 ? "angular_speed" : fmt::format("angular_speed{}", i + 1),
+  if (metric.size() > 1) known.push_back({"curvature", Measure::Kind::curvature, 0, metric});
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    Measure one{rotations.size() == 1 ? "angular_speed" : fmt::format("angular_speed{}", i + 1),
                 Measure::Kind::size,
                 1,
-                {channels.names.size() + i}};
+                {names.size() + i}};
     one.is_of_rotation = true;
-    if (channels.rotation_curve == spline::RotationCurve::components) {
+    const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
+    if (curve == spline::RotationCurve::components) {
       one.kind = Measure::Kind::angular_speed;
-      one.channels.assign(channels.rotations[i].channels.begin(), channels.rotations[i].channels.end());
-    } else if (channels.rotation_curve != spline::RotationCurve::slerp) {
+      one.channels.assign(rotations[i].channels.begin(), rotations[i].channels.end());
+    } else if (curve != spline::RotationCurve::slerp) {
       continue;  // no bound is proved
     }
     known.push_back(std::move(one));
   }
-  for (const Quantity& quantity : of_channels) {
-    for (const std::size_t channel : quantity.derivative == 0 ? channels.positions : channels.numbers) {
-      known.push_back({fmt::format("{}_{}", quantity.name, channels.names[channel]),
-                       Measure::Kind::size,
-                       quantity.derivative,
-                       {channel},
-                       true});
+  for (const auto& [name, derivative] : of_channels) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const bool has_it = derivative > 0 ? !spline::is_in_rotation(rotations, i)
+                                         : spline::is_plain(spec.rules, i);  // angles have no range
+      if (has_it) known.push_back({fmt::format("{}_{}", name, names[i]), Measure::Kind::size, derivative, {i}, true});
     }
   }
   return known;
 }
 
-/// A maximum that is asked for, with its limit.
-struct Wanted {
-  Measure measure;
-  std::optional<Rational> limit = {};
-};
-
-/// Throws: Error (usage) for a limit of something that the curve does not have.
-std::vector<Wanted> wanted_of(const LimitOptions& options, const MeasuredChannels& channels) {
-  const std::vector<Measure> known = known_measures(channels);
-  std::vector<Wanted> wanted;
-  const auto add = [&](Measure measure, Measure::Kind kind, const std::optional<Rational>& limit) {
-    measure.kind = kind;
-    wanted.push_back({std::move(measure), limit});
-  };
-  const auto add_range = [&](const Measure& measure, const Limit& limit) {
-    add(measure, Measure::Kind::smallest, limit.least);
-    add(measure, Measure::Kind::largest, limit.most);
-  };
-  for (const Limit& limit : options.limits) {
-    const auto measure = std::ranges::find(known, limit.name, &Measure::name);
-    if (measure == known.end()) {
-      std::vector<std::string> names;
-      for (const Measure& one : known) names.push_back(one.name);
-      const bool is_unproved = limit.name.starts_with("angular_speed") && !channels.rotations.empty();
+/// What is asked for, with its limits; without any names all measures. Throws: Error (usage) for a limit of something
+/// that the curve does not have.
+std::vector<LimitResult> wanted_of(const LimitOptions& options, const CurveSpec& spec,
+                                   const std::vector<std::string>& channels, const std::vector<std::string>& title) {
+  const std::vector<Measure> known = known_measures(spec, channels);
+  std::vector<std::string> names;
+  for (const Measure& one : known) names.push_back(one.name);
+  std::vector<Limit> limits = options.limits;
+  if (limits.empty()) {
+    for (const std::string& name : names) limits.push_back({name, {}, {}});
+  }
+  std::vector<LimitResult> wanted;
+  for (const Limit& limit : limits) {
+    const auto known_one = std::ranges::find(known, limit.name, &Measure::name);
+    if (known_one == known.end()) {
+      const bool is_unproved = limit.name.starts_with("angular_speed") && !spec.rules.rotations.empty();
       const std::string reason =
           is_unproved ? "it has a proved maximum with --rotation-curve slerp or components; " : "";
       throw usage_error("nothing is measured as {}; {}expected one of {}{}", in_quotes(limit.name), reason,
                         listed(names), did_you_mean(limit.name, names))
           .about("--limits");
     }
-    if (limit.least && !measure->is_signed) {
+    Measure measure = *known_one;
+    if (limit.least && !measure.is_signed) {
       throw usage_error("{} is never below 0; expected {}=LIMIT; give its largest value", limit.name, limit.name)
           .about("--limits");
     }
-    if (limit.least || (!limit.most && measure->derivative == 0 && measure->is_signed))
-      add_range(*measure, limit);
-    else
-      add(*measure, measure->kind, limit.most);
-  }
-  if (!options.limits.empty()) return wanted;
-  for (const Measure& measure : known) {
     const bool is_position = measure.derivative == 0 && measure.is_signed;
-    if (is_position)
-      add_range(measure, {});
-    else
-      add(measure, measure.kind, {});
+    if (!limit.least && (limit.most || !is_position)) {
+      wanted.push_back({title, std::move(measure), {}, limit.most});
+      continue;
+    }
+    measure.kind = Measure::Kind::smallest;
+    wanted.push_back({title, measure, {}, limit.least});
+    measure.kind = Measure::Kind::largest;
+    wanted.push_back({title, std::move(measure), {}, limit.most});
   }
   return wanted;
 }
@@ -200,29 +167,62 @@ void add_angles(spline::Segments<S>& segments) {
   }
 }
 
-/// A segment of a curve by its number, as exact numbers; where these are irrational, of so many bits.
-std::function<spline::Segments<Rational>(std::size_t)> exact_segments(ExactCurve exact, int bits,
-                                                                      bool with_rotations = false) {
-  if (exact.keys.size() == 1) {
-    auto one = spline::constant_segment(exact.keys, exact.rules);
-    one.channels += exact.rules.rotations.size();
-    one.cubics.resize(one.channels);
-    return [one](std::size_t) { return one; };
+/// The segments of a curve as exact numbers, one by one. Where these are irrational, they have 400 bits, and for
+/// directions so many that those which are equal are known to be so.
+class ExactSegments {
+ public:
+  /// `turns`: also the numbers of its rotations, and their angles as further channels.
+  ExactSegments(const ExactCurve& exact, bool turns) : rotations_(exact.rules.rotations) {
+    ExactCurve plain = exact;
+    plain.rules.rotations.clear();
+    if (exact.keys.size() == 1) {
+      resting_ = spline::constant_segment(plain.keys, plain.rules);
+      resting_->channels += rotations_.size();
+      resting_->cubics.resize(resting_->channels);
+      return;
+    }
+    if (plain.is_rational()) {
+      rational_ = curve_at<Rational>(plain);
+    } else {
+      const RealPrecision precision(most_bits, true);
+      irrational_ = curve_at<RealBall>(plain);
+    }
+    if (turns) {
+      const RealPrecision precision(usual_bits, true);
+      turning_ = curve_at<RealBall>(exact);
+    }
   }
-  if (!with_rotations) exact.rules.rotations.clear();
-  if (exact.is_rational() && !with_rotations) {
-    return [curve = std::shared_ptr(curve_at<Rational>(exact))](std::size_t number) {
-      return curve->segments(number, number + 1);
-    };
+
+  spline::Segments<Rational> operator()(std::size_t number, bool directions) const {
+    if (resting_) return *resting_;
+    const spline::Segments<Rational> plain = rational_
+                                                 ? rational_->segments(number, number + 1)
+                                                 : rounded(*irrational_, number, directions ? most_bits : usual_bits);
+    if (!turning_) return plain;
+    spline::Segments<Rational> all = rounded(*turning_, number, usual_bits);
+    all.times = plain.times;
+    all.warps = plain.warps;
+    for (std::size_t i = 0; i < plain.channels; ++i) {
+      if (!spline::is_in_rotation(rotations_, i)) all.cubics[i] = plain.cubics[i];
+    }
+    return all;
   }
-  const RealPrecision precision(bits, true);
-  return [bits, curve = std::shared_ptr(curve_at<RealBall>(exact))](std::size_t number) {
-    const RealPrecision used(bits, true);
-    auto segment = curve->segments(number, number + 1);
+
+ private:
+  static constexpr int usual_bits = 400, most_bits = 2400;
+
+  static spline::Segments<Rational> rounded(const spline::CurveKeys<RealBall>& curve, std::size_t number, int bits) {
+    const RealPrecision precision(bits, true);
+    auto segment = curve.segments(number, number + 1);
     if (!segment.rotations.empty()) add_angles(segment);
     return rational(segment);
-  };
-}
+  }
+
+  std::vector<spline::KeyRotation> rotations_;
+  std::optional<spline::Segments<Rational>> resting_;
+  std::shared_ptr<const spline::CurveKeys<Rational>> rational_;
+  std::shared_ptr<const spline::CurveKeys<RealBall>> irrational_, turning_;
+};
 
 /// The limit in the form of an Extreme.
 Rational as_measured(const Measure& measure, const Rational& limit) {
@@ -230,47 +230,45 @@ Rational as_measured(const Measure& measure, const Rational& limit) {
   return measure.kind == Measure::Kind::smallest ? -limit : limit;
 }
 
-/// Whether the velocity changes its direction, among some of the channels.
-bool turns(const Corner& corner, const MeasuredChannels& channels, const std::vector<std::size_t>& measured) {
-  std::vector<double> in, out;
-  for (std::size_t i = 0; i < channels.numbers.size(); ++i) {
-    if (std::ranges::count(measured, channels.numbers[i]) == 0) continue;
-    in.push_back(corner.in[i]);
-    out.push_back(corner.out[i]);
-  }
-  const auto norm = [](const std::vector<double>& v) {
-    double size = 0;
-    for (const double x : v) size = std::hypot(size, x);
-    return size;
+/// Whether the velocity changes its direction in some of the channels. `compared`: those of the corner.
+bool turns(const Corner& corner, const std::vector<std::size_t>& compared, const std::vector<std::size_t>& measured) {
+  double in_size = 0, out_size = 0, change = 0;
+  const auto of_measured = [&](const auto& add) {
+    for (std::size_t i = 0; i < compared.size(); ++i) {
+      if (std::ranges::count(measured, compared[i]) > 0) add(corner.in[i], corner.out[i]);
+    }
   };
-  const double in_size = norm(in), out_size = norm(out);
+  of_measured([&](double in, double out) {
+    in_size = std::hypot(in_size, in);
+    out_size = std::hypot(out_size, out);
+  });
   if (in_size == 0 || out_size == 0) return false;
-  std::vector<double> change;
-  for (std::size_t i = 0; i < in.size(); ++i) change.push_back(in[i] / in_size - out[i] / out_size);
-  return norm(change) > 0x1p-40;
+  of_measured([&](double in, double out) { change = std::hypot(change, in / in_size - out / out_size); });
+  return change > 0x1p-40;
 }
 
-void measure(const MeasuredCurve& curve, const std::vector<std::string>& title, const MeasuredChannels& channels,
-             const std::vector<Wanted>& wanted, LimitsReport& report) {
+/// Adds what is asked for of a curve to the report, and its corners.
+void measure(const MeasuredCurve& curve, const std::vector<std::size_t>& compared,
+             const std::vector<std::string>& title, std::vector<LimitResult> wanted, LimitsReport& report) {
   std::vector<Measure> measures;
-  for (const Wanted& one : wanted) measures.push_back(one.measure);
-  Extremes found = extremes(curve, measures, channels.numbers);
+  for (const LimitResult& one : wanted) measures.push_back(one.measure);
+  Extremes found = extremes(curve, measures, compared);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
+    LimitResult& result = wanted[i];
     const Measure& one = measures[i];
-    LimitResult result{title, one, std::move(found.maxima[i]), wanted[i].limit};
+    result.extreme = std::move(found.maxima[i]);
     if (result.limit && result.extreme) {
-      if (result.extreme->is_unproved) {
+      const Extreme& extreme = *result.extreme;
+      if (extreme.is_unproved) {
         throw data_error("numbers are too far apart to bound the {}; expected fewer such keys; remove this limit",
                          one.name);
       }
-      const auto breaks = [&](const Corner& corner) {
-        if (one.kind == Measure::Kind::curvature) return turns(corner, channels, one.channels);
+      result.is_broken = std::ranges::any_of(found.corners, [&](const Corner& corner) {
+        if (one.kind == Measure::Kind::curvature) return turns(corner, compared, one.channels);
         return one.derivative > 1 && std::ranges::any_of(corner.channels, [&](std::size_t channel) {
                  return std::ranges::count(one.channels, channel) > 0;
                });
-      };
-      const Extreme& extreme = *result.extreme;
-      result.is_broken = std::ranges::any_of(found.corners, breaks);
+      });
       result.passed = !result.is_broken && !extreme.is_unbounded && extreme.high <= as_measured(one, *result.limit);
     }
     report.results.push_back(std::move(result));
@@ -338,24 +336,27 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
     StreamedCurve streamed = pipeline.streamed(keys->keys);
     streamed.options.expanded = true;
     if (!report.first) report.first = exact_number(streamed.keys.key(0).times[0], false, pipeline.spec().frames);
+    for (const spline::EndRule rule : {pipeline.spec().rules.start.rule, pipeline.spec().rules.end.rule}) {
+      if (rule == spline::EndRule::lightwave && !pipeline.spec().closed) report.has_ends_by_seconds = true;
+    }
     const std::vector<std::string> title = group_title(input.schema.groups, keys->group);
-    const MeasuredChannels channels = channels_of(pipeline.spec(), input.schema.channels);
-    const std::vector<Wanted> wanted = wanted_of(job.options, channels);
-    const bool turns = std::ranges::any_of(wanted, [](const Wanted& one) { return one.measure.is_of_rotation; });
+    std::vector<std::size_t> compared;
+    for (std::size_t i = 0; i < report.channels.size(); ++i) {
+      if (!spline::is_in_rotation(pipeline.spec().rules.rotations, i)) compared.push_back(i);
+    }
+    std::vector<LimitResult> wanted = wanted_of(job.options, pipeline.spec(), report.channels, title);
+    const bool turns = std::ranges::any_of(wanted, [](const LimitResult& one) { return one.measure.is_of_rotation; });
     const auto with_angles = [](SegmentBlock block) {
       add_angles(block.segments);
       return block;
     };
-    constexpr int bits = 400, bits_of_directions = 2400;
     const MeasuredCurve curve{[=] { return turns ? mapped(streamed.segments(), with_angles) : streamed.segments(); },
-                              exact_segments(pipeline.exact(streamed), bits),
-                              exact_segments(pipeline.exact(streamed), bits_of_directions),
-                              turns ? exact_segments(pipeline.exact(streamed), bits, true) : nullptr,
+                              ExactSegments(pipeline.exact(streamed), turns),
                               pipeline.spec().frames,
                               pipeline.request().from,
                               pipeline.request().to,
                               streamed.extent.closed};
-    measure(curve, title, channels, wanted, report);
+    measure(curve, compared, title, std::move(wanted), report);
     const std::string name = title.empty() ? report.keys : fmt::format("{}", fmt::join(title, ", "));
     if (drawing != nullptr) drawing->add(streamed, input.schema, pipeline.spec(), name);
   }
@@ -428,6 +429,12 @@ Rational factor_within(const LimitsReport& report, bool fits) {
   }
   for (const Pace& pace : most) {
     if (power_of(factor, pace.power) > pace.ratio) throw refuse(pace.name, "slower times break it");
+  }
+  if (factor != 1 && report.has_ends_by_seconds) {
+    throw usage_error(
+        "the end rule lightwave depends on 1/3600 of a second, so that other times make another curve; name another "
+        "end rule with --ends")
+        .about("--retime");
   }
   return factor;
 }

@@ -102,11 +102,10 @@ std::vector<Piece<S>> pieces_of(const spline::Segments<S>& segments, std::size_t
 /// divided by the power `power` of `base`.
 template <class S>
 struct Measured {
-  Polynomial<S> over;
-  S scale{0};                ///< the sum of the sizes of its terms, which bounds its rounding; 0: it is 0 without any
+  Polynomial<S> over{S(0)};
   Polynomial<S> base{S(1)};  ///< at least 0, which is where a curve rests
-  S base_scale{0};
   int power = 0;
+  double scale = 0, base_scale = 0;  ///< of doubles: the sums of the sizes of terms, which bound their rounding
 
   S at(const S& place) const {
     S value = value_at(over, place);
@@ -117,33 +116,36 @@ struct Measured {
   }
 };
 
-template <class S>
-S size_of(const S& x) {
-  return x < S(0) ? -x : x;
-}
 /// The sum of the sizes of the coefficients.
 template <class S>
 S size_of(const Polynomial<S>& x) {
   S sum(0);
-  for (const S& coefficient : x) sum = sum + size_of(coefficient);
+  for (const S& coefficient : x) sum = sum + (coefficient < S(0) ? -coefficient : coefficient);
   return sum;
 }
 
-/// The derivative of a channel, and the sum of the sizes of its terms.
+/// The derivative of a channel.
 template <class S>
-std::pair<Polynomial<S>, S> rate_of(const Piece<S>& piece, std::size_t channel, int order) {
+Polynomial<S> rate_of(const Piece<S>& piece, std::size_t channel, int order) {
   Polynomial<S> x = piece.is_whole() ? piece.cubics[channel] : composed(piece.cubics[channel], piece.parameter);
-  S rate(1), cleared(0);
-  for (int i = 0; i < order; ++i) rate = rate / piece.duration;
-  // Coefficients that are far smaller than others have the rounding of these, 2^-90 of them.
-  for (std::size_t i = 1; i < x.size(); ++i) cleared = cleared + size_of(x[i]) * S(static_cast<int>(i * i * i));
-  for (int i = 0; i < order; ++i) x = derivative(x);
-  for (S& coefficient : x) coefficient = coefficient * rate;
-  S sizes = size_of(x);
-  if constexpr (std::is_same_v<S, double>) {
-    if (!x.is_zero()) sizes += 0x1p-50 * cleared * rate;
+  S rate(1);
+  for (int i = 0; i < order; ++i) {
+    rate = rate / piece.duration;
+    x = derivative(x);
   }
-  return {x, sizes};
+  for (S& coefficient : x) coefficient = coefficient * rate;
+  return x;
+}
+
+/// The sum of the sizes of the terms of a derivative by rate_of(). Coefficients that are far smaller than others have
+/// the rounding of these, 2^-90 of them.
+inline double scale_of(const Polynomial<double>& rate, const Piece<double>& piece, std::size_t channel, int order) {
+  if (is_zero(rate)) return 0;
+  const Polynomial<double> x = rate_of(piece, channel, 0);
+  double others = 0;
+  for (std::size_t i = 1; i < x.size(); ++i) others += std::abs(x[i]) * static_cast<double>(i * i * i);
+  for (int i = 0; i < order; ++i) others /= piece.duration;
+  return size_of(rate) + 0x1p-50 * others;
 }
 
 /// How fast the direction of v changes, where a is its derivative: the square is |v ^ a|^2 / |v|^4, and per length of a
@@ -167,43 +169,41 @@ Measured<To> measured_direction(const Piece<S>& piece, const Measure& measure, c
   }
   const Polynomial<To> parameter = convert(piece.parameter);
   const auto over_piece = [&](const Polynomial<To>& x) { return piece.is_whole() ? x : composed(x, parameter); };
-  Measured<To> result{{To(0)}, To(0), {To(0)}, To(0), is_curvature ? 3 : 2};
-  std::vector<S> v_size, a_size;
+  Measured<To> result{{To(0)}, {To(0)}, is_curvature ? 3 : 2};
   bool changes = false;
+  int moving = 0;  // channels
+  double change_scale = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
     for (S& coefficient : v[i]) coefficient = coefficient * unit;
     a.push_back(derivative(v[i]));
     const Polynomial<To> x = convert(v[i]);
     result.base = sum(result.base, product(x, x));
     for (std::size_t j = 0; j < i; ++j) {
-      auto minor = sum(product(v[i], a[j]), product(v[j], a[i]), S(-1)).without_last();  // which is 0
+      auto minor = sum(product(v[i], a[j]), product(v[j], a[i]), S(-1));
+      minor.pop_back();  // which is 0
       if constexpr (std::is_same_v<S, Rational>) {
         static const Rational noise = Rational(0x1p-1000) * Rational(0x1p-1000);
         const Rational least = noise * (size_of(v[i]) * size_of(a[j]) + size_of(v[j]) * size_of(a[i]));
-        for (Rational& coefficient : minor) coefficient = size_of(coefficient) < least ? Rational(0) : coefficient;
+        for (Rational& coefficient : minor) coefficient = abs(coefficient) < least ? Rational(0) : coefficient;
       }
       const Polynomial<To> y = convert(minor);
       result.over = sum(result.over, product(y, y));
-      changes = changes || !minor.is_zero();
+      changes = changes || !is_zero(minor);
     }
     if constexpr (std::is_same_v<S, double>) {
-      v_size.push_back(size_of(v[i]));
-      a_size.push_back(size_of(a[i]));
-      if (a_size[i] > 0) a_size[i] += 0x1p-50 * v_size[i];  // as for rate_of()
-      result.base_scale += v_size[i] * v_size[i];
-      for (std::size_t j = 0; j < i; ++j) {
-        const double size = v_size[i] * a_size[j] + v_size[j] * a_size[i];
-        result.scale += size * size;
-        changes = changes || size > 0;
-      }
+      const double v_size = size_of(v[i]), a_size = size_of(a[i]);
+      moving += v_size > 0 ? 1 : 0;
+      result.base_scale += v_size * v_size;
+      if (a_size > 0) change_scale += std::pow(a_size + 0x1p-50 * v_size, 2);  // as for scale_of()
     }
   }
-  if (!changes) return {};
-  if constexpr (std::is_same_v<S, double>) {  // by which terms may grow
-    const double reach = std::max(1.0, size_of(parameter));
-    for (std::size_t i = 1; i < result.over.size(); ++i) result.scale *= reach;
-    for (std::size_t i = 1; i < result.base.size(); ++i) result.base_scale *= reach;
+  if constexpr (std::is_same_v<S, double>) {
+    changes = moving > 1 && change_scale > 0;  // then |v ^ a| may be up to |v| |a|, and its terms twice that
+    const double reach = std::max(1.0, size_of(parameter));  // by which terms may grow
+    result.scale = 2 * result.base_scale * change_scale * std::pow(reach, result.over.size() - 1);
+    result.base_scale *= std::pow(reach, result.base.size() - 1);
   }
+  if (!changes) return {};
   result.over = over_piece(result.over);
   result.base = over_piece(result.base);
   Polynomial<To> factor = convert(Polynomial<S>{unit});
@@ -227,14 +227,16 @@ Measured<S> measured(const Piece<S>& piece, const Measure& measure) {
   }
   Measured<S> result;
   for (const std::size_t channel : measure.channels) {
-    auto [x, sizes] = rate_of(piece, channel, measure.derivative);
+    const Polynomial<S> x = rate_of(piece, channel, measure.derivative);
+    double scale = 0;
+    if constexpr (std::is_same_v<S, double>) scale = scale_of(x, piece, channel, measure.derivative);
     if (measure.is_size()) {
       result.over = sum(result.over, product(x, x));
-      result.scale = result.scale + sizes * sizes;
-      continue;
+      result.scale += scale * scale;
+    } else {
+      result.over = sum(result.over, x, S(measure.kind == Measure::Kind::smallest ? -1 : 1));
+      result.scale = scale;
     }
-    for (S& coefficient : x) coefficient = measure.kind == Measure::Kind::smallest ? -coefficient : coefficient;
-    return {x, sizes};
   }
   return result;
 }

@@ -9,42 +9,23 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cstddef>
-#include <initializer_list>
 #include <utility>
 
 namespace tcb::limits {
 
-/// Coefficients by rising powers, or in Bernstein's form; at least one.
+/// Coefficients by rising powers, or in Bernstein's form; at least one. Most have seven at most, which need no memory
+/// of their own. They are copied: GCC 12 warns of moving so few.
 template <class S>
-class Polynomial {
- public:
-  Polynomial() : coefficients_(1) {}
-  Polynomial(std::initializer_list<S> coefficients) : coefficients_(coefficients) {}
-  explicit Polynomial(std::size_t size) : coefficients_(size) {}
-
-  std::size_t size() const { return coefficients_.size(); }
-  S& operator[](std::size_t i) { return coefficients_[i]; }
-  const S& operator[](std::size_t i) const { return coefficients_[i]; }
-  const S& front() const { return coefficients_[0]; }
-  const S& back() const { return coefficients_.back(); }
-  S* begin() { return coefficients_.data(); }
-  S* end() { return begin() + size(); }
-  const S* begin() const { return coefficients_.data(); }
-  const S* end() const { return begin() + size(); }
-
-  Polynomial without_last() const {
-    Polynomial result = *this;
-    result.coefficients_.pop_back();
-    return result;
-  }
-  bool is_zero() const {
-    return std::all_of(begin(), end(), [](const S& x) { return x == S(0); });
-  }
-  friend bool operator==(const Polynomial& a, const Polynomial& b) { return std::ranges::equal(a, b); }
-
- private:
-  boost::container::small_vector<S, 7> coefficients_;  ///< as many as most have, without memory of their own
+struct Polynomial : boost::container::small_vector<S, 7> {
+  using boost::container::small_vector<S, 7>::small_vector;
+  Polynomial(const Polynomial&) = default;
+  Polynomial& operator=(const Polynomial&) = default;
 };
+
+template <class S>
+bool is_zero(const Polynomial<S>& a) {
+  return std::ranges::all_of(a, [](const S& x) { return x == S(0); });
+}
 
 /// a + factor b.
 template <class S>
@@ -98,7 +79,7 @@ Polynomial<S> part_of(const Polynomial<S>& a, const S& begin, const S& size) {
 
 template <class S>
 Polynomial<S> derivative(const Polynomial<S>& a) {
-  if (a.size() == 1) return Polynomial<S>();
+  if (a.size() == 1) return {S(0)};
   Polynomial<S> result(a.size() - 1);
   for (std::size_t i = 1; i < a.size(); ++i) result[i - 1] = S(static_cast<int>(i)) * a[i];
   return result;
@@ -114,12 +95,11 @@ S value_at(const Polynomial<S>& a, const S& x) {
 /// The common divisor of the largest degree, by Euclid's algorithm; a constant: there is none.
 template <class S>
 Polynomial<S> common_divisor(Polynomial<S> a, Polynomial<S> b) {
-  const auto trimmed = [&](Polynomial<S> x) {
-    while (x.size() > 1 && x.back() == S(0)) x = x.without_last();
-    return x;
+  const auto trim = [](Polynomial<S>& x) {
+    while (x.size() > 1 && x.back() == S(0)) x.pop_back();
   };
-  a = trimmed(a);
-  b = trimmed(b);
+  trim(a);
+  trim(b);
   while (b.size() > 1) {
     while (a.size() >= b.size()) {
       const S factor = a.back() / b.back();
@@ -127,11 +107,12 @@ Polynomial<S> common_divisor(Polynomial<S> a, Polynomial<S> b) {
         S& coefficient = a[a.size() - i];
         coefficient = coefficient - factor * b[b.size() - i];
       }
-      a = trimmed(a.without_last());
+      a.pop_back();
+      trim(a);
     }
     std::swap(a, b);
   }
-  return b.is_zero() ? a : b;
+  return is_zero(b) ? a : b;
 }
 
 /// From rising powers to Bernstein's form of a degree that is not below its own: b_j is the sum over i of

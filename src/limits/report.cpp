@@ -9,12 +9,15 @@
 #include <string_view>
 #include <utility>
 
+#include "exact/rounding.hpp"
 #include "numbers/print_number.hpp"
 #include "text/utf8.hpp"
 #include "write/layout.hpp"
 
 namespace tcb::limits {
 namespace {
+
+constexpr int most_digits = 15;
 
 /// The largest whole number up to a number, or to its root. Requires for a root: 0 <= value < 10^32.
 Rational whole_below(const Rational& value, bool root) {
@@ -55,10 +58,8 @@ std::string number_text(double value) {
   return text;
 }
 
-/// A decimal of at most 15 digits. The shortest text of a large double may have more.
-std::string decimal_text(double value) {
-  const bool is_large = std::isfinite(value) && std::abs(value) >= 1e15;
-  return is_large ? fmt::format("{:.15g}", value) : number_text(value);
+std::string decimal_text(const Rational& decimal) {
+  return std::isfinite(nearest_double(decimal)) ? digits_text(decimal, most_digits) : "null";
 }
 
 ResultTexts texts_of(const LimitResult& result) {
@@ -78,13 +79,13 @@ ResultTexts texts_of(const LimitResult& result) {
   }
   auto [low, high] = decimal_bounds(extreme.low, extreme.high, result.measure.is_size());
   if (result.measure.kind == Measure::Kind::smallest) {
-    low = 0 - low;
-    high = 0 - high;
+    low = -low;
+    high = -high;
   }
   texts.maximum = decimal_text(low);
   texts.bound = decimal_text(high);
   if (!result.limit || *result.limit == 0) return texts;
-  texts.part = low / nearest_double(*result.limit) + 0;
+  texts.part = nearest_double(low) / nearest_double(*result.limit) + 0;
   texts.factor = number_text(texts.part);
   return texts;
 }
@@ -129,7 +130,6 @@ std::string text(const LimitResult& result) {
 }  // namespace
 
 DecimalBounds decimal_bounds(const Rational& low, const Rational& high, bool root) {
-  constexpr int most_digits = 15;
   Rational size = std::max(abs(low), abs(high));
   if (size == 0) return {};
   int beyond = 0;  // of the exponents of doubles
@@ -144,7 +144,7 @@ DecimalBounds decimal_bounds(const Rational& low, const Rational& high, bool roo
       const Rational below = whole_below(low / scale, root), near = whole_below(high / scale, root);
       const bool is_exact = (root ? near * near : near) * scale == high;
       const Rational above = is_exact ? near : near + 1;
-      if (above - below <= Rational(most_apart)) return {nearest_double(below * unit), nearest_double(above * unit)};
+      if (above - below <= Rational(most_apart)) return {below * unit, above * unit};
     }
   }
   return {};

@@ -32,15 +32,16 @@ struct LimitsReport {
   std::vector<CornerOfCurve> corners = {};
 
   std::optional<Rational> first = {};  ///< the time of the first key
+  bool has_ends_by_seconds = false;    ///< an end rule depends on a duration, so that other times make another curve
 
   bool passed() const { return std::ranges::all_of(results, &LimitResult::passed); }
   /// The result that is nearest to its limit, or beyond it the farthest; without limits the first one.
   const LimitResult* tightest() const;
 };
 
-/// Two numbers that differ by one unit of the last digit at most, unless the bounds do not allow that.
+/// Two decimals of at most 15 digits, which differ by one unit of the last digit, unless the bounds do not allow that.
 struct DecimalBounds {
-  double low = 0, high = 0;  ///< their shortest texts have 15 digits at most
+  Rational low, high;
 };
 
 /// Decimals around a number within bounds; with `root`, around the root of one.

@@ -182,6 +182,13 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
           "the times are made by the program; expected times of keys; name their column with --columns time=NAME")
           .about("--retime");
     }
+    if (part_) {
+      const auto later = [retiming = *spec_.retiming, frames = preparation_.frames](const std::optional<Time>& time) {
+        return time ? std::optional(retimed(*time, retiming, frames)) : std::nullopt;
+      };
+      part_->origin = *later(part_->origin);
+      part_->next = [later, next = part_->next] { return later(next()); };
+    }
   }
   if (spec_.timed && spec_.parameter) {
     throw data_error(

@@ -25,16 +25,10 @@ void set_rotation_rules(spline::CurveRules<double>& rules, const spline::PresetR
   if (settings.rotation_curve) own.curve = *settings.rotation_curve;
 }
 
-/// Multiplies times, also those of velocities. Throws: Error (usage) for a rule that depends on an absolute time.
+/// Multiplies times, also those of velocities.
 void retime(CurveSpec& spec, const Rational& factor) {
   if (spec.period) *spec.period *= factor;
   for (auto* end : {&spec.rules.start, &spec.rules.end}) {
-    if (end->rule == spline::EndRule::lightwave && !spec.closed && factor != 1) {
-      throw usage_error(
-          "the end rule lightwave depends on 1/3600 of a second, so that other times make another curve; name another "
-          "end rule with --ends")
-          .about("--retime");
-    }
     for (double& velocity : end->velocity) velocity /= nearest_double(factor);
   }
 }
