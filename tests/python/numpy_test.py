@@ -481,6 +481,12 @@ class Curves(unittest.TestCase):
         curve = tcbsample.Curve(KEYS)
         np.testing.assert_array_equal(curve(KEYS[:, 0]), KEYS[:, 1:])
         self.assertEqual(curve(1).tolist(), KEYS[1, 1:].tolist())
+        rng = np.random.default_rng(5)
+        for _ in range(9):  # times on both sides of 0
+            keys = np.array([[-rng.uniform(0.5, 3), rng.normal()], [rng.uniform(0.01, 0.4), rng.normal()]])
+            curve = tcbsample.Curve(keys)
+            self.assertEqual((curve.times.tolist(), curve(curve.times)[:, 0].tolist()), (keys[:, 0].tolist(), keys[:, 1].tolist()))
+            self.assertGreater(float(curve.length(curve.times[-1])), 0)
 
     def test_shapes(self):
         curve = tcbsample.Curve(KEYS)

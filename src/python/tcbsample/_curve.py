@@ -205,7 +205,10 @@ class Curve:
         self.names = [name[: -len("_b0")] for name in rows.dtype.names if name.endswith("_b0")]
         starts, durations = _times(rows["start"]), rows["duration"].astype(np.float64)
         if starts.dtype.kind == "f":
-            ticks = times = np.append(starts, starts[-1] + durations[-1])
+            end = starts[-1] + durations[-1]
+            if end - starts[-1] != durations[-1] or durations[-1] > abs(end):  # the duration may be rounded
+                end = self._rows(per_segment=1, fields="time")[0][-1].item()[0]
+            ticks = times = np.append(starts, end)
         else:
             duration = round(durations[-1] * (1e9 if starts.dtype.kind == "M" else 1))
             ticks = np.append(starts.view(np.int64), starts[-1:].view(np.int64) + duration)
