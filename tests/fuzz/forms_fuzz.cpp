@@ -306,10 +306,12 @@ std::string to_lightwave(const Table& table, Fault fault) {
   std::string text = "LWMO\n3\n\nNumChannels 3\n";
   for (std::size_t c = 0; c < 3; ++c) {
     text += fmt::format("Channel {}\n{{ Envelope\n  {}\n", c, table.rows.size() + (fault == Fault::count ? 1 : 0));
-    for (const auto& row : table.rows) text += fmt::format("  Key {} {} 0 0 0 0 0 0 0\n", row[c + 1], row[0]);
-    if (c == 1 && fault == Fault::cell_missing) text.resize(text.size() - 3);
-    if (c == 1 && fault == Fault::cell_surplus) text.insert(text.size() - 1, " 1");
-    if (c == 1 && fault == Fault::text) text.insert(text.size() - 1, "o");
+    for (const auto& row : table.rows) {
+      const bool is_bad = c == 1 && &row == &table.rows.back();
+      const std::string_view value = is_bad && fault == Fault::text ? "o.5" : std::string_view(row[c + 1]);
+      const std::string_view numbers = is_bad && fault == Fault::cell_missing ? "0 0 0" : "0 0 0 0 0 0 0";
+      text += fmt::format("  Key {} {} {}\n", value, row[0], numbers);
+    }
     text += "  Behaviors 1 1\n}\n";
   }
   return text;
@@ -397,8 +399,9 @@ void try_form(Choices& choices) {
       const std::string_view format = choices.one({"3ds", "fbx", "lws"});
       options.format = find_format(format);
       const Fault others = format == "3ds" ? Fault::cut : format == "fbx" ? Fault::nested : Fault::none;
-      const bool has_form = fault == others || fault == Fault::cell_missing || fault == Fault::cell_surplus ||
-                            fault == Fault::count || (fault == Fault::text && format != "3ds");
+      const bool has_form = fault == others || fault == Fault::cell_missing || fault == Fault::count ||
+                            (fault == Fault::cell_surplus && format != "lws") ||
+                            (fault == Fault::text && format != "3ds");
       if (!has_form) fault = Fault::none;
       text = format == "3ds"   ? to_3ds(table, fault)
              : format == "fbx" ? to_fbx(choices, table, fault)
