@@ -18,7 +18,7 @@ std::shared_ptr<const KeptCurve> curve() {
 }
 
 TEST(FindRows, neighbouring_rows_on_a_segment_are_located_together) {
-  const auto block = find_rows(curve(), {0.25, 0.5, 3, 3.5, 0.75}, false, spline::Side::right).blocks();
+  const auto block = find_rows(curve(), {.places = {0.25, 0.5, 3, 3.5, 0.75}}, false, spline::Side::right).blocks();
   ASSERT_TRUE(block);
   ASSERT_EQ(block->parts.size(), 3U);
   EXPECT_EQ(block->parts[0].last, 2U);
@@ -28,7 +28,7 @@ TEST(FindRows, neighbouring_rows_on_a_segment_are_located_together) {
 
 TEST(FindRows, a_row_at_a_key_is_on_the_side_that_was_asked_for) {
   const auto number = [](double place, bool by_length, spline::Side side) {
-    return find_rows(curve(), {place}, by_length, side).blocks()->parts[0].segment.number;
+    return find_rows(curve(), {.places = {place}}, by_length, side).blocks()->parts[0].segment.number;
   };
   EXPECT_EQ(number(1, false, spline::Side::left), 0U);
   EXPECT_EQ(number(1, false, spline::Side::right), 1U);
