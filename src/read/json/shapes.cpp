@@ -175,7 +175,9 @@ bool is_around_curves(const Curve& curve) {
 
 Error no_keys(const JsonCurveInfo& members) {
   if (members.path.empty()) return data_error("found no keys; expected at least two; add them").at(members.position);
-  return data_error("found no keys; expected at least two; add them, or remove the curve")
+  return data_error(
+             "found no keys; expected at least two in \"keys\"; add them, remove the curve, or give their path to "
+             "--records")
       .about(members.path)
       .at(members.position);
 }
