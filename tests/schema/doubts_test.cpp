@@ -37,7 +37,7 @@ TEST(Doubts, are_notes_where_one_reading_is_plain) {
            {"DATE,TIME,x\n2024-03-01,08:00:00,5\n2024-03-01,09:00:00,6\n", "are taken as one time"},
            {"0,1,2\n0,0.5,3\n1,0.7,4\n", "the first line counts the columns; --header"},
            {"t,x\ns,mm\n0,5\n1,6\n", "the line below the names is taken as units: s, mm"},
-           {"0,9,1,0,0,0\n1,8,0,1,0,0\n", "columns 3 to 6 may be a quaternion; --rotation quaternion=3:4:5:6"},
+           {"0,9,1,0,0,0\n1,8,0,1,0,0\n", "columns 3, 4, 5, 6 may be a quaternion; --rotation quaternion=3:4:5:6"},
            {"t,x\nTS,V\n\"\",Avg\n0,5\n1,6\n", "the line below the names is taken as units: TS, V"},
            {"%time,header.stamp,x\n5,5,1\n6,6,2\n", "have the same times; the first is taken"},
            {"t,rvec_x,rvec_y,rvec_z\n0,0,0,1\n1,0,1,0\n", "--rotation axis-angle=rvec_x:rvec_y:rvec_z"},
