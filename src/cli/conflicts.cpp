@@ -13,7 +13,7 @@ namespace {
 
 using Typed = TypedOptions;
 
-using Options = std::initializer_list<std::string_view>;
+using Options = std::initializer_list<const char*>;
 
 using When = bool (*)(const Typed& typed);
 

@@ -137,7 +137,7 @@ std::span<const OptionRow> option_table();
 const OptionRow& row_of(std::string_view name);
 
 /// The options that place the samples.
-inline constexpr std::initializer_list<std::string_view> sampling_options{
+inline constexpr std::initializer_list<const char*> sampling_options{
     "--step",     "--rate",      "--fps",    "--count",     "--segments", "--per-segment", "--at",
     "--arc-step", "--arc-count", "--arc-at", "--tolerance", "--emit",     "--fit"};
 

@@ -199,7 +199,7 @@ void require_forward_range(const TypedOptions& typed) {
 
 Error no_sampling_option() {
   return usage_error("there is no sampling option; expected one of {}; give one, as in tcbsample --step 0.1 keys.csv",
-                     listed(sampling_options));
+                     listed(std::vector<std::string_view>(sampling_options.begin(), sampling_options.end())));
 }
 
 /// Whether the input may be a camera path, which has frames of its own, so that no sampling option is needed.
