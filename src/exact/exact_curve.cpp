@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "exact/ball_angle.hpp"
 #include "exact/rounding.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "exact/ball.hpp"
+#include "exact/ball_angle.hpp"
 #include "exact/exact_keys.hpp"
 #include "numbers/rational.hpp"
 #include "tcb/spline/curve_keys.hpp"
