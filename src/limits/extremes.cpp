@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <queue>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -28,15 +30,21 @@ Polynomial<S> power_of(const Polynomial<S>& form, int power) {
   return result;
 }
 
-/// A part of a piece of a segment with a measure on it in Bernstein's form, and how far rounding may move that.
+/// The numbers of a segment and of a piece of it.
+struct Place {
+  std::size_t segment, piece;
+};
+
+/// A part of a piece with a measure on it in Bernstein's form, and how far rounding may move that.
 struct Candidate {
-  std::size_t segment, piece;  ///< their numbers
-  Polynomial<double> over, base = {};
+  Polynomial<double> over{0}, base{0};
   int power = 0;
   bool is_certain = true;  ///< the piece is not so short that exact numbers may have none
   double slack = 0, base_slack = 0;
-  double begin = 0, size = 1;          ///< of the part
-  double upper = infinity, doubt = 0;  ///< a bound, and how far rounding may move it
+  double begin = 0, size = 1;                  ///< of the part
+  double upper = infinity, doubt = 0;          ///< a bound, and how far rounding may move it
+  const std::vector<Place>* places = nullptr;  ///< of all pieces with this measure
+  Place place = {};                            ///< one of them
 
   /// A quotient is at most the largest of those of the coefficients, or of them with binomials.
   void set_bound() {
@@ -72,6 +80,16 @@ struct Candidate {
   bool operator<(const Candidate& other) const { return upper < other.upper; }
 };
 
+/// An order of measures in which only equal ones are equivalent.
+struct ByMeasure {
+  bool operator()(const Candidate& a, const Candidate& b) const {
+    const auto numbers = [](const Candidate& x) {
+      return std::tie(x.upper, x.power, x.over, x.base, x.slack, x.base_slack, x.is_certain);
+    };
+    return numbers(a) < numbers(b);
+  }
+};
+
 /// The parts that may hold the maximum of one measure.
 class Search {
  public:
@@ -82,35 +100,47 @@ class Search {
     constexpr double least = 1e-290;      // below it, squares may be 0
     constexpr double shortest = 0x1p-40;  // of pieces that are certain
     const std::size_t base_degree = x.base.size() - 1, of_power = base_degree * static_cast<std::size_t>(x.power);
-    Candidate one{segment, piece.number, bernstein(x.over, std::max(x.over.size() - 1, of_power))};
-    one.is_certain = piece.size > shortest;
-    one.base = bernstein(x.base, base_degree);
-    one.power = x.power;
-    one.slack = x.scale == 0 ? 0 : rounding * x.scale + least;
-    one.base_slack = rounding * x.base_scale;
-    if (!std::isfinite(x.scale)) {
-      candidates_.push_back(std::move(one));  // doubles do not bound it
-      return;
+    Candidate one;
+    if (std::isfinite(x.scale)) {
+      one.over = bernstein(x.over, std::max(x.over.size() - 1, of_power));
+      one.base = bernstein(x.base, base_degree);
+      one.power = x.power;
+      one.is_certain = piece.size > shortest;
+      one.slack = x.scale == 0 ? 0 : rounding * x.scale + least;
+      one.base_slack = rounding * x.base_scale;
+      if (!may_be_largest(one)) return;
+    } else {
+      one.slack = infinity;  // doubles do not bound it
     }
-    add(std::move(one));
-    if (candidates_.size() < 2 * kept_ + 64) return;
-    std::erase_if(candidates_, [this](const Candidate& other) { return !(other.upper >= attained_); });
-    kept_ = candidates_.size();
+    std::vector<Place>& places = pieces_[one];
+    if (places.size() <= most_parts) places.push_back({segment, piece.number});
+    if (pieces_.size() < 2 * kept_ + 64) return;
+    std::erase_if(pieces_, [this](const auto& other) { return !(other.first.upper >= attained_); });
+    kept_ = pieces_.size();
   }
 
   /// The parts that are left, those with the largest bounds first; if there are more than `most_parts`, the last one
-  /// bounds those that are not among them.
+  /// bounds those that are not among them. Outlived by this, for their places.
   std::vector<Candidate> rest() {
     std::vector<Candidate> final;
-    std::priority_queue<Candidate> queue({}, std::exchange(candidates_, {}));
+    std::priority_queue<Candidate> queue;
+    for (const auto& [piece, places] : pieces_) {
+      Candidate whole = piece;
+      whole.places = &places;
+      queue.push(std::move(whole));
+    }
     while (!queue.empty() && final.size() <= most_parts) {
-      Candidate top = queue.top();
+      const Candidate top = queue.top();
       queue.pop();
       if (!(top.upper >= attained_)) break;
       constexpr double smallest = 0x1p-30, smallest_without_bound = 0x1p-10;
       const bool is_small = top.size <= (std::isfinite(top.upper) ? smallest : smallest_without_bound);
       if (!std::isfinite(top.slack) || is_small || top.is_narrow(attained_)) {
-        final.push_back(std::move(top));
+        for (const Place& place : *top.places) {
+          if (final.size() > most_parts) break;
+          final.push_back(top);
+          final.back().place = place;
+        }
         continue;
       }
       const auto [left, right] = halves(top.over);
@@ -121,25 +151,24 @@ class Search {
         if (second) half.begin += half.size;
         half.over = second ? right : left;
         half.base = second ? base_right : base_left;
-        add(std::move(half));
+        if (may_be_largest(half)) queue.push(std::move(half));
       }
-      for (Candidate& half : candidates_) queue.push(std::move(half));
-      candidates_.clear();
     }
     std::erase_if(final, [this](const Candidate& one) { return !(one.upper >= attained_); });
     return final;
   }
 
  private:
-  void add(Candidate&& one) {
-    one.set_bound();
-    if (!(one.upper > attained_)) return;
-    if (one.is_certain) attained_ = std::max(attained_, one.attained());
-    candidates_.push_back(std::move(one));
+  /// Whether a part may have the largest value, by its bound, which is set.
+  bool may_be_largest(Candidate& part) {
+    part.set_bound();
+    if (!(part.upper > attained_)) return false;
+    if (part.is_certain) attained_ = std::max(attained_, part.attained());
+    return true;
   }
 
   const Measure* measure_;
-  std::vector<Candidate> candidates_;
+  std::map<Candidate, std::vector<Place>, ByMeasure> pieces_;  ///< those with the same measure are bounded once
   std::size_t kept_ = 0;
   double attained_ = -infinity;
 };
@@ -444,17 +473,17 @@ std::optional<Rational> add_with_balls(ExactSearch& search, const Piece<Rational
 std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const Measure& measure,
                                      const MeasuredCurve& curve) {
   const auto piece_of = [&](const Candidate& part) -> std::optional<Piece<Rational>> {
-    const spline::Segments<Rational> one = curve.exact(part.segment, measure.is_of_direction());
+    const spline::Segments<Rational> one = curve.exact(part.place.segment, measure.is_of_direction());
     const Rational duration = one.times[1] - one.times[0];
     const auto range = fractions(curve, one.times[0], one.times[1]).value_or(std::pair<Rational, Rational>(0, 1));
     const auto pieces = pieces_of(one, 0, duration == 0 ? Rational(1) : duration, range.first, range.second);
-    const auto found = std::ranges::find(pieces, part.piece, &Piece<Rational>::number);
+    const auto found = std::ranges::find(pieces, part.place.piece, &Piece<Rational>::number);
     return found == pieces.end() ? std::nullopt : std::optional(*found);
   };
   const auto extreme_at = [&](Extreme extreme, const Candidate& part, const Rational& place) {
     const Piece<Rational> piece = *piece_of(part);
     const Rational fraction = piece.begin + place * piece.size;
-    const spline::Segments<Rational> one = curve.exact(part.segment, measure.is_of_direction());
+    const spline::Segments<Rational> one = curve.exact(part.place.segment, measure.is_of_direction());
     extreme.time = one.times[0] + fraction * (one.times[1] - one.times[0]);
     extreme.is_at_key = fraction == 0 || fraction == 1;
     if (fraction == 1) extreme.side = spline::Side::left;
