@@ -64,6 +64,7 @@ class Option(NamedTuple):
     """An option of the command line."""
 
     name: str
+    keyword: str
     kind: str
     known: tuple[str, ...]  # the values that it has names for
 
@@ -144,7 +145,8 @@ def options_module(tables):
     for row in tables["options"]:
         names = [name for name in (row["name"], row["other_name"]) if name.startswith("--")]
         for name in names:
-            options.append(f"    {python_name(name).rstrip('_')!r}: Option({name!r}, {row['kind']!r}, {tuple(row['known'])!r}),")
+            option = name, python_name(name), row["kind"], tuple(row["known"])
+            options.append(f"    {python_name(name).rstrip('_')!r}: Option{option!r},")
         if python_name(row["name"]) in command_only:
             continue
         if row["group"] != group:

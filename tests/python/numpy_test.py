@@ -23,7 +23,7 @@ import numpy as np
 import tcbsample
 from tcbsample._command_only import COMMAND_ONLY
 from tcbsample._options import OPTIONS, PlotOptions
-from tcbsample._program import _TEXT_OPTIONS, Run, in_python
+from tcbsample._program import _TEXT_OPTIONS, in_python, run_of
 from tcbsample._tables import text
 
 SAMPLES = pathlib.Path(__file__).parents[2] / "samples"
@@ -134,6 +134,18 @@ class Inputs(unittest.TestCase):
         same = tcbsample.resample([[0, 0, 1], [1, 2, 1], [2, 0, 1]], columns={"tension": 3}, at=0.5)
         self.assertEqual(same.tolist(), rows.tolist())
 
+    def test_missing_cells_are_told(self):
+        for values in ([1.5, np.nan, 2], [1.5, None, 2], np.ma.array([1.5, 9, 2], mask=[0, 1, 0])):
+            for keys, options in (({"x": values}, {"parameter": "uniform"}), ({"t": range(3), "x": values}, {}),
+                                  ({"t": range(3), "x": range(3), "id": values}, {"group": "id"})):  # fmt: skip
+                with self.assertRaisesRegex(tcbsample.Error, "keys, row 1: .*found an empty cell"):
+                    tcbsample.resample(keys, count=3, **options)
+
+    def test_columns_of_lists_have_their_own_types(self):
+        begin = 1_700_000_000_000_000_001
+        rows = tcbsample.resample([[begin, 0.5], [begin + 100, 2**60]], per_segment=1, quiet=True)
+        self.assertEqual(rows.tolist(), [(begin, 0.5), (begin + 100, 2.0**60)])
+
     def test_what_is_no_table(self):
         for keys in ([0, 1, 2], np.zeros((2, 2, 2)), {"t": [0, 1], "x": [1]}, {"t": [0, 1], "xy": [[1, 2], [3, 4]]}, 7,
                      [[0, 1], [1]], ([], []), {"t": np.array(["1500-01-01"], "M8[D]"), "x": [1]}):  # fmt: skip
@@ -229,6 +241,8 @@ class Outputs(unittest.TestCase):
             self.assertEqual(rows["t"].dtype, np.dtype("m8[ns]"))
             self.assertEqual(rows["t"][[0, -1]].tolist(), [0, 4 * 10**9])
         self.assertEqual(tcbsample.resample({"t": times, "x": [0, 1, 2]}, at=[1.5])["x"].tolist(), [1])
+        rows = tcbsample.resample((times, [0, 1, 2]), at=1.5, fields="position,time,speed")
+        self.assertEqual([rows.dtype[name].kind for name in ("x", "t", "speed")], ["f", "m", "f"])
         dates = [datetime.datetime(2024, 1, 1, hour, tzinfo=datetime.timezone.utc) for hour in (0, 2)]
         rows = tcbsample.resample(list(zip(dates, [0.0, 1.0])), count=3)
         self.assertEqual(rows["t"][1], np.datetime64("2024-01-01T01:00"))
@@ -290,10 +304,9 @@ class OptionsTest(unittest.TestCase):
             self.assertRegex(tcbsample.Options.__doc__, rf"\n      (\w+, )?{name}_?[ ,\n]")
 
     def test_options_reach_the_program(self):
-        with Run(b"") as run:
-            flags = ("flag", "attached")
-            values = {name: True if option.kind in flags else "1" for name, option in OPTIONS.items()}
-            run.add(values, COMMAND_ONLY)
+        flags = ("flag", "attached")
+        values = {name: True if option.kind in flags else "1" for name, option in OPTIONS.items()}
+        with run_of(b"", values, COMMAND_ONLY) as run:
             expected = [o.name if o.kind in flags else o.name + "=1" for o in OPTIONS.values()]
             self.assertEqual(run.words, expected)
 
@@ -372,6 +385,8 @@ class Errors(unittest.TestCase):
         error = self.error(KEYS, count=0)
         self.assertEqual((error.file, error.line, error.exit_code), (None, None, 2))
         self.assertTrue(error.message.startswith("count: "))
+        error = self.error(KEYS, at=[0.0] * 200 + [np.nan])
+        self.assertEqual((error.file, error.row), ("at", 200))
         self.error(KEYS)
         self.assertEqual(self.error("/does/not/exist.csv", count=3).exit_code, 2)
 

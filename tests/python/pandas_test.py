@@ -44,6 +44,9 @@ class Frames(unittest.TestCase):
         pd.testing.assert_frame_equal(tcbsample.resample(FRAME.set_index(np.array([5, 9, 2])), count=7), same)
         with self.assertRaisesRegex(TypeError, "rename_axis"):
             tcbsample.resample(FRAME.set_index(np.array([0, 0.5, 1])), count=7)
+        levels = pd.MultiIndex.from_product([["a"], [0, 1, 2]], names=["id", None])
+        with self.assertRaisesRegex(TypeError, "a level of the index has no name"):
+            tcbsample.resample(FRAME.set_index(levels), count=7)
         with self.assertRaisesRegex(TypeError, "'_'.join"):
             tcbsample.resample(pd.concat({"a": FRAME}, axis=1), count=7)
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 
 from ._options import Options
-from ._program import Error, Run, source_of
+from ._program import Error, run_of, source_of
 from ._rows import dates_of, durations_of, rows_of
 from ._tables import Table, array_of, decimal_seconds, is_missing
 
@@ -190,7 +190,7 @@ class Curve:
 
     def _rows(self, **sampling: Any) -> tuple[Any, Optional[Table]]:
         """Rows of numbers, and the table of the keys. Raises Error, and TypeError for several curves."""
-        with Run(self._keys).add({**self._options, **sampling}) as run:
+        with run_of(self._keys, {**self._options, **sampling}) as run:
             table, run.table = run.table, None  # no row has the types of the keys
             rows = rows_of(run, {})
         if "curve" in rows.dtype.names:
@@ -243,7 +243,7 @@ class Curve:
         result: Array = np.full((flat.size, columns), np.nan)
         if asked.any():
             words = decimal_seconds(flat[asked]) if flat.dtype.kind == "M" else list(map(repr, flat[asked].tolist()))
-            with Run(self._keys).add({**self._options, "quiet": True, "fields": fields, **more, option: words}) as run:
+            with run_of(self._keys, {**self._options, "quiet": True, "fields": fields, **more, option: words}) as run:
                 run.table = None  # no row has the types of the keys
                 rows = rows_of(run, {})
             result[asked] = np.stack([rows[name] for name in rows.dtype.names], axis=1)
@@ -335,7 +335,7 @@ class Curve:
         >>> tcbsample.Curve(keys).rotation(1).tolist()
         [0.0, 0.0, 0.6, 0.8]
         """
-        with Run(self._keys).add(self._options) as run:
+        with run_of(self._keys, self._options) as run:
             lines = run.result(["--explain"]).read().decode().splitlines()
         forms = [line.partition(": ")[2].split() for line in lines if line.startswith("rotation: ")]
         if not forms:

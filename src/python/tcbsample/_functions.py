@@ -15,7 +15,7 @@ from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, Protocol, Union
 import numpy as np
 
 from ._options import PRESETS, Options, PlotOptions, SamplingOptions, Value
-from ._program import Run, in_python
+from ._program import in_python, run_of
 from ._rows import rows_of
 
 if TYPE_CHECKING:
@@ -158,7 +158,7 @@ def resample(data: Any, /, *, step: Value = None, count: Optional[int] = None, a
     [(1.125, 2.75)]
     """
     given = dict(options, step=step, count=count, arc_step=arc_step, at=at, tolerance=tolerance, preset=preset)
-    with Run(data).add(given) as run:
+    with run_of(data, given) as run:
         return rows_of(run, given)
 
 
@@ -188,12 +188,12 @@ def fit(samples: Any, /, tolerance: Value, **options: Unpack[Options]) -> Any:
     >>> bool(abs(again["x"] - samples["x"]).max() <= 1.001e-3)
     True
     """
-    with Run(samples, "samples").add(dict(options, fit=tolerance), ["fit"]) as run:
+    with run_of(samples, dict(options, fit=tolerance), ["fit"], "samples") as run:
         return rows_of(run, options)
 
 
 def _compare(option: str, keys: Any, samples: Any, options: Mapping[str, Any], agrees: str) -> Report:
-    with Run(keys).add({**options, option: samples}, [option]) as run:
+    with run_of(keys, {**options, option: samples}, [option]) as run:
         data = json.load(run.result(["--output-format=json"], accepts_difference=True))
         file = run.sources.get(data["file"])
         for name in ("first", "worst"):
@@ -268,7 +268,7 @@ def plot(data: Keys, /, **options: Unpack[PlotOptions]) -> Picture:
     ('<svg', True)
     """
     compares = any(options.get(name) is not None for name in ("check", "identify", "fit"))
-    with Run(data).add(options, ["check", "identify", "fit"]) as run:
+    with run_of(data, options, ["check", "identify", "fit"]) as run:
         words = ["--output-format=svg"] if compares else ["--plot"]
         return Picture(run.result(words, accepts_difference=compares).read().decode())
 
@@ -284,7 +284,7 @@ def explain(data: Keys, /, **options: Unpack[SamplingOptions]) -> str:
     >>> print(tcbsample.explain([[0, 0], [1, 2], [2, 0]], step=0.5).splitlines()[-2])
     rows: 5
     """
-    with Run(data).add(options) as run:
+    with run_of(data, options) as run:
         text = run.result(["--explain"]).read().decode()
         source = run.sources.get("standard input")
         return source.in_rows(text) if source else text

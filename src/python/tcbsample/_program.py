@@ -5,16 +5,15 @@ from __future__ import annotations
 import contextlib
 import csv
 import difflib
+import functools
 import importlib.metadata
 import io
-import keyword
 import logging
 import os
 import pathlib
 import re
 import subprocess
 import sys
-import sysconfig
 import tempfile
 import warnings
 from collections.abc import Collection, Iterable, Iterator, Mapping
@@ -36,7 +35,7 @@ class Error(ValueError):
 
     message    what is wrong, what was expected, and the remedy
     remedy     what to do, the last part of the message
-    file       the file; "keys" or "samples" for what was not a file; None for an option
+    file       the file; "keys", "samples" or the keyword for what was not a file; None for other options
     line       its line, from 1; None for keys in memory, and where the fault is in no line
     column     its column in characters, from 1, or None, as for line
     row        the row of keys in memory, from 0; None where the fault is in no row
@@ -71,69 +70,56 @@ def program() -> str:
     >>> "tcbsample" in tcbsample.program()
     True
     """
-    global _program
-    if _program is None:
-        names = ("tcbsample", "tcbsample.exe")
-        package = pathlib.Path(__file__).parent
-        folders = [package, pathlib.Path(sysconfig.get_path("scripts")), package.parent / "bin"]
-        try:
-            recorded = [f.locate() for f in importlib.metadata.files("tcbsample") or () if f.name in names]
-        except importlib.metadata.PackageNotFoundError:
-            recorded = []
-        paths = [pathlib.Path(str(path)) for path in recorded] + [f / name for f in folders for name in names]
-        found = next((path for path in paths if path.is_file()), None)
-        if found is None:
-            raise FileNotFoundError("the program tcbsample is not installed; install the wheel again")
-        _program = str(found.resolve())
-    return _program
+    return _program()
 
 
-_program: Optional[str] = None
+@functools.cache
+def _program() -> str:
+    names = ("tcbsample", "tcbsample.exe")
+    package = pathlib.Path(__file__).parent
+    paths = [folder / name for folder in (package, package.parent / "bin") for name in names]
+    with contextlib.suppress(importlib.metadata.PackageNotFoundError):
+        files = importlib.metadata.files("tcbsample") or ()
+        paths += [pathlib.Path(str(file.locate())) for file in files if file.name in names]
+    for path in paths:
+        if path.is_file():
+            return str(path.resolve())
+    raise FileNotFoundError("the program tcbsample is not installed; install the wheel again")
+
 
 # Messages.
 
+# An option; what follows it and may be its value, and what then follows a value; and the alternatives to the value.
+_OPTION = re.compile(r"""
+    --(?P<name>[a-z][a-z-]*[a-z])
+    (?P<rest>
+        [ =](?P<value>'[^']*'|"[^"]*"|(?!instead|--)[^\s,;]*[^\s,;.:])
+        (?P<end>(?=[ ](?:if|for|to)|,|$))?
+        (?P<others>(?:(?:,?[ ]or|,)[ ]\w[\w-]*)*)
+    )?""", re.VERBOSE)  # fmt: skip
 
-def _keyword(option: str) -> str:
-    """The keyword of an option without its dashes."""
-    name = option.replace("-", "_")
-    return name + "_" if keyword.iskeyword(name) else name
 
-
-# A value after an option, and what follows a value in a remedy.
-_VALUE = re.compile(r"""[ =](?P<word>'[^']*'|"[^"]*"|(?!instead)[^\s,;]*[^\s,;.:])(?P<end> if| for| to|,|$)?""")
+def _option_in_python(match: re.Match[str]) -> str:
+    option = OPTIONS.get(match["name"].replace("-", "_"))
+    if option is None:
+        return match[0]
+    name = option.keyword
+    value, rest = match["value"] or "", match["rest"] or ""
+    if name in PRODUCTS:
+        return PRODUCTS[name] + rest
+    if name in COMMAND_ONLY:
+        return f"tcbsample {option.name}{rest}"
+    if option.kind == "flag":
+        return f"{name}=True{rest}"
+    if not value or not (match["end"] is not None or value in option.known or re.search(r"[\d=*'\"]", value)):
+        return name + rest
+    others = re.sub(r"[\w-]+", lambda word: f'"{word[0]}"' if word[0] in option.known else word[0], match["others"])
+    return "{}=\"{}\"{}".format(name, value.strip("'\""), others)
 
 
 def in_python(message: str) -> str:
     """A message with keywords of Python in place of options: missing="skip-row" for --missing skip-row."""
-    message = re.sub(r"\btcbsample (--.*) keys\.csv$", r"\1", message)
-    parts, end = [], 0
-    for match in re.finditer(r"--([a-z][a-z-]*[a-z])", message):
-        option = OPTIONS.get(match[1].replace("-", "_"))
-        if option is None or match.start() < end:
-            continue
-        parts.append(message[end : match.start()])
-        end = match.end()
-        name = _keyword(match[1])
-        if name in PRODUCTS:
-            parts.append(PRODUCTS[name])
-        elif name in COMMAND_ONLY:
-            parts.append(f"tcbsample {match[0]}")
-        elif option.kind == "flag":
-            parts.append(f"{name}=True")
-        else:
-            value = _VALUE.match(message, end)
-            word = value["word"].strip("'\"") if value else ""
-            if value is None or not (
-                value["end"] is not None or word in option.known or re.search(r"[\d=*'\"]", value["word"])
-            ):
-                parts.append(name)
-                continue
-            end = value.end("word")
-            parts.append(f'{name}="{word}"')
-            while (more := re.compile(r"((?:,| or|, or) )([\w-]+)").match(message, end)) and more[2] in option.known:
-                parts.append(f'{more[1]}"{more[2]}"')
-                end = more.end()
-    return "".join([*parts, message[end:]])
+    return _OPTION.sub(_option_in_python, re.sub(r"\btcbsample (--.*) keys\.csv$", r"\1", message))
 
 
 class Source(NamedTuple):
@@ -194,31 +180,10 @@ def _warn(note: str) -> None:
 _TEXT_OPTIONS = ["input_format", "delimiter", "header", "no_header", "comment", "decimal", "date_order"]
 
 
-def _is_long(value: Any) -> bool:
-    return not isinstance(value, (str, bytes, Mapping)) and np.size(value) > 100
-
-
-def _names_time(columns: str) -> bool:
-    return any(role.partition("=")[0].strip() == "time" for role in columns.split(","))
-
-
-@contextlib.contextmanager
-def _ended(process: subprocess.Popen[bytes]) -> Iterator[subprocess.Popen[bytes]]:
-    """The process, which has ended when the block ends."""
-    try:
-        yield process
-    finally:
-        if process.poll() is None:
-            process.kill()
-        if process.stdout is not None:
-            process.stdout.close()
-        process.wait()
-
-
 class Run:
-    """A run of the program: its words, its input, and the files made for it, until it is closed."""
+    """A run of the program: its words, its input, and the files made for it, which resources own."""
 
-    def __init__(self, keys: Any, name: str = "keys") -> None:
+    def __init__(self, keys: Any, name: str, resources: contextlib.ExitStack) -> None:
         self.sources: dict[str, Source] = {}
         self.words: list[str] = []
         self.files: list[str] = []
@@ -232,22 +197,24 @@ class Run:
         if self.table is not None:
             self.words = ["--input-format=csv", "--comment=none"]
             self.words.append("--no-header" if self.table.names is None else "--header")
-        self.resources = contextlib.ExitStack()
+        self.resources = resources
         self.folder: Optional[str] = None  # of files made for options
         self.input = self._temporary()
         self.input.write(source.text)
 
-    def __enter__(self) -> Run:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.resources.close()
-
     def _temporary(self) -> IO[bytes]:
         return self.resources.enter_context(tempfile.TemporaryFile())
 
+    def _file(self, source: Source) -> str:
+        """A file of a source that the program reads for an option."""
+        if self.folder is None:
+            self.folder = self.resources.enter_context(tempfile.TemporaryDirectory(prefix="tcbsample"))
+        path = os.path.join(self.folder, str(len(self.sources)))
+        pathlib.Path(path).write_bytes(source.text)
+        self.sources[path] = source
+        return path
+
     def _add(self, name: str, value: Any, allowed: Collection[str]) -> None:
-        """Adds an option. Raises TypeError."""
         known = name.rstrip("_")
         if known not in OPTIONS:
             near = "".join(f"; did you mean {other}?" for other in difflib.get_close_matches(known, OPTIONS, 1))
@@ -260,62 +227,49 @@ class Run:
             return
         if self.table is not None and known in _TEXT_OPTIONS:
             raise TypeError(f"{name}: describes text, and the keys are a table; leave it out")
-        if not isinstance(value, (str, bytes)) and is_table(value) and np.size(value) == 0:
+        if is_table(value) and np.size(value) == 0:
             raise ValueError(f"{name}: nothing is in it; expected at least one value")
         option = OPTIONS[known]
         if option.kind == "flag" and value is not True:
             raise TypeError(f"{name}: {value!r}; expected True or False")
-        if option.kind == "flag" or (option.kind == "attached" and value is True):
+        if option.kind in ("flag", "attached") and value is True:
             self.words.append(option.name)
         elif option.kind == "file" and not isinstance(value, (str, os.PathLike)):
-            self.words.append(f"{option.name}={self._file(value)}")
-        elif option.kind == "places" and _is_long(value):
-            self.words.append(f"{option.name}=@{self._write('numbers', text(value).replace(',', chr(10)).encode())}")
+            self.words.append(f"{option.name}={self._file(source_of(value, 'samples'))}")
+        elif option.kind == "places" and not isinstance(value, (str, bytes, Mapping)) and np.size(value) > 100:
+            numbers = text(value).split(",")
+            places = Source(name, "\n".join(numbers).encode(), Table(None, [np.array(numbers)], [], []))
+            self.words.append(f"{option.name}=@{self._file(places)}")
         else:
             self.words.append(f"{option.name}={text(value)}")
 
-    def add(self, options: Mapping[str, Any], allowed: Collection[str] = ()) -> Run:
-        """Adds options; those of the command line alone are allowed here. Raises TypeError for unknown options, others
-        of the command line alone, and values without a text."""
+    def add(self, options: Mapping[str, Any], allowed: Collection[str]) -> None:
+        """Adds options, which are those of functions, and those of the command line alone that are allowed here."""
         options = dict(options)
         columns = text(options.get("columns") or "")
-        if self.table is not None and self.table.time_index is not None and not _names_time(columns):
+        names_time = any(role.partition("=")[0].strip() == "time" for role in columns.split(","))
+        if self.table is not None and self.table.time_index is not None and not names_time:
             options["columns"] = ",".join(filter(None, ["time=1", columns]))  # the index
             if self.table.columns[0].dtype.kind == "m" and options.get("time_unit") is None:
                 options["time_unit"] = "s"
-        try:
-            for name, value in options.items():
-                self._add(name, value, allowed)
-        except BaseException:
-            self.resources.close()
-            raise
-        return self
-
-    def _write(self, name: str, data: bytes) -> str:
-        if self.folder is None:
-            self.folder = self.resources.enter_context(tempfile.TemporaryDirectory(prefix="tcbsample"))
-        path = pathlib.Path(self.folder, f"{name}{len(os.listdir(self.folder))}")
-        path.write_bytes(data)
-        return str(path)
-
-    def _file(self, samples: Any) -> str:
-        """A file with samples that were not a file."""
-        source = source_of(samples, "samples")
-        path = self._write("samples", source.text)
-        self.sources[path] = source
-        return path
+        for name, value in options.items():
+            self._add(name, value, allowed)
 
     def _start(self, words: Iterable[str], **streams: Any) -> subprocess.Popen[bytes]:
+        """The started program, which has ended when the resources are closed."""
         self.input.seek(0)
         command = [program(), *self.words, *words, *self.files]
         flags = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # on Windows
-        return subprocess.Popen(command, stdin=self.input, creationflags=flags, **streams)
+        process = subprocess.Popen(command, stdin=self.input, creationflags=flags, **streams)
+        self.resources.enter_context(process)
+        self.resources.callback(process.kill)
+        return process
 
     def result(self, words: Iterable[str], accepts_difference: bool = False) -> IO[bytes]:
         """The output as a file. Raises Error."""
         output, errors = self._temporary(), self._temporary()
-        with _ended(self._start(words, stdout=output, stderr=errors)) as process:
-            process.wait()
+        process = self._start(words, stdout=output, stderr=errors)
+        process.wait()
         # Exit code 1 is that of rejected data, which has no output, and of a report of differences.
         self._check(process, errors, accepts_difference and os.fstat(output.fileno()).st_size > 0)
         output.seek(0)
@@ -324,12 +278,13 @@ class Run:
     def beginning(self, words: Iterable[str], size: int) -> tuple[bytes, bool]:
         """The first bytes of the output, and whether these are all. Raises Error."""
         errors = self._temporary()
-        with _ended(self._start(words, stdout=subprocess.PIPE, stderr=errors)) as process:
-            assert process.stdout is not None
-            output = process.stdout.read(size)
-            if len(output) == size:
-                return output, False
-            process.wait()
+        process = self._start(words, stdout=subprocess.PIPE, stderr=errors)
+        assert process.stdout is not None
+        output = process.stdout.read(size)
+        if len(output) == size:
+            process.kill()
+            return output, False
+        process.wait()
         self._check(process, errors)
         return output, True
 
@@ -375,10 +330,18 @@ class Run:
     def _one_error(self, match: re.Match[str], exit_code: int) -> Error:
         line, column = (int(match[name]) if match[name] else None for name in ("line", "column"))
         source, message = self._message(match)
-        if source is None:
-            return Error(message, exit_code, None if match["file"] == "tcbsample" else match["file"], line, column)
-        if source.table is None:
-            return Error(message, exit_code, source.name, line, column)
+        file = source.name if source else None if match["file"] == "tcbsample" else match["file"]
+        if source is None or source.table is None:
+            return Error(message, exit_code, file, line, column)
         row = source.row(line)
-        place = source.name if row is None else f"{source.name}, {source.table.row_text(row)}"
-        return Error(message, exit_code, source.name, row=row, place=place)
+        place = file if row is None else f"{file}, {source.table.row_text(row)}"
+        return Error(message, exit_code, file, row=row, place=place)
+
+
+@contextlib.contextmanager
+def run_of(keys: Any, options: Mapping[str, Any], allowed: Collection[str] = (), name: str = "keys") -> Iterator[Run]:
+    """A run with options, whose files are removed when the block ends. Raises TypeError and ValueError."""
+    with contextlib.ExitStack() as resources:
+        run = Run(keys, name, resources)
+        run.add(options, allowed)
+        yield run

@@ -33,12 +33,17 @@ def _kept_names(options: Mapping[str, Any]) -> set[str]:
     return {*re.split("[,:]", ":".join([text(options.get("group") or ""), *names]))} - {""}
 
 
+def _breaks(options: Mapping[str, Any]) -> bool:
+    """Whether rows count curves, which have no other name."""
+    return "break" in (options.get("missing"), options.get("duplicates"))
+
+
 def _kept_column(values: list[Any], table: Table, at: int) -> Any:
     """The values of the keys that a column repeats, with their type; None if it has others."""
     rows = {cell: row for row, cell in enumerate(cells(table.columns[at]))}
     row_of = {value: rows.get(quoted(str(value))) for value in set(values)}
     if None in row_of:  # a missing value
-        row_of[None] = rows.get("", rows.get("nan"))
+        row_of[None] = rows.get("")
     if None in row_of.values():
         return None
     places = np.array([row_of[value] for value in values], dtype=np.intp)
@@ -116,13 +121,22 @@ def _returned(names: list[str], columns: list[Any], table: Optional[Table]) -> A
     return result
 
 
+def _sent(names: list[str], table: Optional[Table]) -> dict[str, np.ndarray[Any, Any]]:
+    """The column of the keys whose type a column of rows with this name has."""
+    if table is None:
+        return {}
+    if table.names is not None:
+        return dict(zip(table.names, table.columns))
+    time_first = sorted(table.columns, key=lambda column: column.dtype.kind not in "mM")
+    return {**dict.fromkeys(names, time_first[-1]), "t": time_first[0]}
+
+
 def _lines_to_rows(rows: list[Optional[dict[str, Any]]], table: Optional[Table], options: Mapping[str, Any]) -> Any:
     """Rows of JSON Lines, where null is between curves that no column distinguishes."""
     curves = np.cumsum([row is None for row in rows], dtype=np.int64)[[row is not None for row in rows]]
-    breaks = "break" in (options.get("missing"), options.get("duplicates")) or None in rows
     dicts = [row for row in rows if row is not None]
     names = list(dicts[0]) if dicts else []
-    sent = {} if table is None else dict(zip(table.names or names, table.columns))
+    sent = _sent(names, table)
     kept = _kept_names(options)
     columns = []
     for name in names:
@@ -130,7 +144,7 @@ def _lines_to_rows(rows: list[Optional[dict[str, Any]]], table: Optional[Table],
         at = table.original(name) if table is not None and name in kept else None
         column = None if table is None or at is None else _kept_column(values, table, at)
         columns.append(_column(values, sent.get(name), name in kept) if column is None else column)
-    if breaks:
+    if _breaks(options) or None in rows:
         if "curve" in names:
             raise ValueError("there is a column curve, whose name the number of the curve needs; rename it")
         names, columns = ["curve", *names], [curves, *columns]
@@ -138,8 +152,7 @@ def _lines_to_rows(rows: list[Optional[dict[str, Any]]], table: Optional[Table],
 
 
 def _array_to_rows(array: np.ndarray[Any, Any], names: list[str], table: Optional[Table]) -> Any:
-    sent = {} if table is None else dict(zip(table.names or names, table.columns))
-    durations = {name for name, column in sent.items() if column.dtype.kind == "m"}
+    durations = {name for name, column in _sent(names, table).items() if column.dtype.kind == "m"}
     if durations.isdisjoint(names) and (table is None or table.frame is None):
         return array.view([(name, array.dtype) for name in names]).reshape(-1)
     columns = [durations_of(column) if name in durations else column for name, column in zip(names, array.T)]
@@ -159,8 +172,7 @@ def rows_of(run: Run, options: Mapping[str, Any]) -> Any:
     lines, complete = run.beginning(["--output-format=jsonl"], _ROOM_OF_LINES)
     if not complete:
         first = _parsed(lines[: lines.rfind(b"\n")])
-        labelled = _kept_names(options) or "break" in (options.get("missing"), options.get("duplicates"))
-        if not labelled and _are_doubles(first, run.table):
+        if not _kept_names(options) and not _breaks(options) and _are_doubles(first, run.table):
             try:
                 array = np.load(run.result(["--output-format=npy"]), allow_pickle=False)
                 return _array_to_rows(array, list(first[0] or ()), run.table)

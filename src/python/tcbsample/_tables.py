@@ -120,10 +120,12 @@ def _frame_table(frame: Any) -> Table:
         index = (frame.index.name,)
         labels.insert(0, _unused(str(frame.index.name or "time"), labels))
         series.insert(0, frame.index.to_series())
-    elif frame.index.nlevels > 1 or frame.index.name is not None:
-        levels = range(frame.index.nlevels)
-        labels[:0] = [frame.index.names[i] if frame.index.names[i] is not None else f"level_{i}" for i in levels]
-        series[:0] = [pandas.Series(frame.index.get_level_values(i)) for i in levels]
+    elif None not in frame.index.names:
+        labels[:0] = frame.index.names
+        series[:0] = [pandas.Series(frame.index.get_level_values(i)) for i in range(frame.index.nlevels)]
+    elif frame.index.nlevels > 1:
+        raise TypeError("a level of the index has no name, so it is unclear what it means; frame.rename_axis(['id', 'time']) "
+                        "makes the levels columns of these names, frame.reset_index(drop=True) leaves them out")  # fmt: skip
     elif frame.index.dtype.kind == "f":
         raise TypeError("the index has no name, so it is unclear what it means; frame.rename_axis('time') makes it a "
                         "column of times, frame.reset_index(drop=True) leaves it out")  # fmt: skip
@@ -192,7 +194,8 @@ def table(keys: Any) -> Table:
     if array.dtype.names:
         return _named({name: array[name] for name in array.dtype.names})
     if array.ndim == 2:
-        return Table(None, [array_of(column) for column in array.T], [], [])
+        columns = map(list, zip(*rows)) if isinstance(rows, list) else array.T  # columns of a list have types of their own
+        return Table(None, [array_of(column) for column in columns], [], [])
     raise TypeError(f"{type(keys).__name__} is no table of keys; expected a 2-D or structured array, a pair of times "
                     "and positions, a dict of columns, a list of dicts, a DataFrame, a Series, a path, an open file, "
                     "or bytes")  # fmt: skip
@@ -219,11 +222,11 @@ def _cell(value: Any) -> str:
 
 
 def cells(column: np.ndarray[Any, Any]) -> list[str]:
-    """The texts of a column: every number with all its digits."""
+    """The texts of a column: every number with all its digits, and nothing for a missing one."""
     kind = column.dtype.kind
     if are_floats(column):
-        column = column.astype(np.float64)
-    if are_floats(column) or kind in "iu":
+        return ["" if number != number else repr(number) for number in column.astype(np.float64).tolist()]
+    if kind in "iu":
         return [repr(number) for number in column.tolist()]
     if kind == "M":
         return ["" if text == "NaT" else text for text in np.datetime_as_string(column, timezone="UTC").tolist()]
@@ -236,11 +239,13 @@ def cells(column: np.ndarray[Any, Any]) -> list[str]:
 
 def encode(table: Table) -> bytes:
     """The table as CSV, with a line of names above the rows if it has names."""
-    if table.columns and all(are_floats(column) for column in table.columns):
+    if len(table.columns) == 1:  # an empty line would be no row
+        lines = "".join((cell or '""') + "\n" for cell in cells(table.columns[0]))
+    elif table.columns and all(are_floats(column) for column in table.columns):
         numbers = np.column_stack(table.columns).astype(np.float64)
         form = ",".join(["%r"] * len(table.columns)) + "\n"  # many rows at once are quicker than row by row
         parts = (numbers[i : i + 10000] for i in range(0, len(numbers), 10000))
-        lines = "".join(form * len(part) % tuple(part.ravel().tolist()) for part in parts)
+        lines = "".join(form * len(part) % tuple(part.ravel().tolist()) for part in parts).replace("nan", "")
     else:
         lines = "".join(",".join(row) + "\n" for row in zip(*map(cells, table.columns)))
     head = "" if table.names is None else ",".join(map(quoted, table.names)) + "\n"
