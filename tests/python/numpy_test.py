@@ -536,6 +536,12 @@ class Curves(unittest.TestCase):
             found = curve([-1, 2, 9])
             np.testing.assert_array_equal(found[[0, 2]], np.stack([rows["x"], rows["y"]], 1)[[0, 2]])
 
+    def test_numbers_near_the_limits_of_doubles(self):
+        curve = tcbsample.Curve([[0, 0], [1e-310, 1]], ends="chord", group=False)
+        self.assertAlmostEqual(float(curve(5e-311)[0]), 0.5)
+        with self.assertRaisesRegex(tcbsample.Error, "beyond the range"):
+            curve(5e-311, 1)
+
     def test_what_is_no_cubic(self):
         keys = {"t": [0, 1, 2], "x": [0, 1, 0], "ease_in": [0.5, 0.5, 0.5], "ease_out": [0.1, 0.2, 0.3]}
         curve = tcbsample.Curve(keys, preset="3dsmax")

@@ -45,7 +45,7 @@ class Frames(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "rename_axis"):
             tcbsample.resample(FRAME.set_index(np.array([0, 0.5, 1])), count=7)
         levels = pd.MultiIndex.from_product([["a"], [0, 1, 2]], names=["id", None])
-        with self.assertRaisesRegex(TypeError, "a level of the index has no name"):
+        with self.assertRaisesRegex(TypeError, "a level of it has none"):
             tcbsample.resample(FRAME.set_index(levels), count=7)
         with self.assertRaisesRegex(TypeError, "'_'.join"):
             tcbsample.resample(pd.concat({"a": FRAME}, axis=1), count=7)

@@ -10,7 +10,7 @@ sys.path.insert(0, sys.argv.pop())
 sys.dont_write_bytecode = True
 import numpy as np
 from scipy.integrate import quad
-from scipy.interpolate import BPoly, CubicHermiteSpline, CubicSpline, PPoly
+from scipy.interpolate import BPoly, CubicHermiteSpline, CubicSpline, PPoly, make_interp_spline
 from scipy.spatial.transform import Rotation
 
 import tcbsample
@@ -95,6 +95,13 @@ class Curves(unittest.TestCase):
                 continue
             with self.assertRaisesRegex(ValueError, text):
                 tcbsample.Curve.from_ppoly(wrong)
+
+    def test_what_is_no_spline_of_cubics(self):
+        for wrong in (BPoly([[0.0], [2], [1]], [0, 1]), make_interp_spline([0, 1, 2, 3], [1, 2, 0, 1]), np.zeros(3)):
+            with self.assertRaisesRegex(TypeError, "expected a PPoly"):
+                tcbsample.Curve.from_ppoly(wrong)
+        with self.assertRaisesRegex(ValueError, "complex"):
+            tcbsample.Curve.from_ppoly(PPoly([[1j], [0]], [0, 1]))
 
     def test_rotations_are_those_of_scipy(self):
         quaternions = Rotation.random(4, random_state=1).as_quat()

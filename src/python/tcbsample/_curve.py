@@ -164,17 +164,17 @@ class Curve:
     """
 
     def __init__(self, keys: Any, /, *, preset: Optional[str] = None, **options: Unpack[Options]) -> None:
-        if options.get("group") is not None:
+        given = {name: value for name, value in options.items() if value is not None and value is not False}
+        if "group" in given:
             raise TypeError("group: a Curve is one curve; make one for each group, as in {name: Curve(rows) for name, "
                             "rows in frame.groupby('id')}")  # fmt: skip
-        of_rows = _OF_ROWS.intersection(name for name, value in options.items() if value is not None)
-        if of_rows:
-            raise TypeError(f"{of_rows.pop()}: an option of rows, which a Curve does not have; leave it out")
+        for name in _OF_ROWS.intersection(given):
+            raise TypeError(f"{name}: an option of rows, which a Curve does not have; leave it out")
         self._keys = keys if isinstance(keys, (str, os.PathLike)) else source_of(keys, "keys")
-        self._options: dict[str, Any] = dict(options, preset=preset)
+        self._options: dict[str, Any] = dict(given, preset=preset)
         self._extrapolate = self._options.pop("extrapolate", None)
         self._metric = options.get("metric")
-        if not options.get("equal_speed") and options.get("parameter") is None:
+        if "equal_speed" not in given and "parameter" not in given:
             self._options.pop("metric", None)  # only lengths depend on it
         self._pieces: Optional[_Pieces] = None
         try:
@@ -214,7 +214,8 @@ class Curve:
             ticks = np.append(starts.view(np.int64), starts[-1:].view(np.int64) + duration)
             times = ticks.view(starts.dtype)
         bezier = np.stack([np.stack([rows[f"{name}_b{i}"] for name in self.names], axis=1) for i in range(4)], axis=1)
-        if np.abs(bezier).max() < 1e306:  # coefficients are up to 48 times as large
+        # Derivatives may be (6 / duration)^3 times as large.
+        if np.abs(bezier).max() < 1e306 * (min(1.0, durations.min().item()) / 6) ** 3:
             self._pieces = _Pieces(ticks[:-1], ticks[1:], durations, bezier.astype(np.float64))
         return times
 
@@ -276,12 +277,11 @@ class Curve:
         places = self._places(t)
         shape, places = (*places.shape, len(self.names)), places.ravel()
         ticks = places.view(np.int64) if places.dtype.kind == "M" else places
-        if pieces is None or golden:
-            inside = np.zeros(ticks.size, dtype=bool)
-        elif ticks.size > 0 and pieces.first <= ticks.min() and ticks.max() <= pieces.last and nu <= 3:
-            return pieces.evaluate(ticks, nu).reshape(shape)
-        else:
+        inside = np.zeros(ticks.size, dtype=bool)
+        if pieces is not None and not golden:
             inside = (ticks >= pieces.first) & (ticks <= pieces.last)
+            if nu <= 3 and inside.all():
+                return pieces.evaluate(ticks, nu).reshape(shape)
         result: Array = np.full((ticks.size, len(self.names)), np.nan)
         if pieces is not None:
             result[inside] = pieces.evaluate(ticks[inside], nu) if nu <= 3 else 0.0
@@ -356,7 +356,8 @@ class Curve:
         from scipy.interpolate import PPoly
 
         if self._pieces is None:
-            raise ValueError("the curve is not a cubic in time, as it has rotations or ease; sample it instead")
+            raise ValueError("the curve is not a cubic in time, as it has rotations or ease, or numbers near the limits "
+                             "of doubles; sample it instead")  # fmt: skip
         h = self._pieces.durations[:, None]
         p = [power[::3] for power in self._pieces.powers]  # of the distance from the start
         coefficients = np.stack([p[3] / h / h / h, p[2] / h / h, p[1] / h, p[0]])
@@ -369,11 +370,16 @@ class Curve:
     def from_ppoly(cls, ppoly: Any) -> Curve:
         """The curve of a scipy.interpolate.PPoly of cubics, such as a CubicSpline: a key with velocities at each break.
 
-        Raises ValueError for polynomials of a higher degree, for values of more than one dimension, and for a curve
-        that jumps.
+        Raises TypeError for what is no PPoly, and ValueError for polynomials of a higher degree or of complex numbers,
+        for values of more than one dimension, and for a curve that jumps.
         """
-        if not hasattr(ppoly, "x"):
-            raise TypeError(f"a {type(ppoly).__name__}; expected a PPoly; make one of a BSpline by PPoly.from_spline()")
+        from scipy.interpolate import PPoly
+
+        if not isinstance(ppoly, PPoly):
+            raise TypeError(f"a {type(ppoly).__name__}; expected a PPoly; make one by PPoly.from_spline() or "
+                            "PPoly.from_bernstein_basis()")  # fmt: skip
+        if np.iscomplexobj(ppoly.c):
+            raise ValueError("the polynomials are complex; expected real numbers")
         c, x = np.asarray(ppoly.c, dtype=np.float64), np.asarray(ppoly.x, dtype=np.float64)
         if c.ndim not in (2, 3):
             raise ValueError(f"values of {c.ndim - 2} dimensions; expected numbers or vectors of channels")

@@ -23,7 +23,7 @@ import numpy as np
 
 from ._command_only import COMMAND_ONLY, PRODUCTS
 from ._options import OPTIONS
-from ._tables import Table, contents, date_text, encode, is_table, table, text
+from ._tables import Table, date_text, encode, is_table, table, text
 
 
 class Note(UserWarning):
@@ -160,8 +160,8 @@ def source_of(value: Any, name: str) -> Source:
     if is_table(value):
         rows = table(value)
         return Source(name, encode(rows), rows)
-    file = getattr(value, "name", None)
-    return Source(file if isinstance(file, str) else name, contents(value))
+    data, file = value.read(), getattr(value, "name", None)
+    return Source(file if isinstance(file, str) else name, data.encode() if isinstance(data, str) else bytes(data))
 
 
 _FORM = re.compile(r"^(?P<file>.*?)(?::(?P<line>\d+))?(?::(?P<column>\d+))?: (?P<kind>error|warning|note): (?P<message>.*)$")

@@ -55,12 +55,6 @@ def is_table(value: Any) -> bool:
     return not isinstance(value, (str, os.PathLike, bytes)) and not hasattr(value, "read")
 
 
-def contents(value: Any) -> bytes:
-    """The bytes of an open file, of text or of bytes, from its position on."""
-    data = value.read()
-    return data.encode() if isinstance(data, str) else bytes(data)
-
-
 # From what users have to columns.
 
 
@@ -97,51 +91,36 @@ def array_of(values: Any) -> np.ndarray[Any, Any]:
     return array
 
 
-def _unused(name: str, names: Sequence[Any]) -> str:
-    while name in map(str, names):
-        name = "index_" + name
-    return name
-
-
-def _is_time_index(index: Any) -> bool:
-    return bool(index.nlevels == 1 and (index.dtype.kind in "mM" or str(index.dtype).startswith(("period", "datetime64"))))
-
-
-def _frame_table(frame: Any) -> Table:
+def _frame_table(keys: Any) -> Table:
     import pandas
 
+    index, frame = keys.index, keys
+    is_time = index.nlevels == 1 and (index.dtype.kind in "mM" or str(index.dtype).startswith(("period", "datetime64")))
+    if not hasattr(keys, "columns"):  # a Series
+        if index.nlevels > 1 or (index.dtype.kind in "iu" and index.name is None and list(index) == list(range(len(index)))):
+            raise TypeError("the index of the Series only counts its rows; expected the times as its index; set it, as in "
+                            "series.set_axis(times)")  # fmt: skip
+        is_time, frame = True, keys.to_frame("x" if keys.name is None else keys.name)
     labels = list(frame.columns)
     if frame.columns.nlevels > 1:
         raise TypeError("the columns have names of several levels; expected one name for each column; join them, as in "
                         "frame.columns = ['_'.join(map(str, name)) for name in frame.columns]")  # fmt: skip
     series = [frame.iloc[:, i] for i in range(frame.shape[1])]
-    index = None
-    if _is_time_index(frame.index):
-        index = (frame.index.name,)
-        labels.insert(0, _unused(str(frame.index.name or "time"), labels))
-        series.insert(0, frame.index.to_series())
-    elif None not in frame.index.names:
-        labels[:0] = frame.index.names
-        series[:0] = [pandas.Series(frame.index.get_level_values(i)) for i in range(frame.index.nlevels)]
-    elif frame.index.nlevels > 1:
-        raise TypeError("a level of the index has no name, so it is unclear what it means; frame.rename_axis(['id', 'time']) "
-                        "makes the levels columns of these names, frame.reset_index(drop=True) leaves them out")  # fmt: skip
-    elif frame.index.dtype.kind == "f":
-        raise TypeError("the index has no name, so it is unclear what it means; frame.rename_axis('time') makes it a "
-                        "column of times, frame.reset_index(drop=True) leaves it out")  # fmt: skip
-    return Table([str(label) for label in labels], [array_of(one) for one in series], labels, series, index, frame)
-
-
-def _series_table(series: Any) -> Table:
-    index = series.index
-    if index.nlevels > 1 or (index.dtype.kind in "iu" and index.name is None and list(index) == list(range(len(index)))):
-        raise TypeError("the index of the Series only counts its rows; expected the times as its index; set it, as in "
-                        "series.set_axis(times)")  # fmt: skip
-    label = series.name if series.name is not None else "x"
-    time = _unused(str(index.name or "time"), [label])
-    times = index.to_series()
-    return Table([time, str(label)], [array_of(times), array_of(series)], [time, label], [times, series], (index.name,),
-                 series)  # fmt: skip
+    if is_time:
+        time = str(index.name or "time")
+        while time in map(str, labels):
+            time = "index_" + time
+        labels.insert(0, time)
+        series.insert(0, index.to_series())
+    elif None not in index.names:
+        labels[:0] = index.names
+        series[:0] = [pandas.Series(index.get_level_values(i)) for i in range(index.nlevels)]
+    elif index.nlevels > 1 or index.dtype.kind == "f":
+        raise TypeError("the index has no name, or a level of it has none, so it is unclear what it means; "
+                        "frame.rename_axis('time'), or a list of names, makes it columns, and "
+                        "frame.reset_index(drop=True) leaves it out")  # fmt: skip
+    time_index = (index.name,) if is_time else None
+    return Table([str(label) for label in labels], [array_of(one) for one in series], labels, series, time_index, frame)
 
 
 def _named(columns: Mapping[Any, Any]) -> Table:
@@ -152,23 +131,12 @@ def _named(columns: Mapping[Any, Any]) -> Table:
     return Table([str(name) for name in columns], arrays, list(columns), arrays)
 
 
-def _rows_of_dicts(rows: Sequence[Mapping[Any, Any]]) -> Table:
-    names = list(dict.fromkeys(name for row in rows for name in row))
-    columns = {}
-    for name in names:
-        values = [row.get(name) for row in rows]
-        column = np.asarray(values)
-        columns[name] = column if column.ndim == 1 else np.array([*values, None], dtype=object)[:-1]
-    return _named(columns)
-
-
-def _is_pair(keys: tuple[Any, ...]) -> bool:
-    """Whether keys are times and positions, each an array or a list, as interpolators of SciPy take them."""
-    are_columns = [isinstance(part, (list, range)) or hasattr(part, "__array__") for part in keys]
-    return are_columns == [True, True]
+def _is_column(values: Any) -> bool:
+    return isinstance(values, (list, range)) or hasattr(values, "__array__")
 
 
 def _pair_table(keys: Any) -> Table:
+    """Times and positions, each an array or a list, as interpolators of SciPy take them."""
     times, positions = map(array_of, keys)
     if times.ndim != 1 or positions.ndim not in (1, 2) or len(times) != len(positions):
         raise ValueError(f"times of shape {times.shape} with positions of shape {positions.shape}; expected n times "
@@ -179,14 +147,15 @@ def _pair_table(keys: Any) -> Table:
 def table(keys: Any) -> Table:
     """The columns of keys or samples in memory. Raises TypeError or ValueError for what is not a table."""
     if is_pandas(keys):
-        return _frame_table(keys) if hasattr(keys, "columns") else _series_table(keys)
+        return _frame_table(keys)
     if isinstance(keys, Mapping):
         return _named(keys)
-    if isinstance(keys, tuple) and _is_pair(keys):
+    if isinstance(keys, tuple) and len(keys) == 2 and all(map(_is_column, keys)):
         return _pair_table(keys)
-    rows = list(keys) if isinstance(keys, Iterable) and not hasattr(keys, "__array__") else keys
+    rows: Any = list(keys) if isinstance(keys, Iterable) and not hasattr(keys, "__array__") else keys
     if isinstance(rows, list) and rows and all(isinstance(row, Mapping) for row in rows):
-        return _rows_of_dicts(rows)
+        names = dict.fromkeys(name for row in rows for name in row)
+        return _named({name: [row.get(name) for row in rows] for name in names})
     try:
         array = rows if isinstance(rows, np.ma.MaskedArray) else np.asarray(rows)
     except ValueError:
