@@ -309,6 +309,11 @@ Samples recorded_samples(const InputCurve& curve, const Schema& schema, const Cu
     const std::uint64_t line = samples.lines.empty() ? 0 : samples.lines[0];
     throw data_error("the curve has fewer than two samples; --fit needs at least two; add samples").at({"", line, 0});
   }
+  if (!std::isfinite(recording.times.back())) {
+    throw data_error(
+        "the time from the first sample to the last is beyond the range of doubles; expected less than 1.8e308; scale "
+        "the samples down");
+  }
   require_resolution(recording, names);
   samples.kept = kept_samples(samples.times, kept_times_of(curve, schema, options));
   return samples;

@@ -104,9 +104,8 @@ class Placer {
 
 void refuse_overflow(const Sample& sample) {
   throw data_error(
-      "the row at time {} has a number beyond the range of doubles; expected less than 1.8e308 in size; scale the keys "
-      "down",
-      time_text(sample.t));
+      "{} has a number beyond the range of doubles; expected less than 1.8e308 in size; scale the keys down",
+      std::isfinite(sample.t.hi) ? "the row at time " + time_text(sample.t) : "the time of a row");
 }
 
 std::uint64_t SampleBlock::rows() const {

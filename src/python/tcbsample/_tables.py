@@ -146,26 +146,29 @@ def _pair_table(keys: Any) -> Table:
 
 def table(keys: Any) -> Table:
     """The columns of keys or samples in memory. Raises TypeError or ValueError for what is not a table."""
+    kind = type(keys).__name__
     if is_pandas(keys):
         return _frame_table(keys)
     if isinstance(keys, Mapping):
         return _named(keys)
     if isinstance(keys, tuple) and len(keys) == 2 and all(map(_is_column, keys)):
         return _pair_table(keys)
-    rows: Any = list(keys) if isinstance(keys, Iterable) and not hasattr(keys, "__array__") else keys
-    if isinstance(rows, list) and rows and all(isinstance(row, Mapping) for row in rows):
+    rows: list[Any] = []
+    if isinstance(keys, Iterable) and not hasattr(keys, "__array__"):
+        keys = rows = list(keys)
+    if rows and all(isinstance(row, Mapping) for row in rows):
         names = dict.fromkeys(name for row in rows for name in row)
         return _named({name: [row.get(name) for row in rows] for name in names})
     try:
-        array = rows if isinstance(rows, np.ma.MaskedArray) else np.asarray(rows)
+        array = keys if isinstance(keys, np.ma.MaskedArray) else np.asarray(keys)
     except ValueError:
         array = np.empty(0)  # rows of several lengths
     if array.dtype.names:
         return _named({name: array[name] for name in array.dtype.names})
     if array.ndim == 2:
-        columns = map(list, zip(*rows)) if isinstance(rows, list) else array.T  # columns of a list have types of their own
+        columns: Any = map(list, zip(*rows)) if rows else array.T  # columns of a list have types of their own
         return Table(None, [array_of(column) for column in columns], [], [])
-    raise TypeError(f"{type(keys).__name__} is no table of keys; expected a 2-D or structured array, a pair of times "
+    raise TypeError(f"{kind} is no table of keys; expected a 2-D or structured array, a pair of times "
                     "and positions, a dict of columns, a list of dicts, a DataFrame, a Series, a path, an open file, "
                     "or bytes")  # fmt: skip
 
