@@ -59,8 +59,7 @@ Grid::Grid(const Rational& start, const Rational& step) : start_(start), step_(s
   if (!std::isfinite(nearest_double(step))) {
     throw data_error(
         "the step from one sample to the next is beyond the range of doubles; expected less than 1.8e308; scale the "
-        "keys "
-        "down");
+        "keys down");
   }
   near_start_ = nearest_double_double(start);
   near_step_ = nearest_double_double(step);
