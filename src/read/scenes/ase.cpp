@@ -115,6 +115,7 @@ class AseExport {
       }
       track_->has_ease = track_->has_ease || key.ease_in.value != 0 || key.ease_out.value != 0;
     }
+    lines_.require_end(next);
     memory_.add(memory_of_key * track_->channels.size());
     for (std::size_t i = 0; i < track_->channels.size(); ++i) {
       key.value = lines_.number_in(2 + i);

@@ -212,7 +212,8 @@ class Motions {
     std::vector<Envelope> envelopes;
     for (std::size_t i = 0; i < count; ++i) {
       lines_.require_next();
-      if (lines_.word(0) != "Channel") throw lines_.at(scene_word_expected("Channel", lines_.word(0)));
+      const std::string expected = fmt::format("Channel {}", i);
+      if (lines_.from_word(0) != expected) throw lines_.at(scene_word_expected(expected, lines_.from_word(0)));
       envelopes.push_back(read_envelope());
     }
     return envelopes;
@@ -262,6 +263,7 @@ class Motions {
     key.line = lines_.number();
     if (key.has_tangents()) key.incoming = lines_.number_in(first + 6);
     if (key.has_tangents()) key.outgoing = lines_.number_in(first + 7);
+    lines_.require_end(first + (version_ == 2 ? 6 : 9));
     return key;
   }
 
@@ -314,6 +316,7 @@ class Motions {
     key.tension = lines_.number_in(2);
     key.continuity = lines_.number_in(3);
     key.bias = lines_.number_in(4);
+    lines_.require_end(5);
     key.line = lines_.number();
     memory_.add(memory_of_envelope_key * envelopes.size());
     for (std::size_t i = 0; i < envelopes.size(); ++i) {

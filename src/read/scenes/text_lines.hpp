@@ -65,6 +65,13 @@ class TextLines {
     if (!count) throw at(count_of_file_expected(word(i)));
     return *count;
   }
+  /// Throws: Error (data) where a word is beyond those of a key.
+  void require_end(std::size_t i) const {
+    if (i < words_.size()) {
+      throw at(data_error("{} follows the numbers of the key; expected the end of the line; correct the file",
+                          in_quotes(from_word(i))));
+    }
+  }
 
  private:
   std::string_view text_, line_;
