@@ -195,9 +195,9 @@ std::string json(const Check& check) {
   std::string coverage;
   for (const Coverage& one : check.coverage) coverage += (coverage.empty() ? "\n" : ",\n") + json(one);
   return fmt::format(
-      "{{\"passed\":{},\"file\":{},\"keys\":{},\"samples\":\"{}\",\n\"rows\":{},\"values\":{},\"mismatches\":{},"
-      "\n\"first\":{},\n\"worst\":{},\n\"columns\":[{}],\n\"coverage\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}"
-      "\n",
+      "{{\"passed\":{},\"file\":{},\"keys\":{},\"samples\":\"{}\",\n"
+      "\"rows\":{},\"values\":{},\"mismatches\":{},\n\"first\":{},\n\"worst\":{},\n"
+      "\"columns\":[{}],\n\"coverage\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
       check.passed(), json_text(check.file), json_text(check.keys), samples_at(check.by_length), check.rows,
       check.values, check.mismatches, json(check.first), json(check.worst), columns, coverage,
       json_list(check.problems), json_list(check.ignored));
@@ -225,8 +225,9 @@ std::string json(const Identification& found) {
   }
   const Candidate& best = ranking.candidates.front();
   return fmt::format(
-      "{{\"fits\":{},\"within\":{},\"file\":{},\"keys\":{},\"samples\":\"{}\",\n\"rows\":{},\"conventions\":{},\"same_"
-      "orders\":{},\n\"first\":{},\n\"worst\":{},\n\"ranking\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
+      "{{\"fits\":{},\"within\":{},\"file\":{},\"keys\":{},\"samples\":\"{}\",\n"
+      "\"rows\":{},\"conventions\":{},\"same_orders\":{},\n\"first\":{},\n\"worst\":{},\n"
+      "\"ranking\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
       found.fits(), ranking.precision ? json_text(name_of(*ranking.precision)) : "null", json_text(found.file),
       json_text(found.keys), samples_at(found.by_length), found.rows, found.conventions,
       json_list(order_of(found, best).same), json(best.first), json(best.worst), rows, json_list(found.problems),

@@ -134,7 +134,12 @@ constexpr OtherFile other_files[] = {
      {.members = {"frames", "transform_matrix"}},
      "a transforms.json of poses without times",
      "give --records frames --parameter uniform --columns "
-     "position=transform_matrix[0][3]:transform_matrix[1][3]:transform_matrix[2][3]"},
+     "'position=transform_matrix[0][3]:transform_matrix[1][3]:transform_matrix[2][3]'"},
+    {{},
+     {.members = {"R", "T", "glow_mode"}},
+     "a camera path of instant-ngp, whose keys have no times and whose curve, a B-spline, does not pass through them",
+     "give WORD--parameter uniform --columns position=T --rotation 'quaternion=R[0]:R[1]:R[2]:R[3]' for a curve "
+     "that does"},
     {{}, {.members = {"layers", "ip", "op"}}, "a Lottie animation", "export its keyframes as a table"},
     {{},
      {.members = {"tracks", "times", "values"}},
@@ -144,7 +149,7 @@ constexpr OtherFile other_files[] = {
     {{},
      {.members = {"fileType", "mission"}},
      "a plan of QGroundControl, whose items have no times",
-     "give --records mission.items --parameter uniform --columns position=params[4]:params[5]:params[6]"},
+     "give --records mission.items --parameter uniform --columns 'position=params[4]:params[5]:params[6]'"},
     {{},
      {.members = {"asset", "accessors", "animations"}},
      "a glTF scene, whose keys are in a buffer",

@@ -38,11 +38,15 @@ std::string shown(const FoundColumns& found, std::size_t cell) {
   return found.names.empty() ? fmt::format("column {}", cell + 1) : in_quotes(found.names[cell]);
 }
 
-/// A value of --columns with the role and all these columns.
-std::string roles_of(const FoundColumns& found, std::string_view role, const std::vector<std::size_t>& cells) {
-  std::vector<std::string> names;
-  for (const std::size_t cell : cells) names.push_back(request_of(found, cell));
-  return in_shell(fmt::format("{}={}", role, fmt::join(names, ":")));
+std::vector<std::string> requests_of(const FoundColumns& found, std::span<const std::size_t> cells) {
+  std::vector<std::string> requests;
+  for (const std::size_t cell : cells) requests.push_back(request_of(found, cell));
+  return requests;
+}
+
+/// A value of --columns or --rotation with the role and all these columns.
+std::string roles_of(const FoundColumns& found, std::string_view role, std::span<const std::size_t> cells) {
+  return in_shell(fmt::format("{}={}", role, fmt::join(requests_of(found, cells), ":")));
 }
 
 std::vector<std::string> names_of(std::span<const std::string> names, std::span<const std::size_t> chosen) {
@@ -183,8 +187,8 @@ Found near_miss_of_role(const FoundColumns& found) {
     if (!near || std::ranges::count(found.meant, name) > 0) continue;
     return error(
         "column {} would be a channel, but its name is close to the role {}; expected {}, or a name that is not close "
-        "to it; rename the column, or give {} {} if it has this role, or {} {} if it has not",
-        in_quotes(name), *near, *near, "--columns", roles_of(found, *near, {cell}), "--columns", positions_of(found));
+        "to it; rename the column, or give --columns {} if it has this role, or --columns {} if it has not",
+        in_quotes(name), *near, *near, roles_of(found, *near, {&cell, 1}), positions_of(found));
   }
   return std::nullopt;
 }
@@ -197,9 +201,8 @@ Found coefficients_of_pieces(const FoundColumns& found) {
   if (std::ranges::count(found.names, "duration") == 0 || !is_of_power("^0") || !is_of_power("^1")) return std::nullopt;
   if (is_requested(found, Role::position)) return std::nullopt;
   return error(
-      "the columns are coefficients of pieces, which {} poly writes; expected keys; give the keys that the pieces were "
-      "made of, pieces that {} hermite writes, or {} for keys with these channels",
-      "--emit", "--emit", "--columns");
+      "the columns are coefficients of pieces, which --emit poly writes; expected keys; give the keys that the pieces "
+      "were made of, pieces that --emit hermite writes, or --columns for keys with these channels");
 }
 
 Found letters_that_are_data(const FoundColumns& found) {
@@ -210,9 +213,9 @@ Found letters_that_are_data(const FoundColumns& found) {
   }
   if (letters.empty()) return std::nullopt;
   return note(
-      "positions by a single letter: {}; only T, C and B together are tension, continuity and bias; {} {}={} gives the "
-      "role",
-      listed(letters), "--columns", role_name(role_of_name(letters[0])), letters[0]);
+      "positions by a single letter: {}; only T, C and B together are tension, continuity and bias; --columns {}={} "
+      "gives the role",
+      listed(letters), role_name(role_of_name(letters[0])), letters[0]);
 }
 
 /// Columns that are parameters by their names.
@@ -250,11 +253,11 @@ Found parameters_that_are_data(const FoundColumns& found) {
   const bool is_doubt = cells.size() == 3 && are_letters ? beyond > 0 : 2 * beyond > all;
   if (!is_doubt) return std::nullopt;
   return error(
-      "{} would shape the curve as {}, but {} is {}; expected parameters, which are usually from -1 to 1; give {} {} "
-      "for channels, {} none for parameters as they are, or {} 3dsmax for parameters from 0 to 50",
+      "{} would shape the curve as {}, but {} is {}; expected parameters, which are usually from -1 to 1; give "
+      "--columns {} for channels, --tcb-scale none for parameters as they are, or --tcb-scale 3dsmax for parameters "
+      "from 0 to 50",
       listed(names_of(found.names, cells)), cells.size() == 1 ? "a parameter" : "tension, continuity and bias",
-      in_quotes(found.names[first->first]), first->second, "--columns", positions_of(found), "--tcb-scale",
-      "--tcb-scale");
+      in_quotes(found.names[first->first]), first->second, positions_of(found));
 }
 
 Found column_numbers_above_rows(const FoundColumns& found) {
@@ -273,7 +276,7 @@ Found column_numbers_above_rows(const FoundColumns& found) {
   }
   const double step = number_in(found, found.rows[1], 0) - begin;
   if (!has_fraction && step == 1) return std::nullopt;
-  return note("the first line counts the columns; {} takes it as their names, not as a key", "--header");
+  return note("the first line counts the columns; --header takes it as their names, not as a key");
 }
 
 /// A column without a role whose cells are times: dates, times of day or timecode, or numbers by its name.
@@ -292,9 +295,9 @@ Found times_without_role(const FoundColumns& found) {
         role == Role::position && !chooses_positions && cell < found.names.size() && ends_like_time(found.names[cell]);
     if (!is_channel && (role != Role::ignored || !holds_times(found, cell))) continue;
     return error(
-        "column {} seems to have the times, but no column is the time; expected a time; give {} {}, or {} uniform if "
-        "the keys have no times",
-        shown(found, cell), "--columns", roles_of(found, "time", {cell}), "--parameter");
+        "column {} seems to have the times, but no column is the time; expected a time; give --columns {}, or "
+        "--parameter uniform if the keys have no times",
+        shown(found, cell), roles_of(found, "time", {&cell, 1}));
   }
   return std::nullopt;
 }
@@ -313,9 +316,9 @@ Found times_as_names(const FoundColumns& found) {
   const bool count = (times[0] == 0 || times[0] == 1) && all_steps([](double a, double b) { return b == a + 1; });
   if (count || !all_steps(std::less<>())) return std::nullopt;
   return error(
-      "the columns are called {}, as times are; expected a row for each time; transpose the table, or give {} uniform "
-      "if the rows are keys without times",
-      listed(channels), "--parameter");
+      "the columns are called {}, as times are; expected a row for each time; transpose the table, or give --parameter "
+      "uniform if the rows are keys without times",
+      listed(channels));
 }
 
 Found time_in_two_numbers(const FoundColumns& found) {
@@ -337,9 +340,8 @@ Found time_in_two_numbers(const FoundColumns& found) {
   }
   if (!is_large && !repeats) return std::nullopt;
   return error(
-      "columns 1 and 2 seem to be the seconds and the nanoseconds of a time; expected names, or roles; give {} "
-      "time=1,nanoseconds=2 if they are, or {} time=1 if column 2 is a position",
-      "--columns", "--columns");
+      "columns 1 and 2 seem to be the seconds and the nanoseconds of a time; expected names, or roles; give --columns "
+      "time=1,nanoseconds=2 if they are, or --columns time=1 if column 2 is a position");
 }
 
 /// The columns of a year, a month and a day: by their names, or the first three without names.
@@ -373,8 +375,8 @@ Found date_in_three_numbers(const FoundColumns& found) {
   if (!cells) return std::nullopt;
   return error(
       "the year, the month and the day seem to be in {}, {} and {}; expected one column of times, such as "
-      "2024-03-01T13:00; join them, or give {} time=NAME if one of them is the time",
-      shown(found, (*cells)[0]), shown(found, (*cells)[1]), shown(found, (*cells)[2]), "--columns");
+      "2024-03-01T13:00; join them, or give --columns time=NAME if one of them is the time",
+      shown(found, (*cells)[0]), shown(found, (*cells)[1]), shown(found, (*cells)[2]));
 }
 
 Found dates_as_numbers(const FoundColumns& found) {
@@ -392,8 +394,8 @@ Found dates_as_numbers(const FoundColumns& found) {
     if (!are_dates) continue;
     return error(
         "the dates in column {} are written as whole numbers, such as {}; expected marks between year, month and day, "
-        "as in 2024-03-01; add them, or give {} {} to take them as numbers",
-        shown(found, cell), found.rows[0][cell], "--columns", roles_of(found, "time", {cell}));
+        "as in 2024-03-01; add them, or give --columns {} to take them as numbers",
+        shown(found, cell), found.rows[0][cell], roles_of(found, "time", {&cell, 1}));
   }
   return std::nullopt;
 }
@@ -423,11 +425,10 @@ Found quaternion_called_wxyz(const FoundColumns& found) {
     if (found.columns.cells[cells[i]].role != Role::position) return std::nullopt;
   }
   if (!are_units(found, cells)) return std::nullopt;
-  const std::vector<std::string> names = names_of(found.names, cells);
   return error(
-      "columns {} have the norm 1, as quaternions do; expected the rotation to be named; give {} {} for a rotation, or "
-      "{} none for plain channels",
-      listed(names), "--rotation", in_shell(fmt::format("quaternion={}", fmt::join(names, ":"))), "--rotation");
+      "columns {} have the norm 1, as quaternions do; expected the rotation to be named; give --rotation {} for a "
+      "rotation, or --rotation none for plain channels",
+      listed(names_of(found.names, cells)), roles_of(found, "quaternion", cells));
 }
 
 /// Columns of slopes beside a single position, as animation curves of game engines have them.
@@ -444,8 +445,8 @@ Found slopes_by_name(const FoundColumns& found) {
     const auto value = std::ranges::find_if(
         channels, [](std::string_view name) { return same_in_any_case(name, "value") || same_in_any_case(name, "y"); });
     if (std::ranges::count_if(channels, is_slope) != 2 || value == channels.end()) continue;
-    return note("columns {} may be the slopes of {}; {} {} takes them as velocities", listed(both), in_quotes(*value),
-                "--columns", in_shell(fmt::format("{0}_vin={1},{0}_vout={2}", *value, both[0], both[1])));
+    return note("columns {} may be the slopes of {}; --columns {} takes them as velocities", listed(both),
+                in_quotes(*value), in_shell(fmt::format("{0}_vin={1},{0}_vout={2}", *value, both[0], both[1])));
   }
   return std::nullopt;
 }
@@ -477,9 +478,11 @@ Found rotation_vector_by_name(const FoundColumns& found) {
     }
   }
   if (cells.size() != 3) return std::nullopt;
-  return note("columns {} may be a rotation vector; {} {} resamples them as a rotation, {} none leaves out this note",
-              listed(std::vector{shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2])}), "--rotation",
-              roles_of(found, "axis-angle", cells), "--rotation");
+  return note(
+      "columns {} may be a rotation vector; --rotation {} resamples them as a rotation, --rotation none leaves out "
+      "this note",
+      listed(std::vector{shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2])}),
+      roles_of(found, "axis-angle", cells));
 }
 
 Found poses_without_names(const FoundColumns& found) {
@@ -487,9 +490,8 @@ Found poses_without_names(const FoundColumns& found) {
     return std::nullopt;
   }
   return note(
-      "the columns may be poses, matrices of 3 rows and 4 columns; {0} uniform {1} matrix=1:2:3:5:6:7:9:10:11 "
-      "resamples them as poses, {1} none leaves out this note",
-      "--parameter", "--rotation");
+      "the columns may be poses, matrices of 3 rows and 4 columns; --parameter uniform --rotation "
+      "matrix=1:2:3:5:6:7:9:10:11 resamples them as poses, --rotation none leaves out this note");
 }
 
 /// Four neighbours of norm 1, without names or with names that are not those of rotations.
@@ -510,12 +512,10 @@ Found quaternion_by_norm(const FoundColumns& found) {
     if (!found.names.empty() && (rotation_stem_of(found.names[four[0]]) || std::ranges::all_of(found.rows, is_whole))) {
       continue;
     }
-    std::vector<std::string> names;
-    for (const std::size_t cell : four) names.push_back(request_of(found, cell));
     return note(
-        "columns {} may be a quaternion; {} {} resamples them as a rotation whose last number is w, {} none leaves out "
-        "this note",
-        listed(names), "--rotation", in_shell(fmt::format("quaternion={}", fmt::join(names, ":"))), "--rotation");
+        "columns {} may be a quaternion; --rotation {} resamples them as a rotation whose last number is w, --rotation "
+        "none leaves out this note",
+        listed(requests_of(found, four)), roles_of(found, "quaternion", four));
   }
   return std::nullopt;
 }
@@ -561,8 +561,8 @@ Found lengths_of_degrees(const Schema& schema, const RequestNeeds& needs) {
   std::vector<std::string> names = names_of(schema.channels, plain_channels(schema));
   return error(
       "{} and {} are degrees, which are not lengths; expected coordinates in one unit of length; convert them, or give "
-      "{} {} to measure these numbers as they are",
-      in_quotes(*latitude), in_quotes(*longitude), "--metric", in_shell(fmt::format("{}", fmt::join(names, ","))));
+      "--metric {} to measure these numbers as they are",
+      in_quotes(*latitude), in_quotes(*longitude), in_shell(fmt::format("{}", fmt::join(names, ","))));
 }
 
 Found lengths_of_space(const Schema& schema, const RequestNeeds& needs) {
@@ -574,8 +574,8 @@ Found lengths_of_space(const Schema& schema, const RequestNeeds& needs) {
     if (std::ranges::count(space, channel) == 0) others.push_back(schema.channels[channel]);
   }
   if (others.empty()) return std::nullopt;
-  return note("lengths and speeds measure {}, without {}; {} all measures all channels",
-              listed(names_of(schema.channels, space)), listed(others), "--metric");
+  return note("lengths and speeds measure {}, without {}; --metric all measures all channels",
+              listed(names_of(schema.channels, space)), listed(others));
 }
 
 Found lengths_of_unlike_things(const Schema& schema, const RequestNeeds& needs) {
@@ -586,14 +586,14 @@ Found lengths_of_unlike_things(const Schema& schema, const RequestNeeds& needs) 
   const auto other = std::ranges::find_if(
       plain, [&](std::size_t channel) { return !are_of_one_kind(first, schema.channels[channel]); });
   if (other == plain.end()) return std::nullopt;
-  return note("lengths and speeds measure all channels together, also {} and {}; {} NAME,... chooses some",
-              in_quotes(first), in_quotes(schema.channels[*other]), "--metric");
+  return note("lengths and speeds measure all channels together, also {} and {}; --metric NAME,... chooses some",
+              in_quotes(first), in_quotes(schema.channels[*other]));
 }
 
 Found time_by_its_place(const Schema& schema, const RequestNeeds& needs) {
   // Lists of numbers in JSON are often points.
   if (!schema.time.is_by_place || (!needs.by_length && schema.marks)) return std::nullopt;
-  return note("the first column is taken as the time; {} uniform takes it as a position", "--parameter");
+  return note("the first column is taken as the time; --parameter uniform takes it as a position");
 }
 
 /// Times without a unit are taken as seconds.
@@ -605,21 +605,21 @@ Found seconds_of_unknown_times(const Schema& schema, const RequestNeeds& needs) 
   if (!(rows > many)) return std::nullopt;
   if (!(rows > most)) {
     return note(
-        "the unit of the times in column {} is unknown; as seconds they give {:.0f} rows for each key; {} ms or {} 24 "
-        "gives another one",
-        column, rows, "--time-unit", "--input-fps");
+        "the unit of the times in column {} is unknown; as seconds they give {:.0f} rows for each key; --time-unit ms "
+        "or --input-fps 24 gives another one",
+        column, rows);
   }
   if (schema.time.epoch_unit) {
     return error(
         "the times in column {} seem to be {} since 1970, and as seconds they give {:.0f} rows for each key; expected "
-        "their unit; give {} {} if it is this one, or {} s if they are seconds",
-        column, row_of(*schema.time.epoch_unit).name, rows, "--time-unit", row_of(*schema.time.epoch_unit).name,
-        "--time-unit");
+        "their unit; give --time-unit {} if it is this one, or --time-unit s if they are seconds",
+        column, row_of(*schema.time.epoch_unit).name, rows, row_of(*schema.time.epoch_unit).name);
   }
   return error(
       "the unit of the times in column {} is unknown, and as seconds they give {:.0f} rows for each key; expected "
-      "their unit; give {} ms, us or ns if it is one of these, {} HZ if they count frames, or {} s if they are seconds",
-      column, rows, "--time-unit", "--input-fps", "--time-unit");
+      "their unit; give --time-unit ms, us or ns if it is one of these, --input-fps HZ if they count frames, or "
+      "--time-unit s if they are seconds",
+      column, rows);
 }
 
 /// Steps without a unit have that of the times.

@@ -91,7 +91,7 @@ class CameraValues {
           *value,
           data_error("the matrix is a text, as in files of nerfstudio before version 1, whose curve is another one; "
                      "expected 16 numbers; give --input-format json --records camera_path --parameter uniform "
-                     "--columns position=camera_to_world[3]:camera_to_world[7]:camera_to_world[11] for its frames"));
+                     "--columns 'position=camera_to_world[3]:camera_to_world[7]:camera_to_world[11]' for its frames"));
     }
     if (tape_.kind(*value) != Kind::array)
       throw at(*value, data_error("this is not an array; expected one of numbers, as in the first key; correct it"));

@@ -344,12 +344,11 @@ Records open_whole(JsonPart part, const InputOptions& options) {
       return open_tables(text, {*table}, options, has_times ? JsonShape::table_by_index : JsonShape::table);
     }
     key = open_one_key(text->part.chunk, options, reason);
-    const bool has_time = key && key->columns.has(Role::time) && tape.member(0, key->columns.time);
-    if (has_time) return *std::move(key);
   }
   std::vector<JsonTable> tables = find_tables(tape, options);
   if (!tables.empty()) return open_tables(text, std::move(tables), options);
-  if (key && options.columns.timeless) return *std::move(key);
+  const bool has_time = key && key->columns.has(Role::time) && tape.member(0, key->columns.time);
+  if (key && (has_time || options.columns.timeless)) return *std::move(key);
   if (reason) throw *reason;
   throw data_error(
       "found no list of keys; expected an array of objects or of rows, or an object of columns; give --records if it "

@@ -12,6 +12,7 @@
 #include "numbers/parse_number.hpp"
 #include "read/scenes/tracks.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 
