@@ -358,13 +358,13 @@ class FirstKey {
     if (!requested_.samples) spread();
     name_columns();
     JsonColumns result;
-    std::vector<std::string> header, unused;
+    std::vector<std::string> header;
     for (FoundMember& member : members_) {
       member.cell = header.size();
       header.insert(header.end(), member.columns.begin(), member.columns.end());
       if (member.is_spread) continue;
       add_member(result.members, member);
-      if (member.columns.empty() && !member.empty) unused.push_back(member.name);
+      if (member.columns.empty() && !member.empty) unused_.push_back(member.name);
     }
     const std::vector<bool> numeric = numeric_cells(header);
     if (requested_.samples) {
@@ -380,7 +380,7 @@ class FirstKey {
     if (has_array) result.columns.likely_time.clear();
     const bool lacks_time = !result.columns.has(Role::time) && !requested_.timeless && !requested_.samples;
     if (has_array && lacks_time) require_no_lost_time(result.columns);
-    result.columns.ignored.insert(result.columns.ignored.end(), unused.begin(), unused.end());
+    result.columns.ignored.insert(result.columns.ignored.end(), unused_.begin(), unused_.end());
     result.found = result.columns.cells.size();
     if (!requested_.samples) find_doubts(result, header);
     add_optional_members(result);
@@ -460,24 +460,31 @@ class FirstKey {
       const bool is_position = members_[i].nested && !members_[i].array && members_[i].name == "position" &&
                                !requested_.has(Role::position) && !has_position_array && members_[i].deep_numbers;
       std::vector<FoundMember> inside;
+      std::vector<std::string> rest;
       add_inside(inside, members_[i]);
       for (FoundMember& inner : inside) {
         const auto is_element = [](const std::string& step) { return step.starts_with('['); };
         const auto elements = std::ranges::count_if(inner.route, is_element);
         const bool in_vector = elements == 1 && !is_element(inner.route[1]) && is_element(inner.route.back());
         const bool may_be_position = lacks_position && (elements == 0 || in_vector);
-        const bool may_be_time = lacks_time && elements == 0 && (has_time_name(inner) || time_part_of(inner.name));
+        const bool is_time = !inner.text && (has_time_name(inner) || time_part_of(inner.name));
+        const bool may_be_time = lacks_time && elements == 0 && is_time;
         const bool is_taken = is_position || may_be_position || may_be_time;
         const bool is_of_request =
             is_requested(inner.name) || std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
               return std::ranges::any_of(role.columns, [&](const auto& name) { return is_vector_at(name, inner); });
             });
-        if (!is_of_request && !is_taken) continue;
+        if (!is_of_request && !is_taken) {
+          std::string whole = inner.name.substr(0, inner.name.find('[', members_[i].name.size()));
+          if (rest.empty() || rest.back() != whole) rest.push_back(std::move(whole));
+          continue;
+        }
         if (is_position && inner.route.size() == 2) inner.name = inner.route[1];
         members_[i].is_spread = true;
         inner.is_of_whole = is_position || may_be_position;
         members_.push_back(std::move(inner));
       }
+      if (members_[i].is_spread) unused_.insert(unused_.end(), rest.begin(), rest.end());
     }
   }
 
@@ -757,6 +764,7 @@ class FirstKey {
   const std::vector<std::string>& channels_;
   MemoryUse paths_{options_.max_memory};
   std::vector<FoundMember> members_;
+  std::vector<std::string> unused_;  ///< members, and what is in others of which a part is used
 };
 
 }  // namespace

@@ -307,6 +307,11 @@ Records open_tables(std::shared_ptr<const WholeJson> text, std::vector<JsonTable
                     JsonShape shape = JsonShape::any) {
   JsonColumns columns = find_members(tables[0], options, {});
   Records records = records_of(columns, shape);
+  if (!tables[0].others().empty()) {
+    records.columns.doubts.push_back(fmt::format(
+        "not used, as they are beside the columns: {}; options give settings, as in --preset NAME or --tcb T,C,B",
+        listed(tables[0].others())));
+  }
   if (tables.size() > 1) {
     require_no_groups(records.columns);
     records.columns.groups = {"id"};

@@ -155,8 +155,22 @@ void JsonTable::read_rows() {
   }
 }
 
+/// Adds a member beside the columns, unless it holds nothing.
+void JsonTable::add_other(std::size_t name) {
+  for (std::size_t node = name + 1; node < (*tape_)[name + 1].next; ++node) {
+    const Kind kind = tape_->kind(node);
+    if (kind != Kind::number && kind != Kind::string && kind != Kind::boolean) continue;
+    others_.emplace_back(tape_->text(name));
+    return;
+  }
+}
+
 void JsonTable::read_split(std::size_t table, std::size_t rows) {
   const JsonTape& tape = *tape_;
+  for (const std::size_t name : tape.inside(table)) {
+    const std::string_view text = tape.text(name);
+    if (name + 1 != rows && text != "columns" && text != "index") add_other(name);
+  }
   for (const std::size_t name : tape.inside(*tape.member(table, "columns"))) {
     names_.emplace_back(tape.kind(name) == Kind::string ? tape.text(name) : tape.written(name));
   }
@@ -182,6 +196,9 @@ void JsonTable::read_schema(std::size_t table) {
         "\"data\" is not a list of rows; expected an object for each row, as pandas writes them; correct it")
         .at(tape.position(data));
   }
+  for (const std::size_t name : tape.inside(table)) {
+    if (name + 1 != data && tape.text(name) != "schema") add_other(name);
+  }
   rows_ = tape.elements(data);
   size_ = rows_.size();
   has_index_member_ = tape.count(rows_[0]) > 0 && tape.text(rows_[0] + 1) == "index";
@@ -196,7 +213,10 @@ void JsonTable::read_lists(std::size_t table) {
   const JsonTape& tape = *tape_;
   for (const std::size_t name : tape.inside(table)) {
     const std::size_t values = name + 1;
-    if (tape.kind(values) != Kind::array) continue;
+    if (tape.kind(values) != Kind::array) {
+      add_other(name);
+      continue;
+    }
     const std::size_t count = tape.count(values);
     if (names_.empty()) cells_.resize(size_ = count);
     names_.emplace_back(tape.text(name));

@@ -50,6 +50,8 @@ class JsonTable {
   std::size_t size() const { return size_; }
   bool has_times_in_index() const { return takes_index_; }
   bool has_names() const { return has_names_; }  ///< the text names its columns
+  /// The members beside the columns, which are not read.
+  const std::vector<std::string>& others() const { return others_; }
 
   /// The number of cells of a record that is a row; 0 of others.
   std::size_t columns() const { return are_rows_ ? names_.size() : 0; }
@@ -70,6 +72,7 @@ class JsonTable {
  private:
   bool find_layout(std::size_t table, bool is_root, bool is_timeless);
   void read_rows();
+  void add_other(std::size_t name);
   void read_split(std::size_t table, std::size_t rows);
   void read_schema(std::size_t table);
   void read_lists(std::size_t table);
@@ -81,8 +84,9 @@ class JsonTable {
   std::string path_;
   std::size_t first_ = 0, size_ = 0;
   bool are_rows_ = false, has_names_ = true;
-  bool takes_index_ = false;          ///< the index is the time
-  bool has_index_member_ = false;     ///< the index is the member "index" of objects
+  bool takes_index_ = false;       ///< the index is the time
+  bool has_index_member_ = false;  ///< the index is the member "index" of objects
+  std::vector<std::string> others_;
   std::vector<std::string> names_;    ///< of columns; of objects, those that the first one does not have
   std::vector<std::uint32_t> rows_;   ///< objects, or arrays
   std::vector<std::uint32_t> index_;  ///< a name or a value for each record; empty: none
