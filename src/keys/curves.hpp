@@ -35,8 +35,8 @@ class ObservedChannels {
   void add(const KeyBlock& block);
 
   /// Plain channels that seem to be angles, as they jump by more than half a turn: by their names, or by numbers at the
-  /// beginning that are all within a turn and jump from near its end to near its begin. Angles that are all within a
-  /// turn of radians are in radians.
+  /// beginning that are all within a turn and jump from near its end to near its beginning. Angles that are all within
+  /// a turn of radians are in radians.
   std::vector<NamedAngle> likely_angles() const;
   /// Channels with a number such as -9999 far below all others.
   std::vector<LikelySign> likely_signs() const;

@@ -178,17 +178,14 @@ class Order : public HoldingStage {
     }
     const std::string other_time =
         labels_.has_time_by_place
-            ? std::string(
-                  "--parameter uniform if the first column is no time, --columns time=NUMBER if another one is, or ")
+            ? "--parameter uniform if the first column is no time, --columns time=NUMBER if another one is, or "
             : "";
     if (equal) {
       return data_error(
                  "{}time {} repeats the time {}; expected increasing times; remove one of the keys, or give "
                  "{}--duplicates first, last or break{}",
                  beginning, time, before, other_time,
-                 labels_.channels.empty()
-                     ? std::string(", or --group NUMBER if the column of this number tells curves apart")
-                     : "")
+                 labels_.channels.empty() ? ", or --group NUMBER if the column of this number tells curves apart" : "")
           .at(text_position);
     }
     const bool begins_again = key >= 5 && here.time.hi >= 0 && here.time.hi < before_->time.hi / 20;
