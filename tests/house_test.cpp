@@ -57,7 +57,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"cli",
      {"fit", "check", "limits", "plot", "picture", "run", "formats", "read", "keys", "sample", "write", "schema", "tcb",
       "text", "numbers", "io", "error"}},
-    {"main", {"cli", "fit", "check", "limits", "plot", "run", "io", "error"}},
+    {"main", {"cli"}},
 };
 
 /// Package -> the rooms or files that may include it.

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "numbers/decimal_time.hpp"
+#include "tcb/spline/closing.hpp"
 
 namespace tcb {
 
@@ -46,6 +47,8 @@ void KeyStore::drop_last() {
   spline::for_each_column([size](auto& column) { column.resize(column.size() / size * (size - 1)); }, last);
   if (size == 1) blocks_->pop_back();
 }
+
+void KeyStore::join_seam(const Keys& repeated) { spline::join_seam(blocks_->front(), repeated); }
 
 int KeyStore::decimals() const {
   int most = 0;

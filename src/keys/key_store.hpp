@@ -8,7 +8,7 @@
 
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
-#include "tcb/spline/closing.hpp"
+#include "tcb/spline/key.hpp"
 
 namespace tcb {
 
@@ -30,7 +30,7 @@ class KeyStore {
   Keys key(std::size_t number) const;
   void drop_last();
   /// Gives the first key the incoming velocities and the turns of a key that repeats it.
-  void join_seam(const Keys& repeated) { spline::join_seam(blocks_->front(), repeated); }
+  void join_seam(const Keys& repeated);
   /// The largest number of decimals of the times that have more digits than doubles; 0: there are none.
   int decimals() const;
   bool are_sparse() const;

@@ -2,6 +2,7 @@
 // that reads it. Each half is defined in one file of a room of readers, and a row of formats/formats.cpp names it.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,7 +20,7 @@
 
 namespace tcb {
 
-enum class JsonShape { list, object, curves, lines, table, table_by_index, any };
+enum class JsonShape : std::uint8_t { list, object, curves, lines, table, table_by_index, any };
 
 /// What was found at the beginning of an input.
 struct InputFacts {

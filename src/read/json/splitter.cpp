@@ -7,6 +7,7 @@
 #include <array>
 #include <tuple>
 
+#include "read/input.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -22,6 +23,8 @@ constexpr std::array<bool, 256> is_structure = [] {
 }();
 
 }  // namespace
+
+JsonShape JsonSplitter::shape() const { return shape_.value_or(JsonShape::lines); }
 
 /// Reads on; false at the end of the input, and where whole records are to be cut off first.
 bool JsonSplitter::read_more() {

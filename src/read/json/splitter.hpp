@@ -13,12 +13,13 @@
 #include <utility>
 
 #include "error.hpp"
-#include "read/input.hpp"
 #include "read/memory_use.hpp"
 #include "read/text_bytes.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
+
+enum class JsonShape : std::uint8_t;  // in read/input.hpp
 
 inline bool is_json_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
 
@@ -55,7 +56,7 @@ class JsonSplitter {
   JsonPart whole(JsonPart first);
 
   /// Requires: next() was called.
-  JsonShape shape() const { return shape_.value_or(JsonShape::lines); }
+  JsonShape shape() const;
 
   /// The current object up to its keys; empty outside of one.
   const Chunk& before_keys() const { return before_; }
