@@ -418,6 +418,13 @@ class Errors(unittest.TestCase):
             ("give one, as in tcbsample --step 0.1 keys.csv", 'give one, as in step="0.1"'),
             ("in seconds, give --time-unit s.", 'in seconds, give time_unit="s".'),
             ("--check and --unknown-option stay apart", "check() and --unknown-option stay apart"),
+            ("--columns time=a.sec,nanoseconds=a.nsec or", 'columns="time=a.sec,nanoseconds=a.nsec" or'),
+            ("give --metric LAT,LON to measure", 'give metric="LAT,LON" to measure'),
+            ("--rotation none leaves out", 'rotation="none" leaves out'),
+            ("--metric all measures all", 'metric="all" measures all'),
+            ("give --na -9999 --missing skip-cell", 'give na="-9999", missing="skip-cell"'),
+            ("give --records frames --parameter uniform", 'give records="frames", parameter="uniform"'),
+            ("--columns and --rotation, or", "columns and rotation, or"),
         ]:
             self.assertEqual(in_python(message), expected)
         error = self.error([[0, 1], [2, 3], [1, 5]], count=3)
@@ -558,6 +565,24 @@ class Curves(unittest.TestCase):
         self.assertEqual(poses(1.0).shape, (len(poses.names),))
         with self.assertRaisesRegex(ValueError, "no rotation"):
             tcbsample.Curve(KEYS).rotation(1)
+
+    def test_rotations_anywhere_among_the_channels(self):
+        keys = {"t": [0, 1, 2], "x": [0, 1, 4], "a b": [0, 0, 0], "c": [0, 10, 20], "d": [0, 20, 30], "y": [1, 1, 3]}
+        form = {"rotation": "euler=a b:c:d,order=XYZ", "angles": "degrees"}
+        curve, times = tcbsample.Curve(keys, **form), [0.5, 2]
+        rows = tcbsample.resample(keys, at=times, fields="position,velocity", **form)
+        self.assertEqual(curve.names, ["x", "a b", "c", "d", "y"])
+        found = curve(times, 1)
+        np.testing.assert_array_equal(found[:, [0, 4]], np.stack([rows["x_v"], rows["y_v"]], 1))
+        self.assertTrue(np.isnan(found[:, 1:4]).all())
+        rows = tcbsample.resample(keys, at=times, rotation_output="quaternion", **form)
+        np.testing.assert_array_equal(curve.rotation(times), np.stack([rows["q" + axis] for axis in "xyzw"], 1))
+        only = tcbsample.Curve({name: keys[name] for name in ("t", "a b", "c", "d")}, **form)
+        np.testing.assert_array_equal(only.rotation(times), curve.rotation(times))
+        norms = np.linalg.norm(tcbsample.Curve(keys, rotation_curve="components", **form).rotation(times), axis=1)
+        np.testing.assert_allclose(norms, 1, atol=1e-15)
+        with self.assertRaisesRegex(tcbsample.Error, "there are only rotations"):
+            only(times, 1)
 
     def test_dates_and_golden(self):
         dates = np.array(["2024-01-01T00:00:00", "2024-01-01T00:00:01", "2024-01-01T00:00:03"], "M8[s]")

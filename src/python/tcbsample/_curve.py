@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import decimal
 import os
 import re
@@ -151,7 +152,7 @@ class Curve:
     unit of time, or per second. Positions and derivatives are computed in this process, by NumPy; they are within 4
     units in the last place of what resample() returns, counted at the largest control value of the piece. What is no
     cubic in time (rotations, ease), lengths, places outside the keys and golden=True take a run of the program, which
-    reads a file again.
+    reads a file again. Derivatives of the channels of a rotation are NaN; resample() has the field angular_velocity.
 
     Raises Error if keys or options are rejected, and TypeError for an unknown option or what is not a table.
 
@@ -177,14 +178,19 @@ class Curve:
         if "equal_speed" not in given and "parameter" not in given:
             self._options.pop("metric", None)  # only lengths depend on it
         self._pieces: Optional[_Pieces] = None
-        try:
-            rows, table = self._rows(emit="bezier")
-        except Error:  # no cubics in time, or rejected keys
+        rows = None
+        if "rotation_curve" not in given:  # components of rotations are cubics that are divided by their norm
+            with contextlib.suppress(Error):  # no cubics in time, or rejected keys, for which the other rows raise it
+                rows, table = self._rows(emit="bezier")
+        if rows is not None:
+            times = self._set_pieces(rows)
+            self._are_plain = np.full(len(self.names), True)  # of each channel, whether it belongs to no rotation
+        else:
             rows, table = self._rows(per_segment=1, fields="time,position")
             time, *self.names = rows.dtype.names
             times = _times(rows[time])
-        else:
-            times = self._set_pieces(rows)
+            moving = self._rows(count=2, fields="time,velocity", quiet=True)[0].dtype.names
+            self._are_plain = np.array([f"{name}_v" in moving for name in self.names])
         has_durations = table is not None and any(column.dtype.kind == "m" for column in table.columns)
         self.times: np.ndarray[Any, np.dtype[Any]] = durations_of(times) if has_durations else times
 
@@ -289,8 +295,9 @@ class Curve:
         if outside.any():
             if nu > 3:
                 raise ValueError(f"nu: {nu}; expected at most 3 outside the keys, for rotations and with ease")
-            result[outside] = self._ask("at", places[outside], _DERIVATIVES[nu], len(self.names), golden=golden,
-                                        extrapolate=self._extrapolate)  # fmt: skip
+            known = self._are_plain if nu > 0 else np.full(len(self.names), True)
+            result[np.ix_(outside, known)] = self._ask("at", places[outside], _DERIVATIVES[nu], known.sum(),
+                                                       golden=golden, extrapolate=self._extrapolate)  # fmt: skip
         return result.reshape(shape)
 
     def length(self, t: Any) -> Array:
@@ -335,17 +342,12 @@ class Curve:
         >>> tcbsample.Curve(keys).rotation(1).tolist()
         [0.0, 0.0, 0.6, 0.8]
         """
-        with run_of(self._keys, self._options) as run:
-            lines = run.result(["--explain"]).read().decode().splitlines()
-        forms = [line.partition(": ")[2].split() for line in lines if line.startswith("rotation: ")]
-        if not forms:
-            raise ValueError("the keys have no rotation; expected columns such as qx, qy, qz, qw; name them, as in "
-                             'rotation="quaternion=a:b:c:d"')  # fmt: skip
-        others = len(self.names) - sum(len(columns) for _, *columns in forms)
-        more = {"rotation_output": "quaternion", "extrapolate": self._extrapolate}
-        rows = self._ask("at", self._places(t), "position", others + 4 * len(forms), **more)
-        found = rows[..., others:].reshape((*rows.shape[:-1], len(forms), 4))
-        return found[..., 0, :] if len(forms) == 1 else found
+        form = {"rotation_output": "quaternion"}
+        names = self._rows(count=2, fields="position", quiet=True, **form)[0].dtype.names
+        plain = {name for name, is_plain in zip(self.names, self._are_plain) if is_plain}
+        rows = self._ask("at", self._places(t), "position", len(names), extrapolate=self._extrapolate, **form)
+        found = rows[..., [name not in plain for name in names]].reshape((*rows.shape[:-1], -1, 4))
+        return found[..., 0, :] if found.shape[-2] == 1 else found
 
     def to_ppoly(self) -> Any:
         """The curve as a scipy.interpolate.PPoly, whose values have the shape t.shape + (c,). Where times are dates, it

@@ -93,8 +93,8 @@ def _program() -> str:
 _OPTION = re.compile(r"""
     --(?P<name>[a-z][a-z-]*[a-z])
     (?P<rest>
-        [ =](?P<value>'[^']*'|"[^"]*"|(?!instead|--)[^\s,;]*[^\s,;.:])
-        (?P<end>(?=[ ](?:if|for|to)|,|$))?
+        [ =](?P<value>'[^']*'|"[^"]*"|(?!(?:instead|and|or|needs|with)\b|--)(?:[^\s,;]|,(?=\S))*[^\s,;.:])
+        (?P<end>(?=[ ](?:if|for|to|leaves|measures|--)|,|$))?
         (?P<others>(?:(?:,?[ ]or|,)[ ]\w[\w-]*)*)
     )?""", re.VERBOSE)  # fmt: skip
 
@@ -119,7 +119,8 @@ def _option_in_python(match: re.Match[str]) -> str:
 
 def in_python(message: str) -> str:
     """A message with keywords of Python in place of options: missing="skip-row" for --missing skip-row."""
-    return _OPTION.sub(_option_in_python, re.sub(r"\btcbsample (--.*) keys\.csv$", r"\1", message))
+    message = _OPTION.sub(_option_in_python, re.sub(r"\btcbsample (--.*) keys\.csv$", r"\1", message))
+    return re.sub(r'(="[^"]*") (?=\w+=["T])', r"\1, ", message)
 
 
 class Source(NamedTuple):
