@@ -47,6 +47,9 @@ class Frames(unittest.TestCase):
         levels = pd.MultiIndex.from_product([["a"], [0, 1, 2]], names=["id", None])
         with self.assertRaisesRegex(TypeError, "a level of it has none"):
             tcbsample.resample(FRAME.set_index(levels), count=7)
+        aware = list(pd.date_range("2024-01-01", periods=3, tz="Asia/Tokyo"))
+        rows = tcbsample.resample(FRAME.assign(t=pd.Series(aware, dtype=object)), count=3)
+        self.assertEqual((rows["t"].tolist(), rows["t"].dtype), (aware, pd.DatetimeTZDtype(tz="Asia/Tokyo")))
         with self.assertRaisesRegex(TypeError, "'_'.join"):
             tcbsample.resample(pd.concat({"a": FRAME}, axis=1), count=7)
 
@@ -77,8 +80,13 @@ class Frames(unittest.TestCase):
             self.assertEqual(list(rows.columns), ["x"])
             np.testing.assert_array_equal(rows["x"], expected["x"])
             self.assertEqual(rows.index.name, series.index.name)
-        with self.assertRaisesRegex(TypeError, "counts its rows"):
-            tcbsample.resample(FRAME["x"], count=5)
+        for series in (FRAME["x"], FRAME.assign(id="a").set_index(["id", "t"])["x"]):
+            with self.assertRaisesRegex(TypeError, "several levels, or only counts its rows"):
+                tcbsample.resample(series, count=5)
+        self.assertEqual(list(tcbsample.resample(x.rename(("a", "b")), count=5, quiet=True).columns), [("a", "b")])
+        dates = pd.DatetimeIndex(["2024-01-01", None, "2024-01-02"])
+        with self.assertRaisesRegex(tcbsample.Error, "^keys, row 1: "):
+            tcbsample.resample(x.set_axis(dates), count=5)
 
     def test_durations(self):
         rows = tcbsample.resample(FRAME.assign(t=pd.to_timedelta([0, 1, 2], "ms")), count=5)

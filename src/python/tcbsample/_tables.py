@@ -43,7 +43,7 @@ class Table(NamedTuple):
         if self.frame is None or not 0 <= row < len(self.frame) or not self.frame.index.is_unique:
             return f"row {row}"
         label = self.frame.index[row]
-        return f"row {row}" if label is row or label == row else f"row {label!s}"
+        return f"row {row}" if is_missing(label) or label == row else f"row {label!s}"
 
 
 def is_pandas(value: Any) -> bool:
@@ -98,14 +98,14 @@ def _frame_table(keys: Any) -> Table:
     is_time = index.nlevels == 1 and (index.dtype.kind in "mM" or str(index.dtype).startswith(("period", "datetime64")))
     if not hasattr(keys, "columns"):  # a Series
         if index.nlevels > 1 or (index.dtype.kind in "iu" and index.name is None and list(index) == list(range(len(index)))):
-            raise TypeError("the index of the Series only counts its rows; expected the times as its index; set it, as in "
-                            "series.set_axis(times)")  # fmt: skip
+            raise TypeError("the index of the Series has several levels, or only counts its rows; expected the times as "
+                            "its index; set it, as in series.set_axis(times)")  # fmt: skip
         is_time, frame = True, keys.to_frame("x" if keys.name is None else keys.name)
-    labels = list(frame.columns)
-    if frame.columns.nlevels > 1:
+    elif frame.columns.nlevels > 1:
         raise TypeError("the columns have names of several levels; expected one name for each column; join them, as in "
                         "frame.columns = ['_'.join(map(str, name)) for name in frame.columns]")  # fmt: skip
-    series = [frame.iloc[:, i] for i in range(frame.shape[1])]
+    labels = list(frame.columns)
+    series = [frame.iloc[:, i].infer_objects() for i in range(frame.shape[1])]
     if is_time:
         time = str(index.name or "time")
         while time in map(str, labels):
