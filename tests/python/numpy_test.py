@@ -594,6 +594,8 @@ class Curves(unittest.TestCase):
         np.testing.assert_array_equal(curve(dates, 1), same([0, 1, 3], 1))
         self.assertEqual(same(0.7, golden=True).tolist(), tcbsample.resample(
             {"time": [0, 1, 3], "x": [0, 1, 5]}, at=0.7, golden=True)["x"].tolist())  # fmt: skip
+        golden, time = tcbsample.Curve(KEYS, golden=True), np.linspace(0, float(KEYS[-1, 0]), 99)
+        np.testing.assert_array_equal(golden(time), tcbsample.Curve(KEYS)(time, golden=True))
         durations = tcbsample.Curve({"t": np.array([0, 1, 3], "m8[s]"), "x": [0, 1, 5]})
         np.testing.assert_array_equal(durations(np.array([250, 1500], "m8[ms]")), same([0.25, 1.5]))
         np.testing.assert_array_equal(durations(datetime.timedelta(seconds=1.5)), same(1.5))

@@ -151,8 +151,8 @@ class Curve:
     Times are numbers in the unit of the keys, or dates or durations where those of the keys are; derivatives are per
     unit of time, or per second. Positions and derivatives are computed in this process, by NumPy; they are within 4
     units in the last place of what resample() returns, counted at the largest control value of the piece. What is no
-    cubic in time (rotations, ease), lengths, places outside the keys and golden=True take a run of the program, which
-    reads a file again. Derivatives of the channels of a rotation are NaN; resample() has the field angular_velocity.
+    cubic in time (rotations, ease), lengths, places outside the keys and golden=True, here or in a call, take a run of
+    the program, which reads a file again. Derivatives of the channels of a rotation are NaN; resample() has the field angular_velocity.
 
     Raises Error if keys or options are rejected, and TypeError for an unknown option or what is not a table.
 
@@ -174,7 +174,8 @@ class Curve:
         self._keys = keys if isinstance(keys, (str, os.PathLike)) else source_of(keys, "keys")
         self._options: dict[str, Any] = dict(given, preset=preset)
         self._extrapolate = self._options.pop("extrapolate", None)
-        self._metric = options.get("metric")
+        self._metric = given.get("metric")
+        self._is_golden = "golden" in given
         if "equal_speed" not in given and "parameter" not in given:
             self._options.pop("metric", None)  # only lengths depend on it
         self._pieces: Optional[_Pieces] = None
@@ -273,8 +274,9 @@ class Curve:
         >>> float(curve(0.3, 1)[0])
         2.0
         """
-        pieces = self._pieces
-        if isinstance(t, (float, int)) and type(nu) is int and 0 <= nu <= 3 and not golden and pieces is not None:
+        golden = golden or self._is_golden
+        pieces = None if golden else self._pieces
+        if isinstance(t, (float, int)) and type(nu) is int and 0 <= nu <= 3 and pieces is not None:
             if isinstance(pieces.first, float) and pieces.first <= t <= pieces.last:  # without the cost of arrays
                 return pieces.at(float(t), nu)
         if nu != int(nu) or nu < 0:
@@ -284,7 +286,7 @@ class Curve:
         shape, places = (*places.shape, len(self.names)), places.ravel()
         ticks = places.view(np.int64) if places.dtype.kind == "M" else places
         inside = np.zeros(ticks.size, dtype=bool)
-        if pieces is not None and not golden:
+        if pieces is not None:
             inside = (ticks >= pieces.first) & (ticks <= pieces.last)
             if nu <= 3 and inside.all():
                 return pieces.evaluate(ticks, nu).reshape(shape)
@@ -294,7 +296,7 @@ class Curve:
         outside = ~(inside | _are_missing(places))
         if outside.any():
             if nu > 3:
-                raise ValueError(f"nu: {nu}; expected at most 3 outside the keys, for rotations and with ease")
+                raise ValueError(f"nu: {nu}; expected at most 3 outside the keys, for rotations, with ease and golden=True")
             known = self._are_plain if nu > 0 else np.full(len(self.names), True)
             result[np.ix_(outside, known)] = self._ask("at", places[outside], _DERIVATIVES[nu], known.sum(),
                                                        golden=golden, extrapolate=self._extrapolate)  # fmt: skip
