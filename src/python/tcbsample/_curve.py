@@ -179,6 +179,7 @@ class Curve:
         if "equal_speed" not in given and "parameter" not in given:
             self._options.pop("metric", None)  # only lengths depend on it
         self._pieces: Optional[_Pieces] = None
+        self.names: list[str] = []
         rows = None
         if "rotation_curve" not in given:  # components of rotations are cubics that are divided by their norm
             with contextlib.suppress(Error):  # no cubics in time, or rejected keys, for which the other rows raise it
