@@ -59,8 +59,8 @@ class Report:
         return self.data[name]
 
     def __repr__(self) -> str:
-        short = {name: value for name, value in self.data.items() if not isinstance(value, (dict, list))}
-        return f"<Report: {'agrees' if self else 'differs'}, {json.dumps(short)[1:-1]}>"
+        short = [f"{name}={value!r}" for name, value in self.data.items() if not isinstance(value, (dict, list))]
+        return f"<Report: {'agrees' if self else 'differs'}, {', '.join(short)}>"
 
 
 class Picture:
