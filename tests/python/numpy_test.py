@@ -32,7 +32,8 @@ KEYS = np.array([[0, 0.1, -3.25], [1, 2 / 3, 1e-5], [2.5, -7.7, 3], [4, 0.5, 123
 
 def load_tests(_loader, tests, _pattern):
     for name in ("_curve", "_functions", "_program"):
-        tests.addTests(doctest.DocTestSuite(sys.modules[f"tcbsample.{name}"]))
+        examples = doctest.DocTestSuite(sys.modules[f"tcbsample.{name}"])
+        tests.addTests(example for example in examples if "ppoly" not in example.id())  # which need SciPy
     return tests
 
 

@@ -3,6 +3,7 @@
 The tangents are computed here, by the formulas of the preset gte, and SciPy's CubicHermiteSpline evaluates the curve.
 """
 
+import doctest
 import sys
 import unittest
 
@@ -14,6 +15,12 @@ from scipy.interpolate import BPoly, CubicHermiteSpline, CubicSpline, PPoly, mak
 from scipy.spatial.transform import Rotation
 
 import tcbsample
+
+
+def load_tests(_loader, tests, _pattern):
+    examples = doctest.DocTestSuite(sys.modules["tcbsample._curve"])
+    tests.addTests(example for example in examples if "ppoly" in example.id())
+    return tests
 
 
 def tangents(keys):

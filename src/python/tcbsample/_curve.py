@@ -357,6 +357,10 @@ class Curve:
         takes seconds since the first key.
 
         Raises ValueError for a curve that is not a cubic in time, and ImportError without SciPy.
+
+        >>> import tcbsample
+        >>> tcbsample.Curve([[0, 0], [2, 2]]).to_ppoly().integrate(0, 2).tolist()
+        [2.0]
         """
         from scipy.interpolate import PPoly
 
@@ -377,6 +381,11 @@ class Curve:
 
         Raises TypeError for what is no PPoly, and ValueError for polynomials of a higher degree or of complex numbers,
         for values of more than one dimension, and for a curve that jumps.
+
+        >>> import tcbsample
+        >>> from scipy.interpolate import CubicSpline
+        >>> tcbsample.Curve.from_ppoly(CubicSpline([0, 1, 3], [0, 1, 9])).at_length([0, 1]).tolist()
+        [[0.0], [1.0]]
         """
         from scipy.interpolate import PPoly
 
