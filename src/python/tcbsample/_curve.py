@@ -359,8 +359,8 @@ class Curve:
         Raises ValueError for a curve that is not a cubic in time, and ImportError without SciPy.
 
         >>> import tcbsample
-        >>> tcbsample.Curve([[0, 0], [2, 2]]).to_ppoly().integrate(0, 2).tolist()
-        [2.0]
+        >>> tcbsample.Curve([[0, 0], [1, 2], [2, 0]]).to_ppoly()(0.5).tolist()
+        [1.125]
         """
         from scipy.interpolate import PPoly
 
