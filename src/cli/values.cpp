@@ -81,7 +81,7 @@ Error not_a_rotation(std::string_view text) {
   return usage_error(
       "{} is not a rotation; expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, axis-angle=X:Y:Z:ANGLE,relative, "
       "axis-angle=X:Y:Z whose length is the angle, euler=A:B:C,order=XYZ, or matrix= with nine columns row by row, "
-      "where columns are names or numbers; or none",
+      "where columns are names or numbers, or one name of an array with these; or none",
       in_quotes(text));
 }
 
@@ -113,7 +113,9 @@ GivenRotation rotation_request(std::string_view part, const std::string& text) {
   for (const std::string_view column : split(part.substr(equals + 1), ':')) request.columns.emplace_back(column);
   const bool lacks_angle = form->value == spline::RotationForm::axis_angle && request.columns.size() == 3;
   if (lacks_angle) request.notation.form = spline::RotationForm::rotation_vector;
-  if (request.columns.size() != request.notation.numbers() || std::ranges::count(request.columns, "") > 0) {
+  const bool is_array = request.columns.size() == 1;
+  if ((request.columns.size() != request.notation.numbers() && !is_array) ||
+      std::ranges::count(request.columns, "") > 0) {
     throw not_a_rotation(text);
   }
   return request;

@@ -217,7 +217,11 @@ std::vector<NamedAngle> ObservedChannels::likely_angles() const {
     const bool degrees = channel.largest > whole_turn || (has_names_ && any_degrees && channel.may_be_angle);
     // Within one turn, from 0 or around 0, where the name tells little.
     const double most = channel.is_positive ? (degrees ? 360.5 : 6.29) : (degrees ? 180.5 : half_turn);
-    if (!channel.is_named_angle && (channel.largest > most || (!has_names_ && !degrees))) continue;
+    const double turn = degrees ? 360 : 6.2832;
+    // As from 190 to -160, where the name tells that it is an angle.
+    const bool is_turn = has_names_ && channel.may_be_angle && std::abs(channel.jump - turn) < turn / 4;
+    const bool is_beyond = channel.largest > (is_turn ? 1.5 * turn : most);
+    if (!channel.is_named_angle && (is_beyond || (!has_names_ && !degrees))) continue;
     if (!channel.may_be_angle && !channel.jumps_over_end(degrees)) continue;
     if (channel.jump > (degrees ? 180 : half_turn)) angles.push_back({channel.name, degrees});
   }

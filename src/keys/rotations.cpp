@@ -224,7 +224,9 @@ class Conversion {
   void check(const GivenNumbers& numbers, std::uint64_t line) const {
     if (given_.notation.form == spline::RotationForm::matrix) return check_matrix(numbers, line);
     if (given_.notation.form == spline::RotationForm::rotation_vector) {
-      return require_angle(spline::length_of_vector(numbers), given_.notation.degrees, false, given_.columns[0], line);
+      double angle = spline::length_of_vector(numbers);
+      if (std::isinf(angle)) angle = std::hypot(numbers[0], numbers[1], numbers[2]);  // its squares are too large
+      return require_angle(angle, given_.notation.degrees, false, given_.columns[0], line);
     }
     const bool has_axis = given_.notation.form == spline::RotationForm::axis_angle;
     const std::span<const double> angles = std::span(numbers).subspan(has_axis ? 3 : 0, has_axis ? 1 : 3);

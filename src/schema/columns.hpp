@@ -43,6 +43,11 @@ struct ColumnOptions {
 /// A column as options request it: by its name, or by its number from 1 if it has none or one that a list would divide.
 std::string requested_as(std::string_view name, std::size_t cell);
 
+/// Whether a column is a number in an array, as q[0] is in q.
+inline bool is_element_of(std::string_view array, std::string_view column) {
+  return column.size() > array.size() && column.starts_with(array) && column[array.size()] == '[';
+}
+
 /// The largest number of columns without a role that are compared.
 inline constexpr std::size_t most_marks = 4;
 

@@ -35,7 +35,13 @@ std::string request_of(const FoundColumns& found, std::size_t cell) {
 
 /// A column as messages show it.
 std::string shown(const FoundColumns& found, std::size_t cell) {
-  return found.names.empty() ? fmt::format("column {}", cell + 1) : in_quotes(found.names[cell]);
+  const std::string number = fmt::format("column {}", cell + 1);
+  return found.names.empty() || found.names[cell] == number ? number : in_quotes(found.names[cell]);
+}
+
+std::string column_in_words(const FoundColumns& found, std::size_t cell) {
+  const std::string name = shown(found, cell);
+  return name.starts_with('"') ? "column " + name : name;
 }
 
 std::vector<std::string> requests_of(const FoundColumns& found, std::span<const std::size_t> cells) {
@@ -295,11 +301,49 @@ Found times_without_role(const FoundColumns& found) {
         role == Role::position && !chooses_positions && cell < found.names.size() && ends_like_time(found.names[cell]);
     if (!is_channel && (role != Role::ignored || !holds_times(found, cell))) continue;
     return error(
-        "column {} seems to have the times, but no column is the time; expected a time; give --columns {}, or "
-        "--parameter uniform if the keys have no times",
-        shown(found, cell), roles_of(found, "time", {&cell, 1}));
+        "{} seems to have the times, but no column is the time; expected a time; give --columns {}, or --parameter "
+        "uniform if the keys have no times",
+        column_in_words(found, cell), roles_of(found, "time", {&cell, 1}));
   }
   return std::nullopt;
+}
+
+/// Texts that seem to name the curves of rows without times, which nothing else tells apart.
+Found labels_of_curves(const FoundColumns& found) {
+  if (found.columns.has(Role::time) || !found.columns.groups.empty() || found.rows.size() < 2) return std::nullopt;
+  for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
+    if (!found.columns.cells[cell].is_text || !is_usual_label(found.names[cell])) continue;
+    std::vector<std::string_view> runs;
+    for (const auto& row : found.rows) {
+      const std::string_view text = cell < row.size() ? row[cell] : "";
+      if (runs.empty() || runs.back() != text) runs.push_back(text);
+    }
+    const std::string first(runs[0]), column = request_of(found, cell);
+    if (runs.size() == 1) {
+      return note("column {} is {} in the first rows; --group {} makes a curve of each value", shown(found, cell),
+                  in_quotes(first), in_shell(column));
+    }
+    const std::string second(runs[1]);
+    std::ranges::sort(runs);
+    if (runs.size() == found.rows.size() || std::ranges::adjacent_find(runs) != runs.end()) continue;
+    return error(
+        "column {} is {} in the first rows, and {} in the next ones, as labels of curves are; expected its role; give "
+        "--group {} for one curve per value, or --columns {} to leave it out",
+        shown(found, cell), in_quotes(first), in_quotes(second), in_shell(column), in_shell("ignore=" + column));
+  }
+  return std::nullopt;
+}
+
+/// An array of two numbers, of which the first rises.
+Found time_in_array(const FoundColumns& found) {
+  const bool has_two = found.array.size() > 0 && found.columns.channels.size() == 2 && found.rows.size() > 1;
+  if (!has_two || found.columns.has(Role::time) || found.requested.timeless) return std::nullopt;
+  const std::size_t cell = cells_with(found, Role::position)[0];
+  for (std::size_t row = 1; row < found.rows.size(); ++row) {
+    if (!(number_in(found, found.rows[row - 1], cell) < number_in(found, found.rows[row], cell))) return std::nullopt;
+  }
+  return note("no member is the time, and the first number of {0} rises; --columns {1} takes it as the time",
+              in_quotes(found.array), in_shell(fmt::format("time={0}[0],position={0}[1]", found.array)));
 }
 
 /// Names of channels that are numbers and do not only count the columns, as where each has the values at one time.
@@ -494,6 +538,20 @@ Found poses_without_names(const FoundColumns& found) {
       "matrix=1:2:3:5:6:7:9:10:11 resamples them as poses, --rotation none leaves out this note");
 }
 
+/// The same columns in the order x, y, z, w, if these letters end their names.
+std::array<std::size_t, 4> by_letters(const FoundColumns& found, const std::array<std::size_t, 4>& cells) {
+  std::array<std::size_t, 4> ordered{};
+  for (std::size_t i = 0; i < ordered.size() && !found.names.empty(); ++i) {
+    const auto cell = std::ranges::find_if(cells, [&](std::size_t one) {
+      const std::string_view name = without_unit(found.names[one]);
+      return !name.empty() && lower(name.back()) == "xyzw"[i];
+    });
+    if (cell == cells.end()) return cells;
+    ordered[i] = *cell;
+  }
+  return found.names.empty() ? cells : ordered;
+}
+
 /// Four neighbours of norm 1, without names or with names that are not those of rotations.
 Found quaternion_by_norm(const FoundColumns& found) {
   if (found.has_rotations || !found.requested.roles.empty() || found.rows.size() < 2 || is_pose_matrix(found)) {
@@ -512,10 +570,13 @@ Found quaternion_by_norm(const FoundColumns& found) {
     if (!found.names.empty() && (rotation_stem_of(found.names[four[0]]) || std::ranges::all_of(found.rows, is_whole))) {
       continue;
     }
+    const std::array ordered = by_letters(found, four);
+    const bool is_by_name = ordered != four && in_lower_case(found.names[four[0]]).find('q') != std::string::npos;
+    if (is_by_name) return std::nullopt;
     return note(
         "columns {} may be a quaternion; --rotation {} resamples them as a rotation whose last number is w, --rotation "
         "none leaves out this note",
-        listed(requests_of(found, four)), roles_of(found, "quaternion", four));
+        listed(requests_of(found, four)), roles_of(found, "quaternion", ordered));
   }
   return std::nullopt;
 }
@@ -530,11 +591,12 @@ Found minutes_and_seconds(const FoundColumns& found) {
 }
 
 /// The list. The first error is the one that is shown.
-constexpr std::array about_columns{
-    coefficients_of_pieces,    near_miss_of_role,  letters_that_are_data,  parameters_that_are_data,
-    column_numbers_above_rows, times_as_names,     times_without_role,     time_in_two_numbers,
-    date_in_three_numbers,     dates_as_numbers,   quaternion_called_wxyz, rotation_vector_by_name,
-    poses_without_names,       quaternion_by_norm, minutes_and_seconds,    slopes_by_name};
+constexpr std::array about_columns{coefficients_of_pieces,    labels_of_curves,        time_in_array,
+                                   near_miss_of_role,         letters_that_are_data,   parameters_that_are_data,
+                                   column_numbers_above_rows, times_as_names,          times_without_role,
+                                   time_in_two_numbers,       date_in_three_numbers,   dates_as_numbers,
+                                   quaternion_called_wxyz,    rotation_vector_by_name, poses_without_names,
+                                   quaternion_by_norm,        minutes_and_seconds,     slopes_by_name};
 
 // The rows about a request.
 

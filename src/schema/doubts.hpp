@@ -25,11 +25,11 @@ struct FoundColumns {
   const Columns& columns;
   const ColumnOptions& requested;
   NumberMarks marks = {};
-  bool has_rotations = false;  ///< rotations are requested, or none
-  bool has_tcb_scale = false;  ///< the scale of tension, continuity and bias is requested
-  bool has_header = false;     ///< it is requested whether there is a header
-  std::vector<std::string> meant =
-      {};  ///< names that the input gives to the numbers of an array, so that none is in doubt
+  bool has_rotations = false;           ///< rotations are requested, or none
+  bool has_tcb_scale = false;           ///< the scale of tension, continuity and bias is requested
+  bool has_header = false;              ///< it is requested whether there is a header
+  std::vector<std::string> meant = {};  ///< names of the numbers of an array, none of which is in doubt
+  std::string array = {};               ///< the name of the only array of positions; empty: there is none
 };
 
 /// The notes of the doubts about columns. Throws: Error (data) for a doubt that the request has to decide.

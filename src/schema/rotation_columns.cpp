@@ -47,6 +47,25 @@ std::size_t requested_channel(const std::string& name, const Columns& columns, s
   throw no_such_column(name, channels).about(option);
 }
 
+/// Replaces the name of an array by the columns of its numbers.
+void find_elements(GivenRotation& request, const Columns& columns) {
+  if (request.columns.size() != 1) return;
+  std::vector<std::string> elements;
+  std::ranges::copy_if(columns.channels, std::back_inserter(elements),
+                       [&](const std::string& channel) { return is_element_of(request.columns[0], channel); });
+  const bool is_vector = request.notation.form == spline::RotationForm::axis_angle && elements.size() == 3;
+  if (is_vector && !request.relative) request.notation.form = spline::RotationForm::rotation_vector;
+  const std::size_t numbers = request.notation.numbers();
+  if (elements.size() != numbers) {
+    throw data_error("{} is {}; expected {}, or an array of {}; give the name of each number",
+                     in_quotes(request.columns[0]),
+                     elements.empty() ? "no array" : "an array of " + how_many(elements.size(), "number"),
+                     how_many(numbers, "column"), numbers)
+        .about("--rotation");
+  }
+  request.columns = std::move(elements);
+}
+
 /// Throws: Error (data) for four channels whose names have a number instead of x, y, z or w, as q0 to q3.
 void require_letters(const std::vector<std::string>& channels) {
   std::map<std::string, std::map<char, std::string>> found;  // by stem and number
@@ -248,6 +267,7 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
   for (GivenRotation request : options.requests) {
     request.notation.degrees = options.degrees;
     request.normalize = options.normalize;
+    find_elements(request, columns);
     for (const std::string& column : request.columns) {
       request.channels.push_back(requested_channel(column, columns, "--rotation"));
     }

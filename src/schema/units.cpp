@@ -50,8 +50,8 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
   }
   if (!options.date_order)
     throw data_error(
-        "the dates in column {}, such as {}, do not tell which number is the day; expected dates with the year first, "
-        "or their order; give --date-order dmy if the day is first, or --date-order mdy if the month is",
+        "the dates in column {}, such as {}, have the year last; expected dates with the year first, or the order of "
+        "day and month; give --date-order dmy if the day is first, or --date-order mdy if the month is",
         in_quotes(column), in_quotes(date));
   format.order = *options.date_order;
   return format;

@@ -46,7 +46,8 @@ constexpr std::string_view frame_names =
 
 /// Names of arrays and objects that hold positions.
 constexpr std::string_view names_of_positions =
-    "position positions pos translation translate location loc point coords coord coordinate coordinates xyz xy p vec "
+    "position positions pos translation translate tvec location loc point coords coord coordinate coordinates xyz xy p "
+    "vec "
     "vector value values transform pose";
 
 /// Names of columns that distinguish curves.

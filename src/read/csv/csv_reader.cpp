@@ -444,9 +444,7 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   if (options.delimited.skipped_lines > 0) bytes = without_lines(std::move(bytes), options.delimited.skipped_lines);
   const std::optional<char> named = take_named_delimiter(bytes);
   const std::optional<char> delimiter = options.delimited.delimiter ? options.delimited.delimiter : named;
-  Beginning beginning;
-  if (delimiter) beginning.delimiter = *delimiter;
-  if (!delimiter) beginning = find_delimiter(bytes, options.delimited);
+  Beginning beginning = find_delimiter(bytes, delimiter, options.delimited);
   if (named) ++beginning.line;
   beginning.line += options.delimited.skipped_lines;
   const Dialect dialect{beginning.delimiter, options.delimited.comment, options.columns.samples.has_value()};

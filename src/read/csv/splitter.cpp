@@ -125,7 +125,7 @@ std::optional<char> delimiter_of(std::string_view record, char decimal) {
   return ',';
 }
 
-Beginning find_delimiter(const Source<std::string>& bytes, const DelimitedOptions& options) {
+Beginning find_delimiter(const Source<std::string>& bytes, std::optional<char> known, const DelimitedOptions& options) {
   const Dialect any{' ', options.comment};
   Beginning beginning;
   std::string& text = beginning.text;
@@ -145,7 +145,8 @@ Beginning find_delimiter(const Source<std::string>& bytes, const DelimitedOption
     text.erase(0, kept);
     record -= kept;
     if (!more) text += '\n';  // the last record may lack its line end
-    const std::optional<char> delimiter = delimiter_of(std::string_view(text).substr(record), options.marks.decimal);
+    const std::optional<char> delimiter =
+        known ? known : delimiter_of(std::string_view(text).substr(record), options.marks.decimal);
     if (!more) text.pop_back();
     beginning.delimiter = delimiter.value_or(',');
     if (delimiter || !more) return beginning;

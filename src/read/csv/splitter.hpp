@@ -28,8 +28,9 @@ struct Beginning {
   std::uint64_t line = 1;  ///< of the first character
 };
 
-/// Reads until the first record is whole. Throws: Error (data) for a record over 64 MiB.
-Beginning find_delimiter(const Source<std::string>& bytes, const DelimitedOptions& options);
+/// Reads until the first record is whole. `known`: the delimiter, if it is not to be found. Throws: Error (data) for a
+/// record over 64 MiB.
+Beginning find_delimiter(const Source<std::string>& bytes, std::optional<char> known, const DelimitedOptions& options);
 
 /// The delimiter that a first line such as "sep=;" names, as spreadsheets write it; that line is dropped.
 std::optional<char> take_named_delimiter(Source<std::string>& bytes);

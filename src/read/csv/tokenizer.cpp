@@ -291,7 +291,8 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
   const bool has_digit = cell.find_first_of("0123456789") != std::string_view::npos;
   const bool may_be_time = (cell.find(':') != std::string_view::npos && cell[0] >= '0' && cell[0] <= '9') ||
                            (has_digit && cell.find_first_of("-/ ", 1) != std::string_view::npos &&
-                            (is_usual_time(column) || ends_like_time(column)));
+                            (is_usual_time(column) || ends_like_time(column))) ||
+                           (cell.find_first_not_of("0123456789") == 4 && cell[4] == '-');  // as 2024-03 and 2024-W09
   if (may_be_time) {
     return data_error(
         "{}: {} is no number, and no time in a known notation; expected a number, or a time such as "

@@ -67,7 +67,8 @@ constexpr std::array quaternion_members{std::pair{"rotation.x", "qx"}, std::pair
 /// Whether the members of rotations are the four numbers of a quaternion: an array, or an object of x, y, z and w.
 bool has_quaternion(const std::vector<FoundMember>& members) {
   const auto is_array = [](const FoundMember& member) {
-    return member.name == "rotation" && member.array && !member.nested && member.numbers == quaternion_members.size();
+    return member.name == "rotation" && member.is_number_array() && !member.is_spread &&
+           member.numbers == quaternion_members.size();
   };
   const auto is_number = [&](const auto& number) {
     return std::ranges::any_of(members, [&](const FoundMember& member) {
@@ -89,6 +90,9 @@ class FirstRecord {
       if (role.role == Role::group || role.role == Role::carry || role.role == Role::unused) {
         texts_.insert(role.columns.begin(), role.columns.end());
       }
+    }
+    for (const GivenRotation& rotation : options.rotation.requests) {
+      positions_.insert(rotation.columns.begin(), rotation.columns.end());
     }
   }
 
@@ -243,8 +247,9 @@ bool has_time_name(const FoundMember& member) {
 
 /// Whether a member may be a position by its place: one number without another role.
 bool is_plain_number(const FoundMember& member) {
-  return member.numbers == 1 && !member.array && !member.text && !member.nested && !has_role(member.name) &&
-         !is_usual_time(member.name) && !is_usual_counter(member.name) && !time_part_of(member.name);
+  return member.numbers == 1 && !member.array && !member.text && !member.nested && !member.is_rotation &&
+         !has_role(member.name) && !is_usual_time(member.name) && !is_usual_counter(member.name) &&
+         !time_part_of(member.name);
 }
 
 bool is_object_of_positions(const FoundMember& member) { return member.is_of_whole && member.route[0] == "position"; }
@@ -328,7 +333,7 @@ void take_cells(std::vector<std::string_view>& row, const JsonTape& tape, Member
   if (member == nullptr) return;
   const auto text = [&](std::size_t scalar) {
     const Kind kind = tape.kind(scalar);
-    return kind == Kind::string ? tape.text(scalar) : kind == Kind::null ? "" : tape.written(scalar);
+    return kind == Kind::null ? "" : tape.shown(scalar);
   };
   std::size_t index = 0, expected_inside = 0;
   if (!tape[value].is_nested() && member->cells > 0) row[member->cell] = text(value);
@@ -383,6 +388,7 @@ class FirstKey {
     result.columns.ignored.insert(result.columns.ignored.end(), unused_.begin(), unused_.end());
     result.found = result.columns.cells.size();
     if (!requested_.samples) find_doubts(result, header);
+    if (!requested_.samples) find_unused_rotation(result.columns.doubts);
     add_optional_members(result);
     complete(result, result.members, result.all_members);
     result.rules = options_.keys;
@@ -409,6 +415,20 @@ class FirstKey {
   /// Whether a member is a number in the array of this name, which is not itself a member of a key.
   static bool is_vector_at(const std::string& name, const FoundMember& member) {
     return member.route.size() > 2 && member.name == name + member.route.back() && member.route.back().starts_with('[');
+  }
+  /// Whether a rotation is requested by the name of a member, or of an array that it is in.
+  bool is_in_rotation(std::string_view member) const {
+    return is_any_in_rotations([&](std::string_view name) { return name == member || is_element_of(name, member); });
+  }
+  /// Whether a rotation is requested by the name of an array, or of a number in it.
+  bool has_rotation(std::string_view array) const {
+    return is_any_in_rotations([&](std::string_view name) { return name == array || is_element_of(array, name); });
+  }
+  template <class F>
+  bool is_any_in_rotations(const F& is_it) const {
+    return std::ranges::any_of(options_.rotation.requests, [&](const GivenRotation& rotation) {
+      return std::ranges::any_of(rotation.columns, is_it);
+    });
   }
   Error at(const FoundMember& member, const Error& error) const {
     return error.about(member.path).at(tape_.position(member.place));
@@ -445,23 +465,31 @@ class FirstKey {
   /// position or no time, those that may be it.
   void spread() {
     const auto is_one_time = [](const FoundMember& m) { return has_time_name(m) && !m.nested && !m.array; };
-    const auto may_be_positions = [](const FoundMember& m) {
-      return is_plain_number(m) || (m.is_number_array() && !has_role(m.name));
+    const auto may_be_positions = [&](const FoundMember& m) {
+      return is_plain_number(m) || (m.is_number_array() && !has_role(m.name) && !has_rotation(m.name));
     };
     const bool lacks_position = !requested_.has(Role::position) && !has_any(may_be_positions);
     const bool lacks_time = !requested_.timeless && !requested_.has(Role::time) && !has_any(is_one_time);
     const bool has_position_array = has_any([](const FoundMember& m) { return m.name == "position" && m.array; });
     const bool has_position_object = has_any([](const FoundMember& m) { return m.name == "position" && m.nested; });
-    if (requested_.roles.empty() && !lacks_position && !lacks_time && !has_position_object) return;
+    const bool has_request = !requested_.roles.empty() || !options_.rotation.requests.empty();
+    if (!has_request && !lacks_position && !lacks_time && !has_position_object) return;
     const std::size_t count = members_.size();
     for (std::size_t i = 0; i < count; ++i) {
       if ((!members_[i].nested && !members_[i].array) || members_[i].node == JsonCell::missing) continue;
-      if (holds_tcb(members_[i].name) || is_of_rotation(members_[i])) continue;
+      const bool is_rotation = is_of_rotation(members_[i]) && !has_rotation(members_[i].name);
+      if (holds_tcb(members_[i].name) || is_rotation) continue;
       const bool is_position = members_[i].nested && !members_[i].array && members_[i].name == "position" &&
                                !requested_.has(Role::position) && !has_position_array && members_[i].deep_numbers;
       std::vector<FoundMember> inside;
       std::vector<std::string> rest;
       add_inside(inside, members_[i]);
+      const auto is_of_request = [&](const FoundMember& inner) {
+        return is_requested(inner.name) || std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
+                 return std::ranges::any_of(role.columns, [&](const auto& name) { return is_vector_at(name, inner); });
+               });
+      };
+      const bool is_position_array = members_[i].name == "position" && std::ranges::any_of(inside, is_of_request);
       for (FoundMember& inner : inside) {
         const auto is_element = [](const std::string& step) { return step.starts_with('['); };
         const auto elements = std::ranges::count_if(inner.route, is_element);
@@ -469,19 +497,16 @@ class FirstKey {
         const bool may_be_position = lacks_position && (elements == 0 || in_vector);
         const bool is_time = !inner.text && (has_time_name(inner) || time_part_of(inner.name));
         const bool may_be_time = lacks_time && elements == 0 && is_time;
-        const bool is_taken = is_position || may_be_position || may_be_time;
-        const bool is_of_request =
-            is_requested(inner.name) || std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
-              return std::ranges::any_of(role.columns, [&](const auto& name) { return is_vector_at(name, inner); });
-            });
-        if (!is_of_request && !is_taken) {
+        const bool is_of_positions = is_position || is_position_array || may_be_position;
+        inner.is_rotation = is_in_rotation(inner.name);
+        if (!is_of_positions && !may_be_time && !inner.is_rotation && !is_of_request(inner)) {
           std::string whole = inner.name.substr(0, inner.name.find('[', members_[i].name.size()));
           if (rest.empty() || rest.back() != whole) rest.push_back(std::move(whole));
           continue;
         }
         if (is_position && inner.route.size() == 2) inner.name = inner.route[1];
         members_[i].is_spread = true;
-        inner.is_of_whole = is_position || may_be_position;
+        inner.is_of_whole = is_of_positions || inner.is_rotation;
         members_.push_back(std::move(inner));
       }
       if (members_[i].is_spread) unused_.insert(unused_.end(), rest.begin(), rest.end());
@@ -494,7 +519,8 @@ class FirstKey {
     for (const FoundMember& member : members_) {
       if (is_plain_number(member)) return "";
       const bool is_velocity = std::ranges::count(velocity_arrays, member.name, &VelocityArray::name) > 0;
-      if (!member.is_number_array() || has_role(member.name) || is_of_rotation(member) || is_velocity) continue;
+      const bool is_rotation = member.is_spread || is_of_rotation(member);
+      if (!member.is_number_array() || has_role(member.name) || is_rotation || is_velocity) continue;
       all.push_back(member.name);
       std::string_view one = member.name;
       if (one.ends_with('s')) one.remove_suffix(1);
@@ -510,24 +536,25 @@ class FirstKey {
     for (const RoleRequest& request : requested_.roles) {
       if (request.role != Role::position) continue;
       for (const std::string& name : request.columns) {
-        const auto array = std::ranges::find_if(
-            members_, [&](const FoundMember& member) { return member.array && same_in_any_case(member.name, name); });
+        const auto array = std::ranges::find_if(members_, [&](const FoundMember& member) {
+          return member.array && !member.is_spread && same_in_any_case(member.name, name);
+        });
         if (array != members_.end()) arrays.push_back(array->name);
       }
     }
-    bool has_rotation = false;
+    bool has_quaternions = false;
     if (arrays.empty()) {
       const auto position = std::ranges::find(members_, "position", &FoundMember::name);
-      const bool has_position = position != members_.end() && position->array && !position->nested;
+      const bool has_position = position != members_.end() && position->is_number_array() && !position->is_spread;
       const bool is_known = requested_.has(Role::position) || has_position || requested_.samples;
       const std::string lone = is_known ? "" : lone_array();
       arrays = {lone.empty() ? "position" : lone};
-      has_rotation = !options_.rotation.none && has_quaternion(members_);
+      has_quaternions = !options_.rotation.none && has_quaternion(members_);
     }
     for (FoundMember& member : members_) {
-      member.is_rotation = has_rotation && is_of_rotation(member);
-      member.is_position =
-          !member.is_rotation && member.array && !member.nested && std::ranges::count(arrays, member.name) > 0;
+      const bool is_array = member.array && !member.nested && !member.is_spread;
+      member.is_rotation = member.is_rotation || (has_quaternions && is_of_rotation(member));
+      member.is_position = !member.is_rotation && is_array && std::ranges::count(arrays, member.name) > 0;
     }
     return arrays;
   }
@@ -546,7 +573,7 @@ class FirstKey {
         member.columns.clear();
       } else if (member.text) {
         member.columns = {member.name};
-      } else if (member.is_rotation) {
+      } else if (member.is_rotation && is_of_rotation(member)) {
         for (const auto& [name, column] : quaternion_members) {
           if (member.array || member.name == name) member.columns.emplace_back(column);
         }
@@ -590,7 +617,7 @@ class FirstKey {
     return columns;
   }
 
-  /// The requests with the names of cells in the place of paths, such as position[0], and of arrays at any depth.
+  /// The requests with the names of cells in the place of those of arrays at any depth.
   std::vector<RoleRequest> requests() const {
     std::vector<RoleRequest> requests = requested_.roles;
     for (RoleRequest& request : requests) {
@@ -603,14 +630,10 @@ class FirstKey {
             names = member.columns;
             break;
           }
-          if (is_array && name.starts_with(member.name + "[") && name.ends_with(']')) {
-            const auto index = parse_number(name.substr(member.name.size() + 1, name.size() - member.name.size() - 2));
-            const bool is_element = index && *index >= 0 && *index < static_cast<double>(member.columns.size());
-            if (is_element) names = {member.columns[static_cast<std::size_t>(*index)]};
-          }
           const bool is_path = member.route.size() == 2 && name == member.route[0] + "." + member.route[1];
           if (is_path && !is_spread_always(member.route[0])) names = {member.name};
-          if (!is_vector_at(name, member)) continue;
+          const bool is_of_rotation = member.is_rotation && is_element_of(name, member.name);
+          if (!is_vector_at(name, member) && !is_of_rotation) continue;
           if (names.size() == 1 && names[0] == name) names.clear();
           names.push_back(member.name);
         }
@@ -657,13 +680,14 @@ class FirstKey {
   /// two numbers.
   void require_quaternion() const {
     const auto first = std::ranges::find_if(members_, is_of_rotation);
-    if (first == members_.end() || has_quaternion(members_)) return;
+    if (first == members_.end() || first->is_spread || has_quaternion(members_)) return;
     const bool is_array = first->array && !first->nested;
     if (is_array && first->numbers < 3) return;  // too few for a rotation in any form
     throw at(*first,
              is_array ? data_error("the array has {}; expected four, x, y, z, w of a quaternion; correct it, or give "
-                                   "--columns {} for plain channels",
-                                   how_many(first->numbers, "number"), in_shell("position=" + first->name))
+                                   "--rotation axis-angle=rotation or euler=rotation,order=XYZ for another form, or "
+                                   "--columns position=rotation for plain channels",
+                                   how_many(first->numbers, "number"))
                       : data_error(
                             "\"rotation\" has members other than x, y, z and w; expected the four numbers of a "
                             "quaternion; correct them, or give --columns position=NAME:NAME for the members to take"));
@@ -689,7 +713,9 @@ class FirstKey {
     for (const FoundMember& member : members_) {
       const bool is_array = member.array && !member.nested;
       const bool is_used = member.is_of_positions() || (is_array && !member.columns.empty());
-      if (member.is_spread || is_used || has_role(member.name) || (!is_array && !member.deep_numbers)) continue;
+      if (member.is_spread || is_used || may_be_rotation(member) || has_role(member.name) ||
+          (!is_array && !member.deep_numbers))
+        continue;
       const bool is_position = !has_position && (is_array || is_usual_position(member.name));
       if (!is_position && (has_time || !is_usual_time(member.name))) continue;
       throw at(member,
@@ -723,6 +749,28 @@ class FirstKey {
     }
   }
 
+  /// Whether the numbers of an array are a rotation vector or a quaternion by their name.
+  static bool may_be_rotation(const FoundMember& member) {
+    if (!member.is_number_array()) return false;
+    return (member.numbers == 3 && is_of_rotation_vector(member.name + "x")) ||
+           (member.numbers == 4 && rotation_stem_of(member.name + "x"));
+  }
+
+  /// Adds a note where the numbers of an array that is not used are a rotation by its name.
+  void find_unused_rotation(std::vector<std::string>& notes) const {
+    if (options_.rotation.none || !options_.rotation.requests.empty()) return;
+    for (const FoundMember& member : members_) {
+      if (!member.columns.empty() || member.is_spread || !may_be_rotation(member)) continue;
+      const bool is_vector = member.numbers == 3;
+      notes.push_back(
+          fmt::format("the numbers of {} may be a rotation; --rotation {} resamples them as one{}, "
+                      "--rotation none leaves out this note",
+                      in_quotes(member.name), in_shell((is_vector ? "axis-angle=" : "quaternion=") + member.name),
+                      is_vector ? "" : " whose last number is w"));
+      return;
+    }
+  }
+
   /// Finds the notes of the doubts about the columns. Throws: Error (data) for one that the request has to decide.
   void find_doubts(JsonColumns& columns, const std::vector<std::string>& header) const {
     constexpr std::size_t most = 50;
@@ -738,10 +786,11 @@ class FirstKey {
       }
     }
     std::vector<bool> numeric;
-    std::vector<std::string> meant;
+    std::vector<std::string> meant, arrays;
     for (const FoundMember& member : members_) {
       numeric.insert(numeric.end(), member.columns.size(), !member.text);
       if (member.array) meant.insert(meant.end(), member.columns.begin(), member.columns.end());
+      if (member.is_position) arrays.push_back(member.name);
     }
     const FoundColumns found{
         .names = header,
@@ -752,7 +801,8 @@ class FirstKey {
         .has_rotations = options_.rotation.none || !options_.rotation.requests.empty(),
         .has_tcb_scale = options_.keys.tcb_scale != TcbScale::unknown || options_.has_shown_tcb_scale,
         .has_header = true,
-        .meant = std::move(meant)};
+        .meant = std::move(meant),
+        .array = arrays.size() == 1 ? arrays[0] : ""};
     columns.columns.doubts = doubts_of_columns(found);
     columns.columns.time_gap = first_time_gap(found);
   }

@@ -335,6 +335,20 @@ std::optional<Records> open_one_key(const Chunk& text, const InputOptions& optio
   }
 }
 
+/// Adds a note where a text has a frame rate, and its times may be frames.
+void add_rate_note(const JsonTape& tape, const UnitOptions& units, Columns& columns) {
+  constexpr std::array<std::string_view, 4> names{"fps", "framerate", "frame_rate", "frames_per_second"};
+  if (units.time || units.frame_rate || !columns.time_gap || unit_of_time(columns.time)) return;
+  for (std::size_t at = 0; at + 1 < tape.size(); ++at) {
+    if (tape.kind(at) != Kind::name || tape.kind(at + 1) != Kind::number) continue;
+    const std::string_view name = tape.text(at);
+    if (std::ranges::none_of(names, [&](auto known) { return same_in_any_case(known, name); })) continue;
+    columns.doubts.push_back(fmt::format("{} is {}, and is not used; --input-fps {} takes the times as frames at it",
+                                         in_quotes(name), tape.written(at + 1), tape.written(at + 1)));
+    return;
+  }
+}
+
 /// A text of any shape: a table, one key, or the lists in it.
 Records open_whole(JsonPart part, const InputOptions& options) {
   const auto text = std::make_shared<const WholeJson>(std::move(part), options.max_memory);
@@ -351,7 +365,11 @@ Records open_whole(JsonPart part, const InputOptions& options) {
     key = open_one_key(text->part.chunk, options, reason);
   }
   std::vector<JsonTable> tables = find_tables(tape, options);
-  if (!tables.empty()) return open_tables(text, std::move(tables), options);
+  if (!tables.empty()) {
+    Records records = open_tables(text, std::move(tables), options);
+    add_rate_note(tape, options.units, records.columns);
+    return records;
+  }
   const bool has_time = key && key->columns.has(Role::time) && tape.member(0, key->columns.time);
   if (key && (has_time || options.columns.timeless)) return *std::move(key);
   if (reason) throw *reason;
