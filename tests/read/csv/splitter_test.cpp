@@ -107,7 +107,7 @@ TEST(DelimiterOf, with_a_decimal_comma_the_comma_comes_last) {
 std::string found(const std::string& text, const std::string& start, std::uint64_t line) {
   std::string result;
   for (std::size_t piece = 1; piece <= text.size(); ++piece) {
-    const Beginning beginning = find_delimiter(pieces(text, piece), {});
+    const Beginning beginning = find_delimiter(pieces(text, piece), {}, {});
     EXPECT_TRUE(beginning.text.starts_with(start)) << beginning.text << " in pieces of " << piece;
     EXPECT_EQ(beginning.line, line) << text << " in pieces of " << piece;
     const std::string one(1, beginning.delimiter);
@@ -150,7 +150,7 @@ TEST(FindDelimiter, many_lines_before_the_first_record_are_not_kept) {
     for (int i = 0; i < 100'000; ++i) text += left == 0 ? "1;2\n" : "#\n";
     return text;
   };
-  const Beginning beginning = find_delimiter(lines, {});
+  const Beginning beginning = find_delimiter(lines, {}, {});
   EXPECT_EQ(beginning.line, 299 * 100'000U);
   EXPECT_LT(beginning.text.size(), 1'000'000U);
 }
