@@ -219,7 +219,8 @@ std::vector<NamedAngle> ObservedChannels::likely_angles() const {
     const double most = channel.is_positive ? (degrees ? 360.5 : 6.29) : (degrees ? 180.5 : half_turn);
     const double turn = degrees ? 360 : 6.2832;
     // As from 190 to -160, where the name tells that it is an angle.
-    const bool is_turn = has_names_ && channel.may_be_angle && std::abs(channel.jump - turn) < turn / 4;
+    const bool is_rotation = has_names_ && in_lower_case(channel.name).find("rotat") != std::string::npos;
+    const bool is_turn = is_rotation && channel.may_be_angle && std::abs(channel.jump - turn) < turn / 4;
     const bool is_beyond = channel.largest > (is_turn ? 1.5 * turn : most);
     if (!channel.is_named_angle && (is_beyond || (!has_names_ && !degrees))) continue;
     if (!channel.may_be_angle && !channel.jumps_over_end(degrees)) continue;

@@ -84,11 +84,15 @@ TEST(LikelyAngles, jump_by_more_than_half_a_turn) {
 }
 
 TEST(LikelyAngles, may_have_names_of_other_numbers_or_none_where_they_are_within_one_turn) {
-  for (const char* name : {"lon", "longitude", "COG", "course", "track", "rx", "ry", "rz", "rotateX", "rotation_z",
-                           "pan", "theta", "hue"}) {
+  for (const char* name : {"lon", "longitude", "COG", "course", "track", "rx", "ry", "rz", "pan", "theta", "hue"}) {
     EXPECT_EQ(likely(name, {350, 10}), std::string(name) + "=degrees");
     EXPECT_EQ(likely(name, {361, 10}), "") << name;
     EXPECT_EQ(likely(name, {-190, 10}), "") << name;
+  }
+  for (const char* name : {"rotateX", "rotation_z"}) {
+    EXPECT_EQ(likely(name, {190, -160}), std::string(name) + "=degrees");
+    EXPECT_EQ(likely(name, {190, 0}), "") << name << " may make half a turn";
+    EXPECT_EQ(likely(name, {720, 370}), "") << name << " counts turns";
   }
   EXPECT_EQ(likely("x", {350, 10}, false), "x=degrees") << "the name is of a column without one";
   EXPECT_EQ(likely("x", {361, 10}, false), "");
