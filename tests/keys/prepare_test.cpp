@@ -91,7 +91,7 @@ TEST(LikelyAngles, may_have_names_of_other_numbers_or_none_where_they_are_within
   }
   for (const char* name : {"rotateX", "rotation_z"}) {
     EXPECT_EQ(likely(name, {190, -160}), std::string(name) + "=degrees");
-    EXPECT_EQ(likely(name, {190, 0}), "") << name << " may make half a turn";
+    EXPECT_EQ(likely(name, {190, -10}), "") << name << " may make half a turn";
     EXPECT_EQ(likely(name, {720, 370}), "") << name << " counts turns";
   }
   EXPECT_EQ(likely("x", {350, 10}, false), "x=degrees") << "the name is of a column without one";
