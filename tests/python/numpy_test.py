@@ -302,7 +302,7 @@ class OptionsTest(unittest.TestCase):
         self.assertFalse(taken & set(COMMAND_ONLY))
         self.assertLessEqual(set(_TEXT_OPTIONS), taken)
         for name in taken:
-            self.assertRegex(tcbsample.Options.__doc__, rf"\n      (\w+, )?{name}_?[ ,\n]")
+            self.assertRegex(tcbsample.Options.__doc__, rf"\n +(\w+, )?{name}_?[ ,\n]")
 
     def test_options_reach_the_program(self):
         flags = ("flag", "attached")

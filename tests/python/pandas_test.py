@@ -99,7 +99,8 @@ class Frames(unittest.TestCase):
         rows = tcbsample.resample(frame, per_segment=1, group="id", columns={"carry": ["n", "b", "s"]})
         for name in ("id", "n", "b", "s"):
             pd.testing.assert_series_equal(rows[name], frame[name], check_names=False)
-        for values in ([0.5, 2], [True, False], pd.to_datetime(["2024-01-02", "2024-01-01T00:00:00.5"]), ["a,", "b"]):
+        dates = pd.to_datetime(["2024-01-02T00:00:00.0", "2024-01-01T00:00:00.5"])
+        for values in ([0.5, 2], [True, False], dates, ["a,", "b"]):
             groups = pd.concat([FRAME, FRAME]).assign(id=pd.Categorical(pd.Index(values).repeat(3)))
             again = tcbsample.resample(groups, per_segment=1, group="id")
             pd.testing.assert_series_equal(again["id"], groups["id"], check_index=False)

@@ -406,7 +406,7 @@ class Curve:
         size = np.abs(c[3]) + np.abs(h * c[2]) + np.abs(h * h * c[1]) + np.abs(h * h * h * c[0])
         jumps = np.abs(end[:-1] - c[3][1:]) > 1e-12 * (size[:-1] + size[1:])
         if jumps.any():
-            raise ValueError(f"the curve jumps at {x[1:-1][jumps.any(axis=1)][0]!r}; expected one without jumps")
+            raise ValueError(f"the curve jumps at {x[1:-1][jumps.any(axis=1)][0]}; expected one without jumps")
         final = c[2] + h * (2 * c[1] + h * (3 * c[0]))
         positions = np.concatenate([c[3], end[-1:]])
         into, out = np.concatenate([final[:1], final]), np.concatenate([c[2], final[-1:]])
