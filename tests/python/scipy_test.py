@@ -74,7 +74,7 @@ class Curves(unittest.TestCase):
         rng = np.random.default_rng(8)
         for closed in (False, True):
             keys = random_keys(rng, 20)
-            curve = tcbsample.Curve(keys, closed=closed, period=np.ptp(keys["t"]) + 1 if closed else None)
+            curve = tcbsample.Curve(keys, period=np.ptp(keys["t"]) + 1 if closed else None)  # which implies closed
             polynomial = curve.to_ppoly()
             times = rng.uniform(keys["t"][0], curve.times[-1], 1000)
             scale = 1 / min(np.diff(keys["t"]))
@@ -83,6 +83,7 @@ class Curves(unittest.TestCase):
             again = tcbsample.Curve.from_ppoly(polynomial)
             np.testing.assert_allclose(again(times), curve(times), 0, 1e-13)
             self.assertEqual(polynomial(times.reshape(10, 100)).shape, (10, 100, 1))
+            self.assertEqual(polynomial.extrapolate, "periodic" if closed else False)
 
     def test_curves_of_scipy(self):
         rng = np.random.default_rng(9)

@@ -373,7 +373,8 @@ class Curve:
         x = np.append(self._pieces.starts, self._pieces.ends[-1])
         if x.dtype.kind == "i":  # from the first key
             x = (x - x[0]) / (1e9 if self.times.dtype.kind == "M" else 1)
-        return PPoly(coefficients, x, extrapolate="periodic" if self._options.get("closed") else False)
+        is_closed = not {"closed", "period"}.isdisjoint(self._options)
+        return PPoly(coefficients, x, extrapolate="periodic" if is_closed else False)
 
     @classmethod
     def from_ppoly(cls, ppoly: Any) -> Curve:
