@@ -76,7 +76,7 @@ BuildResult<Closing<S>> find_closing(const Keys<S>& first, const Keys<S>& last, 
   const std::size_t own = repeats ? number : count;
   if (own < 2) return BuildError{.code = closed_too_few_keys, .found = own};
   if (!repeats && !end) return BuildError{.code = period_missing};
-  return Closing<S>{repeats ? last.times[0] : end.value_or(last.times[0]), repeats};
+  return Closing<S>{repeats ? last.times[0] : *end, repeats};
 }
 
 /// Copies to the first key what the repeated last key adds: its incoming velocities and turns.
