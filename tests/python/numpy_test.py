@@ -409,7 +409,7 @@ class Errors(unittest.TestCase):
         for message, expected in [
             ("give --missing skip-row, skip-cell or break", 'give missing="skip-row", "skip-cell" or "break"'),
             ("expected one of --step, --rate or --from", "expected one of step, rate or from_"),
-            ("or give --sort", "or give sort=True"),
+            ('"--sort" is a text; or give --sort', '"--sort" is a text; or give sort=True'),
             ("give --columns time=2; see --help", 'give columns="time=2"; see help(tcbsample.Options)'),
             ("--only reads them", "only reads them"),
             ("give --group 'my id' if it tells curves apart", 'give group="my id" if it tells curves apart'),

@@ -89,8 +89,10 @@ def _program() -> str:
 
 # Messages.
 
-# An option; what follows it and may be its value, and what then follows a value; and the alternatives to the value.
+# A text in quotes, which stays; or an option; what follows it and may be its value, and what then follows a value; and
+# the alternatives to the value.
 _OPTION = re.compile(r"""
+    "[^"]*" |
     --(?P<name>[a-z][a-z-]*[a-z])
     (?P<rest>
         [ =](?P<value>'[^']*'|"[^"]*"|(?!(?:instead|and|or|needs|with)\b|--)(?:[^\s,;]|,(?=\S))*[^\s,;.:])
@@ -100,7 +102,7 @@ _OPTION = re.compile(r"""
 
 
 def _option_in_python(match: re.Match[str]) -> str:
-    option = OPTIONS.get(match["name"].replace("-", "_"))
+    option = OPTIONS.get((match["name"] or "").replace("-", "_"))
     if option is None:
         return match[0]
     name = option.keyword
