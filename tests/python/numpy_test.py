@@ -431,6 +431,7 @@ class Errors(unittest.TestCase):
         error = self.error([[0, 1], [2, 3], [1, 5]], count=3)
         self.assertEqual(error.row, 2)
         self.assertRegex(str(error), r"keys, row 2: .*row 1.*sort=True")
+        self.assertRegex(str(self.error({"t": [0, 1], "x": [0, "line 2"]}, count=3)), '^keys, row 1: x: "line 2"')
         self.assertIsNone(self.error({"a": [0, 1], "b": [1, 2]}, count=3, columns={"time": "c"}).row)
         dates = np.array(["2024-01-01T00:00:00", "2024-01-01T00:00:00.5"], "M8[ms]")
         message = str(self.error({"t": dates, "x": [0, 1]}, at="2025-01-01"))

@@ -147,13 +147,15 @@ class Source(NamedTuple):
             return message
 
         def row(match: re.Match[str]) -> str:
+            if match[1] is None:
+                return match[0]
             number = self.row(int(match[1]))
             return "the names of the columns" if number is None else self.table.row_text(number)  # type: ignore[union-attr]
 
         if any(column.dtype.kind == "M" for column in self.table.columns):
             seconds = r"\b(time|at|from|to|is) (\d{9,10}(?:\.\d+)?)\b"
             message = re.sub(seconds, lambda match: f"{match[1]} {date_text(match[2])}", message)
-        return re.sub(r"\bline (\d+)\b", row, message)
+        return re.sub(r'"[^"]*"|\bline (\d+)\b', row, message)
 
 
 def source_of(value: Any, name: str) -> Source:
