@@ -211,15 +211,10 @@ def cells(column: np.ndarray[Any, Any]) -> list[str]:
 
 def encode(table: Table) -> bytes:
     """The table as CSV, with a line of names above the rows if it has names."""
-    if len(table.columns) == 1:  # an empty line would be no row
-        lines = "".join((cell or '""') + "\n" for cell in cells(table.columns[0]))
-    elif table.columns and all(are_floats(column) for column in table.columns):
-        numbers = np.column_stack(table.columns).astype(np.float64)
-        form = ",".join(["%r"] * len(table.columns)) + "\n"  # many rows at once are quicker than row by row
-        parts = (numbers[i : i + 10000] for i in range(0, len(numbers), 10000))
-        lines = "".join(form * len(part) % tuple(part.ravel().tolist()) for part in parts).replace("nan", "")
-    else:
-        lines = "".join(",".join(row) + "\n" for row in zip(*map(cells, table.columns)))
+    columns = [cells(column) for column in table.columns]
+    if len(columns) == 1:  # an empty line would be no row
+        columns[0] = [cell or '""' for cell in columns[0]]
+    lines = "".join(",".join(row) + "\n" for row in zip(*columns))
     head = "" if table.names is None else ",".join(map(quoted, table.names)) + "\n"
     return (head + lines).encode()
 
