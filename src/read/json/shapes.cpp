@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "read/json/keys.hpp"
 #include "read/json/splitter.hpp"
 #include "read/json/tables.hpp"
+#include "schema/usual_names.hpp"
 #include "stream/ordered_map.hpp"
 #include "text/suggest.hpp"
 
