@@ -176,10 +176,11 @@ struct ColumnOfChannel {
   bool requested;
 };
 
-/// The columns that have such a role by their names. `times`: for each column, whether it is the time by its name.
+/// The columns that have such a role by their names. `times`: for each column, whether it is the time by its name;
+/// `chosen`: the positions are requested by an option.
 std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::span<const std::string> header,
-                                                 const std::vector<bool>& numeric, const std::vector<bool>& times) {
-  const bool chosen = columns.has(Role::position);
+                                                 const std::vector<bool>& numeric, const std::vector<bool>& times,
+                                                 bool chosen) {
   std::vector<bool> may_be_channel(header.size());
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
     const Role role = columns.cells[cell].role;
@@ -460,7 +461,9 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   if (!assign_segments(columns, header)) {
     assign_split_time(columns, header, numeric, timeless);
     const auto usual = timeless ? std::vector<bool>(header.size()) : usual_times(columns, header, numeric);
-    for (ColumnOfChannel& column : columns_of_channels(columns, header, numeric, usual)) {
+    const bool chosen = std::ranges::any_of(
+        requests, [](const RoleRequest& request) { return request.role == Role::position && !request.option.empty(); });
+    for (ColumnOfChannel& column : columns_of_channels(columns, header, numeric, usual, chosen)) {
       columns.cells[column.cell].role = column.role.role;
       of_channels.push_back(std::move(column));
     }

@@ -108,7 +108,8 @@ inline constexpr std::array role_names{
     RoleName{"easefrom", Role::ease_out, true},
 };
 
-/// A requested role: its columns by name or by number from 1, and the option that requests it.
+/// A requested role: its columns by name or by number from 1, and the option that requests it; none where the input
+/// does.
 struct RoleRequest {
   Role role;
   std::vector<std::string> columns;

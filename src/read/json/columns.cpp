@@ -371,7 +371,8 @@ class FirstKey {
       add_member(result.members, member);
       if (member.columns.empty() && !member.empty) unused_.push_back(member.name);
     }
-    const std::vector<bool> numeric = numeric_cells(header);
+    std::vector<bool> numeric;
+    for (const FoundMember& member : members_) numeric.insert(numeric.end(), member.columns.size(), !member.text);
     if (requested_.samples) {
       result.columns = find_sample_columns(header, numeric, *requested_.samples, requested_.timeless);
     } else {
@@ -387,7 +388,7 @@ class FirstKey {
     if (has_array && lacks_time) require_no_lost_time(result.columns);
     result.columns.ignored.insert(result.columns.ignored.end(), unused_.begin(), unused_.end());
     result.found = result.columns.cells.size();
-    if (!requested_.samples) find_doubts(result, header);
+    if (!requested_.samples) find_doubts(result, header, numeric);
     if (!requested_.samples) find_unused_rotation(result.columns.doubts);
     add_optional_members(result);
     complete(result, result.members, result.all_members);
@@ -641,39 +642,16 @@ class FirstKey {
       }
       request.columns = std::move(columns);
     }
-    return requests;
-  }
-
-  /// For each cell, whether it holds a number that may have a role or be a position. Where there is an array of
-  /// positions, no other number is a position.
-  std::vector<bool> numeric_cells(const std::vector<std::string>& header) const {
-    const bool has_array = has_any([](const FoundMember& m) { return is_object_of_positions(m) || m.is_position; });
-    const bool lacks_time = !has_any([](const FoundMember& m) { return !time_part_of(m.name) && has_time_name(m); });
-    std::vector<bool> numeric;
+    if (requested_.has(Role::position)) return requests;
+    // Where there is an array of positions, no other number is a position.
+    const auto is_position = [](const FoundMember& m) { return m.is_position || is_object_of_positions(m); };
+    RoleRequest positions{.role = Role::position, .option = "", .unless_taken = true};
     for (const FoundMember& member : members_) {
-      const bool is_single = !member.array && !member.is_of_positions() && !is_object_of_positions(member);
-      const bool is_time = lacks_time && has_both_time_parts(member.name);
-      const bool is_other = has_array && is_single && !is_time && role_of_name(member.name) == Role::position;
-      const bool is_number = !member.text && (!is_other || is_of_channel_in(member.name, header));
-      numeric.insert(numeric.end(), member.columns.size(), is_number);
+      const bool is_taken = !member.text && (is_position(member) || member.is_rotation);
+      if (is_taken) positions.columns.insert(positions.columns.end(), member.columns.begin(), member.columns.end());
     }
-    return numeric;
-  }
-
-  /// Whether the name is that of a role in a channel of this name.
-  static bool is_of_channel_in(const std::string& name, const std::vector<std::string>& header) {
-    const auto role = channel_role_of(name);
-    return role &&
-           std::ranges::any_of(header, [&](const auto& other) { return same_in_any_case(other, role->channel); });
-  }
-
-  /// Whether a name is that of the seconds or of the nanoseconds of a time, and the other part is there too.
-  bool has_both_time_parts(std::string_view name) const {
-    const auto part = time_part_of(name);
-    return part && has_any([&](const FoundMember& member) {
-             const auto other = time_part_of(member.name);
-             return other && other->stem == part->stem && other->part != part->part;
-           });
+    if (has_any(is_position)) requests.push_back(std::move(positions));
+    return requests;
   }
 
   /// Throws: Error (data) for members of rotations that are something else than a quaternion, but for arrays of one or
@@ -772,7 +750,8 @@ class FirstKey {
   }
 
   /// Finds the notes of the doubts about the columns. Throws: Error (data) for one that the request has to decide.
-  void find_doubts(JsonColumns& columns, const std::vector<std::string>& header) const {
+  void find_doubts(JsonColumns& columns, const std::vector<std::string>& header,
+                   const std::vector<bool>& numeric) const {
     constexpr std::size_t most = 50;
     std::vector<std::vector<std::string_view>> rows(std::min(records_.size(), most));
     JsonCells cells;
@@ -785,10 +764,8 @@ class FirstKey {
         take_cells(rows[i], tape_, finder, columns.members, cell.name, cell.value, expected);
       }
     }
-    std::vector<bool> numeric;
     std::vector<std::string> meant, arrays;
     for (const FoundMember& member : members_) {
-      numeric.insert(numeric.end(), member.columns.size(), !member.text);
       if (member.array) meant.insert(meant.end(), member.columns.begin(), member.columns.end());
       if (member.is_position) arrays.push_back(member.name);
     }
