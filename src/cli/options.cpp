@@ -220,6 +220,7 @@ constexpr OptionRow option_rows[] = {
      "The columns, by name or number, that together are a rotation: quaternion=X:Y:Z:W, "
      "axis-angle=X:Y:Z:ANGLE[,relative], axis-angle=X:Y:Z whose length is the angle, euler=A:B:C,order=XYZ or "
      "matrix=M11:M12:M13:M21:M22:M23:M31:M32:M33. "
+     "The name of an array of these numbers stands for all, as in quaternion=q. "
      "Repeat the option for each rotation; none takes all columns as plain channels. By default columns with names "
      "such as qx, qy, qz and qw are a rotation",
      "", other, recorded,

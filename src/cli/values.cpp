@@ -81,7 +81,7 @@ Error not_a_rotation(std::string_view text) {
   return usage_error(
       "{} is not a rotation; expected quaternion=X:Y:Z:W, axis-angle=X:Y:Z:ANGLE, axis-angle=X:Y:Z:ANGLE,relative, "
       "axis-angle=X:Y:Z whose length is the angle, euler=A:B:C,order=XYZ, or matrix= with nine columns row by row, "
-      "where columns are names or numbers, or one name of an array with these; or none",
+      "where columns are names or numbers, or the name of an array with all; or none",
       in_quotes(text));
 }
 

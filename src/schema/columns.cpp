@@ -440,7 +440,8 @@ Columns requested_columns(std::span<const std::string> header, const std::vector
   for (const RoleRequest& request : requests) {
     for (const std::string& name : request.columns) {
       const std::size_t cell = find_cell(name, request.option, header, named, numeric.size());
-      if (request.unless_taken && columns.cells[cell].role == request.role) continue;
+      const Role role = columns.cells[cell].role;
+      if (request.unless_taken && (request.option.empty() ? role != Role::ignored : role == request.role)) continue;
       if (is_of_channel(request.role)) of_channels.push_back({cell, {request.role, request.channel}, name, true});
       const bool is_text = request.role == Role::group || request.role == Role::carry;
       assign(columns, cell, request.role,

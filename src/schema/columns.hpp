@@ -43,9 +43,10 @@ struct ColumnOptions {
 /// A column as options request it: by its name, or by its number from 1 if it has none or one that a list would divide.
 std::string requested_as(std::string_view name, std::size_t cell);
 
-/// Whether a column is a number in an array, as q[0] is in q.
-inline bool is_element_of(std::string_view array, std::string_view column) {
-  return column.size() > array.size() && column.starts_with(array) && column[array.size()] == '[';
+/// Whether a column is a number in an array or an object, as q[0] and q.x are in q.
+inline bool is_element_of(std::string_view outer, std::string_view column) {
+  return column.size() > outer.size() && column.starts_with(outer) &&
+         (column[outer.size()] == '[' || column[outer.size()] == '.');
 }
 
 /// The largest number of columns without a role that are compared.

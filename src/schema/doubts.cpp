@@ -337,7 +337,8 @@ Found labels_of_curves(const FoundColumns& found) {
 /// An array of two numbers, of which the first rises.
 Found time_in_array(const FoundColumns& found) {
   const bool has_two = found.array.size() > 0 && found.columns.channels.size() == 2 && found.rows.size() > 1;
-  if (!has_two || found.columns.has(Role::time) || found.requested.timeless) return std::nullopt;
+  const bool is_decided = found.requested.timeless || is_requested(found, Role::position);
+  if (!has_two || is_decided || found.columns.has(Role::time) || is_usual_position(found.array)) return std::nullopt;
   const std::size_t cell = cells_with(found, Role::position)[0];
   for (std::size_t row = 1; row < found.rows.size(); ++row) {
     if (!(number_in(found, found.rows[row - 1], cell) < number_in(found, found.rows[row], cell))) return std::nullopt;

@@ -114,8 +114,9 @@ struct RoleRequest {
   Role role;
   std::vector<std::string> columns;
   std::string_view option = "--columns";
-  std::string channel = {};   ///< of a role in one channel
-  bool unless_taken = false;  ///< columns that have the role already keep it
+  std::string channel = {};  ///< of a role in one channel
+  bool unless_taken =
+      false;  ///< columns that have the role already keep it, and others too where the input requests it
 };
 
 /// "time=frame,position=px:py:pz". Throws: Error (usage).

@@ -1,6 +1,8 @@
 // Rotation columns: which columns make rotations and angles, their channels, and the cells that show them.
 #include "schema/schema.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
@@ -47,12 +49,20 @@ std::size_t requested_channel(const std::string& name, const Columns& columns, s
   throw no_such_column(name, channels).about(option);
 }
 
-/// Replaces the name of an array by the columns of its numbers.
+/// Replaces the name of an array, or of an object of x, y, z and w, by the columns of its numbers.
 void find_elements(GivenRotation& request, const Columns& columns) {
   if (request.columns.size() != 1) return;
   std::vector<std::string> elements;
   std::ranges::copy_if(columns.channels, std::back_inserter(elements),
                        [&](const std::string& channel) { return is_element_of(request.columns[0], channel); });
+  if (!elements.empty() && elements[0][request.columns[0].size()] == '.') {
+    std::vector<std::string> letters;
+    for (const char letter : std::string_view("xyzw").substr(0, elements.size())) {
+      letters.push_back(fmt::format("{}.{}", request.columns[0], letter));
+    }
+    const bool are_letters = letters.size() == elements.size() && std::ranges::is_permutation(letters, elements);
+    elements = are_letters ? std::move(letters) : std::vector<std::string>{};
+  }
   const bool is_vector = request.notation.form == spline::RotationForm::axis_angle && elements.size() == 3;
   if (is_vector && !request.relative) request.notation.form = spline::RotationForm::rotation_vector;
   const std::size_t numbers = request.notation.numbers();

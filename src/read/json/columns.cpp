@@ -550,11 +550,13 @@ class FirstKey {
       const bool is_known = requested_.has(Role::position) || has_position || requested_.samples;
       const std::string lone = is_known ? "" : lone_array();
       arrays = {lone.empty() ? "position" : lone};
-      has_quaternions = !options_.rotation.none && has_quaternion(members_);
+      has_quaternions = !options_.rotation.none && !has_rotation("rotation") && has_quaternion(members_);
     }
     for (FoundMember& member : members_) {
       const bool is_array = member.array && !member.nested && !member.is_spread;
-      member.is_rotation = member.is_rotation || (has_quaternions && is_of_rotation(member));
+      const bool is_whole =
+          !member.is_spread && is_of_rotation(member) && (has_quaternions || is_in_rotation(member.name));
+      member.is_rotation = member.is_rotation || is_whole;
       member.is_position = !member.is_rotation && is_array && std::ranges::count(arrays, member.name) > 0;
     }
     return arrays;
@@ -574,7 +576,7 @@ class FirstKey {
         member.columns.clear();
       } else if (member.text) {
         member.columns = {member.name};
-      } else if (member.is_rotation && is_of_rotation(member)) {
+      } else if (member.is_rotation && is_of_rotation(member) && !is_in_rotation(member.name)) {
         for (const auto& [name, column] : quaternion_members) {
           if (member.array || member.name == name) member.columns.emplace_back(column);
         }
@@ -727,8 +729,14 @@ class FirstKey {
     }
   }
 
-  /// Whether the numbers of an array are a rotation vector or a quaternion by their name.
-  static bool may_be_rotation(const FoundMember& member) {
+  /// Whether the numbers of an array, or of an object of x, y, z and w, are a rotation vector or a quaternion by their
+  /// name.
+  bool may_be_rotation(const FoundMember& member) const {
+    if (member.nested && !member.array && rotation_stem_of(member.name + "x") && member.node != JsonCell::missing) {
+      return tape_.count(member.node) == 4 && std::ranges::all_of(std::array{"x", "y", "z", "w"}, [&](auto name) {
+               return tape_.kind(member.node) == Kind::object && tape_.member(member.node, name);
+             });
+    }
     if (!member.is_number_array()) return false;
     return (member.numbers == 3 && is_of_rotation_vector(member.name + "x")) ||
            (member.numbers == 4 && rotation_stem_of(member.name + "x"));
@@ -736,7 +744,7 @@ class FirstKey {
 
   /// Adds a note where the numbers of an array that is not used are a rotation by its name.
   void find_unused_rotation(std::vector<std::string>& notes) const {
-    if (options_.rotation.none || !options_.rotation.requests.empty()) return;
+    if (options_.rotation.none || !options_.rotation.requests.empty() || requested_.has(Role::position)) return;
     for (const FoundMember& member : members_) {
       if (!member.columns.empty() || member.is_spread || !may_be_rotation(member)) continue;
       const bool is_vector = member.numbers == 3;

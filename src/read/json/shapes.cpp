@@ -344,7 +344,8 @@ void add_rate_note(const JsonTape& tape, const UnitOptions& units, Columns& colu
   for (std::size_t at = 0; at + 1 < tape.size(); ++at) {
     if (tape.kind(at) != Kind::name || tape.kind(at + 1) != Kind::number) continue;
     const std::string_view name = tape.text(at);
-    if (std::ranges::none_of(names, [&](auto known) { return same_in_any_case(known, name); })) continue;
+    const bool is_column = std::ranges::count(columns.channels, name) + std::ranges::count(columns.ignored, name) > 0;
+    if (is_column || std::ranges::none_of(names, [&](auto known) { return same_in_any_case(known, name); })) continue;
     columns.doubts.push_back(fmt::format("{} is {}, and is not used; --input-fps {} takes the times as frames at it",
                                          in_quotes(name), tape.written(at + 1), tape.written(at + 1)));
     return;
