@@ -13,6 +13,7 @@
 #include "picture/differences.hpp"
 #include "run/curve_pipeline.hpp"
 #include "run/progress.hpp"
+#include "sample/build.hpp"
 #include "stream/ordered_map.hpp"
 
 namespace tcb {

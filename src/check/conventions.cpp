@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "sample/curve_spec.hpp"
 #include "sample/fields.hpp"
 #include "tcb/spline/rules.hpp"
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "check/inputs.hpp"
-#include "sample/build.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {

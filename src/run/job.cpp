@@ -9,6 +9,7 @@
 #include "keys/curves.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
+#include "stream/ordered_map.hpp"
 
 namespace tcb {
 
@@ -29,6 +30,8 @@ const std::vector<Rational>& places_of_group(const GroupedPlaces& places, std::s
         .about(option);
   return found->second;
 }
+
+unsigned ThreadOptions::count() const { return requested.value_or(available_threads()); }
 
 SamplingRequest SampleOptions::of(const InputCurve& curve, const Schema& schema) const {
   SamplingRequest own = request;

@@ -14,7 +14,6 @@
 #include "read/input_options.hpp"
 #include "sample/request.hpp"
 #include "schema/curve_settings.hpp"
-#include "stream/ordered_map.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
@@ -67,7 +66,7 @@ struct GoldenOptions {
 struct ThreadOptions {
   std::optional<unsigned> requested;  ///< nothing: all cores, and one to read a live pipe
 
-  unsigned count() const { return requested.value_or(available_threads()); }
+  unsigned count() const;
   /// The number of threads for one input: one if it is live, as more would delay rows until later keys arrive.
   unsigned for_reading(unsigned available, bool live) const { return live && !requested ? 1 : available; }
 };
