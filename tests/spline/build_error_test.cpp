@@ -239,6 +239,12 @@ TEST(BuildError, closed_curves_need_two_keys_and_a_period) {
   });
   EXPECT_EQ(in_channel.code, seam_tcb_differs);
   EXPECT_EQ(in_channel.channel, 1U);
+  const auto of_velocities = closed_error(std::nullopt, [](auto& keys) {
+    keys = Keys<double>{1, {0, 1, 2}, {0, 1, 0}, {{}, {}, {}}, {}, {}, {{1, 1}, {0, 0}, {1, 2}}};
+    keys.given = {true};
+  });
+  EXPECT_EQ(of_velocities.code, seam_velocity_differs);
+  EXPECT_EQ(of_velocities.key, 2U);
   EXPECT_EQ(closed_error(9.0, [](auto& keys) { keys = keys_of({{0, 1, 0, 0, 0}}); }).code, closed_too_few_keys);
   EXPECT_EQ(closed_error(std::nullopt,
                          [](auto& keys) {
