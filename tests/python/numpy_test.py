@@ -147,6 +147,11 @@ class Inputs(unittest.TestCase):
         rows = tcbsample.resample([[begin, 0.5], [begin + 100, 2**60]], per_segment=1, quiet=True)
         self.assertEqual(rows.tolist(), [(begin, 0.5), (begin + 100, 2.0**60)])
 
+    def test_frames_of_other_libraries_keep_their_names(self):
+        frame = type("DataFrame", (list,), {"__dataframe__": None, "__module__": "polars.dataframe"})([[0, 1], [1, 2]])
+        with self.assertRaisesRegex(TypeError, r"DataFrame of polars; .* to_pandas\(\)"):
+            tcbsample.resample(frame, count=3)
+
     def test_what_is_no_table(self):
         for keys in ([0, 1, 2], np.zeros((2, 2, 2)), {"t": [0, 1], "x": [1]}, {"t": [0, 1], "xy": [[1, 2], [3, 4]]}, 7,
                      [[0, 1], [1]], ([], []), {"t": np.array(["1500-01-01"], "M8[D]"), "x": [1]}):  # fmt: skip
@@ -251,6 +256,8 @@ class Outputs(unittest.TestCase):
     def test_pictures(self):
         picture = tcbsample.plot(KEYS, check=tcbsample.resample(KEYS, count=7))
         self.assertIn("check passed", picture._repr_svg_())
+        lists = tcbsample.plot(KEYS, axes=("y", "x"), size=[640, 480])
+        self.assertEqual(lists.svg, tcbsample.plot(KEYS, axes="y:x", size="640x480").svg)
         self.assertTrue(picture._repr_html_().startswith('<img src="data:image/svg+xml;base64,'))
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "a.svg")

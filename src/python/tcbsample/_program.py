@@ -182,6 +182,7 @@ def _warn(note: str) -> None:
 
 # Runs.
 
+_SEPARATORS = {"axes": ":", "size": "x"}  # in lists; in others a comma
 _TEXT_OPTIONS = ["input_format", "delimiter", "header", "no_header", "comment", "decimal", "date_order"]
 
 
@@ -246,7 +247,7 @@ class Run:
             places = Source(name, "\n".join(numbers).encode(), Table(None, [np.array(numbers)], [], []))
             self.words.append(f"{option.name}=@{self._file(places)}")
         else:
-            self.words.append(f"{option.name}={text(value)}")
+            self.words.append(f"{option.name}={text(value).replace(',', _SEPARATORS.get(known, ','))}")
 
     def add(self, options: Mapping[str, Any], allowed: Collection[str]) -> None:
         """Adds options, which are those of functions, and those of the command line alone that are allowed here."""

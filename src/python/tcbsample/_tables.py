@@ -149,6 +149,9 @@ def table(keys: Any) -> Table:
     kind = type(keys).__name__
     if is_pandas(keys):
         return _frame_table(keys)
+    if hasattr(keys, "__dataframe__"):  # as an array, it would lose its names
+        raise TypeError(f"a {kind} of {type(keys).__module__.partition('.')[0]}; expected a DataFrame of pandas, which its "
+                        "method to_pandas() returns")  # fmt: skip
     if isinstance(keys, Mapping):
         return _named(keys)
     if isinstance(keys, tuple) and len(keys) == 2 and all(map(_is_column, keys)):
