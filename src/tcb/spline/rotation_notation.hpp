@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <ranges>
 #include <span>
+#include <type_traits>
 #include <utility>
 
 #include "tcb/spline/angle.hpp"
@@ -124,7 +124,7 @@ Quaternion<S> nearest_rotation(RotationNumbers<S> m) {
 }
 
 /// The length of the vector that the first three numbers are.
-template <class Numbers, class S = std::ranges::range_value_t<Numbers>>
+template <class Numbers, class S = std::remove_cvref_t<decltype(std::declval<Numbers>()[0])>>
 S length_of_vector(const Numbers& numbers) {
   using std::sqrt;
   return sqrt(S(numbers[0] * numbers[0] + (numbers[1] * numbers[1] + numbers[2] * numbers[2])));
@@ -132,7 +132,7 @@ S length_of_vector(const Numbers& numbers) {
 
 /// The rotation that numbers give. Requires: the form is not that of quaternions; an axis is not zero unless its angle
 /// is; the determinant of a matrix is positive. Promises: |q| = 1 within 2^-52.
-template <class Numbers, class S = std::ranges::range_value_t<Numbers>>
+template <class Numbers, class S = std::remove_cvref_t<decltype(std::declval<Numbers>()[0])>>
 Quaternion<S> quaternion_from(const Numbers& numbers, const RotationNotation& notation) {
   if (notation.form == RotationForm::matrix) {
     RotationNumbers<S> matrix;
