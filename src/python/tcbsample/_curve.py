@@ -152,7 +152,8 @@ class Curve:
     unit of time, or per second. Positions and derivatives are computed in this process, by NumPy; they are within 4
     units in the last place of what resample() returns, counted at the largest control value of the piece. What is no
     cubic in time (rotations, ease), lengths, places outside the keys and golden=True, here or in a call, take a run of
-    the program, which reads a file again. Derivatives of the channels of a rotation are NaN; resample() has the field angular_velocity.
+    the program, which reads a file again. Derivatives of the channels of a rotation are NaN; resample() has the field
+    angular_velocity.
 
     Raises Error if keys or options are rejected, and TypeError for an unknown option or what is not a table.
 

@@ -97,7 +97,8 @@ def _frame_table(keys: Any) -> Table:
     index, frame = keys.index, keys
     is_time = index.nlevels == 1 and (index.dtype.kind in "mM" or str(index.dtype).startswith(("period", "datetime64")))
     if not hasattr(keys, "columns"):  # a Series
-        if index.nlevels > 1 or (index.dtype.kind in "iu" and index.name is None and list(index) == list(range(len(index)))):
+        counts_rows = index.name is None and index.dtype.kind in "iu" and index.equals(pandas.RangeIndex(len(index)))
+        if index.nlevels > 1 or counts_rows:
             raise TypeError("the index of the Series has several levels, or only counts its rows; expected the times as "
                             "its index; set it, as in series.set_axis(times)")  # fmt: skip
         is_time, frame = True, keys.to_frame("x" if keys.name is None else keys.name)
