@@ -626,6 +626,19 @@ class Curves(unittest.TestCase):
         seconds = [count / 10**9 for count in rows["time"][:9].astype(np.int64).tolist()]
         np.testing.assert_array_equal(curve(seconds), curve(rows["time"][:9]))
 
+    def test_a_track_of_a_file(self):
+        scene = SAMPLES / "formats" / "scene.lws"
+        for keys in (scene, SAMPLES / "vectors" / "ease.json"):
+            with self.assertRaisesRegex(TypeError, "several curves; .* with only"):
+                tcbsample.Curve(keys, quiet=True)
+        curve, times = tcbsample.Curve(scene, only="Ship/position"), np.linspace(0, 2.9, 9)
+        rows = tcbsample.resample(scene, at=times, only="Ship/position", fields="position,velocity,s")
+        np.testing.assert_array_equal(curve(times, golden=True)[:, 1], rows["y"])
+        np.testing.assert_allclose(curve(times, 1)[:, 0], rows["x_v"], rtol=1e-14)
+        np.testing.assert_array_equal(curve.length(times), rows["s"])
+        named = tcbsample.Curve({"t": [0, 1], "curve": [0, 2]}, columns="position=curve")
+        self.assertEqual((named.names, named(1).tolist(), named.at_length([2]).tolist()), (["curve"], [2], [[2]]))
+
     def test_other_notations_of_time(self):
         for keys, options in ((b"time,x\n00:00:01:00,0\n00:00:03:12,2\n", {"input_fps": 24}),
                               (b"time,x\n00:01,0\n00:03.5,2\n", {"quiet": True})):  # fmt: skip

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import decimal
+import itertools
 import os
 import re
 from bisect import bisect_right
@@ -149,8 +150,8 @@ class Curve:
     names     the names of the c channels
 
     Times are numbers in the unit of the keys, or dates or durations where those of the keys are; derivatives are per
-    unit of time, or per second. Positions and derivatives are computed in this process, by NumPy; they are within 4
-    units in the last place of what resample() returns, counted at the largest control value of the piece. What is no
+    unit of time, or per second. Positions and derivatives are computed in this process, by NumPy; positions are within
+    4 units in the last place of what resample() returns, counted at the largest control value of the piece. What is no
     cubic in time (rotations, ease), lengths, places outside the keys and golden=True, here or in a call, take a run of
     the program, which reads a file again. Derivatives of the channels of a rotation are NaN; resample() has the field
     angular_velocity.
@@ -202,10 +203,15 @@ class Curve:
         with run_of(self._keys, {**self._options, **sampling}) as run:
             table, run.table = run.table, None  # no row has the types of the keys
             rows = rows_of(run, {})
-        if "curve" in rows.dtype.names:
-            raise TypeError("the keys are several curves; expected one; make a Curve for each")
-        first = rows[rows.dtype.names[0]][0]
-        if isinstance(first, str) and not re.match(r"\d{4}-", first):  # timecode, or minutes and seconds
+        first = dict(zip(rows.dtype.names, rows[0]))
+        is_label = {name: isinstance(value, str) and not re.match(r"-?\d+[-:]", value) for name, value in first.items()}
+        labels = list(itertools.takewhile(is_label.get, first))  # such as the object and its track
+        if "curve" in first and rows["curve"].dtype.kind == "i" or any(len(set(rows[name])) > 1 for name in labels):
+            raise TypeError("the keys are several curves; expected one; make a Curve for each, or choose a track of a file "
+                            "with only")  # fmt: skip
+        rows = rows[[name for name in first if name not in labels]]
+        time = rows[rows.dtype.names[0]][0]
+        if isinstance(time, str) and ":" in time[:4]:  # timecode, or minutes and seconds
             return self._rows(**{**sampling, "time_format": "seconds"})
         return rows, table
 
@@ -256,7 +262,7 @@ class Curve:
             with run_of(self._keys, {**self._options, "quiet": True, "fields": fields, **more, option: words}) as run:
                 run.table = None  # no row has the types of the keys
                 rows = rows_of(run, {})
-            result[asked] = np.stack([rows[name] for name in rows.dtype.names], axis=1)
+            result[asked] = np.stack([rows[name] for name in rows.dtype.names[-columns:]], axis=1)
         return result.reshape((*places.shape, columns))
 
     def __call__(self, t: Any, nu: int = 0, *, golden: bool = False) -> Array:
