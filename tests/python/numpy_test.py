@@ -4,6 +4,7 @@ import datetime
 import doctest
 import fractions
 import io
+import json
 import os
 import pathlib
 import pydoc
@@ -628,7 +629,8 @@ class Curves(unittest.TestCase):
 
     def test_a_track_of_a_file(self):
         scene = SAMPLES / "formats" / "scene.lws"
-        for keys in (scene, SAMPLES / "vectors" / "ease.json"):
+        curves = [{"id": name, "keys": [{"t": 0, "x": 1}, {"t": 1, "x": 2}]} for name in ("1-2", "1:3")]
+        for keys in (scene, SAMPLES / "vectors" / "ease.json", json.dumps({"curves": curves}).encode()):
             with self.assertRaisesRegex(TypeError, "several curves; .* with only"):
                 tcbsample.Curve(keys, quiet=True)
         curve, times = tcbsample.Curve(scene, only="Ship/position"), np.linspace(0, 2.9, 9)

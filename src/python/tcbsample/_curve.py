@@ -28,6 +28,7 @@ _RUN = 1 << 10  # so many places on a piece are faster together than with those 
 _OF_ROWS = {"step", "rate", "fps", "count", "segments", "per_segment", "at", "arc_step", "arc_count", "arc_at", "tolerance",
             "emit", "fit_keys", "keep_times", "corner", "from_", "to", "end", "keys", "fields", "digits", "fixed",
             "time_format", "time_zero", "file_column"}  # fmt: skip
+_TIME = re.compile(r"-?\d+(:\d\d|-\d\d-\d\dT)")
 _DERIVATIVES = ("position", "velocity", "acceleration", "jerk")
 
 
@@ -204,14 +205,14 @@ class Curve:
             table, run.table = run.table, None  # no row has the types of the keys
             rows = rows_of(run, {})
         first = dict(zip(rows.dtype.names, rows[0]))
-        is_label = {name: isinstance(value, str) and not re.match(r"-?\d+[-:]", value) for name, value in first.items()}
+        is_label = {name: isinstance(value, str) and not _TIME.match(value) for name, value in first.items()}
         labels = list(itertools.takewhile(is_label.get, first))  # such as the object and its track
         if "curve" in first and rows["curve"].dtype.kind == "i" or any(len(set(rows[name])) > 1 for name in labels):
             raise TypeError("the keys are several curves; expected one; make a Curve for each, or choose a track of a file "
                             "with only")  # fmt: skip
         rows = rows[[name for name in first if name not in labels]]
         time = rows[rows.dtype.names[0]][0]
-        if isinstance(time, str) and ":" in time[:4]:  # timecode, or minutes and seconds
+        if isinstance(time, str) and "T" not in time:  # timecode, or minutes and seconds
             return self._rows(**{**sampling, "time_format": "seconds"})
         return rows, table
 
