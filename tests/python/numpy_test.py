@@ -1,6 +1,7 @@
 """The Python module with NumPy: its examples, inputs, outputs, options and errors. numpy_test.py FOLDER"""
 
 import datetime
+import decimal
 import doctest
 import fractions
 import io
@@ -558,6 +559,13 @@ class Curves(unittest.TestCase):
         self.assertAlmostEqual(float(curve(5e-311)[0]), 0.5)
         with self.assertRaisesRegex(tcbsample.Error, "beyond the range"):
             curve(5e-311, 1)
+
+    def test_times_of_more_digits_than_doubles(self):
+        keys = b"t,x\n1403637576.252524268,0\n1403637578.952524268,27\n"
+        curve = tcbsample.Curve(keys, ends="chord", quiet=True)
+        times = np.array([1403637576.5, 1403637577.6025])
+        exact = [10 * (decimal.Decimal(repr(time)) - decimal.Decimal("1403637576.252524268")) for time in times.tolist()]
+        np.testing.assert_allclose(curve(times)[:, 0], np.array(exact, dtype=float), rtol=1e-15)
 
     def test_what_is_no_cubic(self):
         keys = {"t": [0, 1, 2], "x": [0, 1, 0], "ease_in": [0.5, 0.5, 0.5], "ease_out": [0.1, 0.2, 0.3]}

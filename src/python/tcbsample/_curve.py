@@ -153,9 +153,9 @@ class Curve:
     Times are numbers in the unit of the keys, or dates or durations where those of the keys are; derivatives are per
     unit of time, or per second. Positions and derivatives are computed in this process, by NumPy; positions are within
     4 units in the last place of what resample() returns, counted at the largest control value of the piece. What is no
-    cubic in time (rotations, ease), lengths, places outside the keys and golden=True, here or in a call, take a run of
-    the program, which reads a file again. Derivatives of the channels of a rotation are NaN; resample() has the field
-    angular_velocity.
+    cubic in time (rotations, ease), times in files with more digits than doubles, lengths, places outside the keys and
+    golden=True, here or in a call, take a run of the program, which reads a file again. Derivatives of the channels of
+    a rotation are NaN; resample() has the field angular_velocity.
 
     Raises Error if keys or options are rejected, and TypeError for an unknown option or what is not a table.
 
@@ -230,8 +230,11 @@ class Curve:
             ticks = np.append(starts.view(np.int64), starts[-1:].view(np.int64) + duration)
             times = ticks.view(starts.dtype)
         bezier = np.stack([np.stack([rows[f"{name}_b{i}"] for name in self.names], axis=1) for i in range(4)], axis=1)
+        has_all_digits = ticks.dtype.kind == "i" or (
+            np.abs(np.diff(ticks.astype(np.longdouble)) - durations) <= 2 * np.spacing(durations)
+        ).all()  # else times in a file have more than doubles
         # Derivatives may be (6 / duration)^3 times as large.
-        if np.abs(bezier).max() < 1e306 * (min(1.0, durations.min().item()) / 6) ** 3:
+        if has_all_digits and np.abs(bezier).max() < 1e306 * (min(1.0, durations.min().item()) / 6) ** 3:
             self._pieces = _Pieces(ticks[:-1], ticks[1:], durations, bezier.astype(np.float64))
         return times
 
@@ -374,7 +377,7 @@ class Curve:
 
         if self._pieces is None:
             raise ValueError("the curve is not a cubic in time, as it has rotations or ease, or numbers near the limits "
-                             "of doubles; sample it instead")  # fmt: skip
+                             "of doubles, or times with more digits; sample it instead")  # fmt: skip
         h = self._pieces.durations[:, None]
         p = [power[::3] for power in self._pieces.powers]  # of the distance from the start
         coefficients = np.stack([p[3] / h / h / h, p[2] / h / h, p[1] / h, p[0]])
