@@ -180,11 +180,22 @@ bool is_shortest(const LongDecimal& decimal, double nearest) {
 /// The low part of a decimal that is a double but not its shortest decimal: too small to change the 31st digit.
 double low_part_of_exact(double high) { return std::ldexp(high, -107); }
 
+double nearest_to(const Digits& digits, int exponent) {
+  if (digits > UINT64_MAX) return nearest_double(LongDecimal{digits, exponent}.value());
+  std::array<char, 48> text{};
+  char* end = std::to_chars(text.data(), text.data() + text.size(), static_cast<std::uint64_t>(digits)).ptr;
+  *end++ = 'e';
+  end = std::to_chars(end, text.data() + text.size(), exponent).ptr;
+  double value = 0;
+  const auto found = std::from_chars(text.data(), end, value);
+  return found.ec == std::errc() ? value : nearest_double(LongDecimal{digits, exponent}.value());
+}
+
 /// Requires: a stripped decimal; `high` is the double nearest to it without its sign, 0 if that is not known.
 Time time_of(const LongDecimal& decimal, double high) {
   const auto with_sign = [&](const Time& time) { return decimal.negative ? -time : time; };
   if (decimal.digits == 0) return {};
-  if (high == 0) high = nearest_double(LongDecimal{decimal.digits, decimal.exponent}.value());
+  if (high == 0) high = nearest_to(decimal.digits, decimal.exponent);
   if (high < low_parts_from || !std::isfinite(high)) return with_sign(high);
   const bool fits = decimal.exponent <= 0 && decimal.exponent >= -22 && high >= 1e-5 && high < 0x1p53;
   const Rational value = fits ? Rational() : LongDecimal{decimal.digits, decimal.exponent}.value();
@@ -218,6 +229,35 @@ LongDecimal decimal_of(const Time& time) {
   }
   decimal.negative = time.hi < 0;
   return stripped(decimal);
+}
+
+std::optional<LongDecimal> exact_decimal_of(const Time& time) {
+  if (!(std::abs(time.hi) < 0x1p100)) return std::nullopt;
+  if (time.hi == std::trunc(time.hi) && time.lo == std::trunc(time.lo)) {
+    const SignedDigits whole = static_cast<SignedDigits>(time.hi) + static_cast<SignedDigits>(time.lo);
+    return stripped({static_cast<Digits>(whole < 0 ? -whole : whole), 0, whole < 0});
+  }
+  if (time.lo != 0) return decimal_of(time);
+  const Decimal found = shortest(std::abs(time.hi));
+  return stripped({found.digits, found.exponent, time.hi < 0});
+}
+
+std::optional<Time> exact_difference(const LongDecimal& a, const LongDecimal& b) {
+  constexpr int most = 37;  // digits whose sums and differences 128 bits hold
+  const int exponent = std::min(a.exponent, b.exponent);
+  const auto has_room = [&](const LongDecimal& decimal) {
+    return decimal.size() + decimal.exponent - exponent <= most;
+  };
+  if (!has_room(a) || !has_room(b)) return std::nullopt;
+  const auto with_sign = [&](const LongDecimal& decimal) {
+    const auto digits = static_cast<SignedDigits>(decimal.digits * power_of_ten(decimal.exponent - exponent));
+    return decimal.negative ? -digits : digits;
+  };
+  const SignedDigits difference = with_sign(a) - with_sign(b);
+  const LongDecimal decimal =
+      stripped({static_cast<Digits>(difference < 0 ? -difference : difference), exponent, difference < 0});
+  if (decimal.size() > digits_of_time) return std::nullopt;
+  return time_of(decimal, 0);
 }
 
 LongDecimal rounded(const LongDecimal& decimal, int decimals) {

@@ -38,6 +38,12 @@ inline bool is_long_decimal(const Time& time) {
 /// The decimal of a time. Requires: finite.
 LongDecimal decimal_of(const Time& time);
 
+/// The decimal that a time is, as exact_time() has it; nothing for whole numbers from 2^100 on.
+std::optional<LongDecimal> exact_decimal_of(const Time& time);
+
+/// The time that is exactly a - b; nothing if it has more than 31 digits.
+std::optional<Time> exact_difference(const LongDecimal& a, const LongDecimal& b);
+
 /// A decimal rounded to `decimals` decimals, ties to even; a result of 0 also has that many.
 LongDecimal rounded(const LongDecimal& decimal, int decimals);
 

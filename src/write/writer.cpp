@@ -295,7 +295,10 @@ Table Writer::ordered(const Table& table) const {
 }
 
 void Writer::set_first_time(const Time& first) {
-  if (options_.time_zero && !zero_) zero_ = options_.time_zero->time.value_or(exact_time(first));
+  if (!options_.time_zero || zero_) return;
+  zero_ = options_.time_zero->time.value_or(exact_time(first));
+  const Time zero = nearest_time(*zero_, digits_of_time);
+  if (exact_time(zero) == *zero_) decimal_zero_ = exact_decimal_of(zero);
 }
 
 void Writer::set_frames(const PlayedFrames& frames) {
@@ -306,8 +309,14 @@ void Writer::set_frames(const PlayedFrames& frames) {
 Table Writer::from_zero(Table rows) const {
   for (std::size_t i = 0; i < rows.cells.size(); ++i) {
     if (columns_.numbers[i % columns_.numbers.size()].kind != CellKind::time) continue;
+    const bool has_text = !rows.texts.empty() && !rows.texts[i].empty();
+    const auto decimal_time = decimal_zero_ && !has_text ? exact_decimal_of(rows.cells[i]) : std::nullopt;
+    if (const auto shifted = decimal_time ? exact_difference(*decimal_time, *decimal_zero_) : std::nullopt) {
+      rows.cells[i] = *shifted;
+      continue;
+    }
     std::optional<Rational> time;
-    if (!rows.texts.empty() && !rows.texts[i].empty()) time = parse_rational(std::exchange(rows.texts[i], ""));
+    if (has_text) time = parse_rational(std::exchange(rows.texts[i], ""));
     const Rational shifted = (time ? *time : exact_time(rows.cells[i])) - *zero_;
     const Time decimal = nearest_time(shifted, digits_of_time);
     rows.cells[i] = exact_time(decimal) == shifted ? decimal : nearest_time(shifted);

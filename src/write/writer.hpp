@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/atomic_output.hpp"
+#include "numbers/decimal_time.hpp"
 #include "sample/table.hpp"
 #include "schema/schema.hpp"
 #include "stream/source.hpp"
@@ -114,13 +115,14 @@ class Writer {
   TimeNotation notation_ = TimeNotation::seconds;
   DateFormat dates_;
   TextMarks marks_;
-  Rational unit_ = 1;             ///< of the times, in seconds, where they are printed in another one
-  bool whole_times_ = false;      ///< they are rounded to whole numbers
-  std::optional<Rational> zero_;  ///< from which they count
-  bool nested_ = false;           ///< each curve is an object with its rows
-  Layout all_;                    ///< with the texts of all columns before their cells
-  Layout rows_;                   ///< of rows of the current curve, without their labels
-  bool any_rows_ = false;         ///< in the current list
+  Rational unit_ = 1;                             ///< of the times, in seconds, where they are printed in another one
+  bool whole_times_ = false;                      ///< they are rounded to whole numbers
+  std::optional<Rational> zero_;                  ///< from which they count
+  std::optional<LongDecimal> decimal_zero_ = {};  ///< the same, where it is a decimal of a time
+  bool nested_ = false;                           ///< each curve is an object with its rows
+  Layout all_;                                    ///< with the texts of all columns before their cells
+  Layout rows_;                                   ///< of rows of the current curve, without their labels
+  bool any_rows_ = false;                         ///< in the current list
   ProvenanceRecorder recorder_;
   std::optional<std::vector<std::string>> group_;  ///< of the curve before
   std::string file_;                               ///< the current one, as a text of a key

@@ -134,6 +134,32 @@ TEST(DecimalTimes, that_do_not_end_have_the_decimals_that_are_asked_for) {
   EXPECT_EQ(nearest_time(Rational(1, 3), 0), Time(1.0 / 3));
 }
 
+TEST(DecimalTimes, have_exact_differences) {
+  std::mt19937_64 random(20261127);
+  int found = 0;
+  const auto random_time = [&] {
+    const int digits = 1 + static_cast<int>(random() % 22), before = static_cast<int>(random() % 24) - 4;
+    if (random() % 4 == 0)
+      return Time(std::ldexp(static_cast<double>(random() >> 11), static_cast<int>(random() % 90) - 80));
+    return time_in((random() % 4 == 0 ? "-" : "") + random_decimal(random, digits, std::min(before, digits)));
+  };
+  for (int i = 0; i < 20'000; ++i) {
+    const Time time = random_time(), zero = random() % 16 == 0 ? time : random_time();
+    const auto a = exact_decimal_of(time), b = exact_decimal_of(zero);
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(a->value(), exact_time(time)) << time_text(time);
+    const auto difference = exact_difference(*a, *b);
+    if (!difference) continue;
+    ++found;
+    const Rational wanted = exact_time(time) - exact_time(zero);
+    EXPECT_EQ(*difference, nearest_time(wanted, digits_of_time)) << time_text(time) << " - " << time_text(zero);
+    EXPECT_EQ(exact_time(*difference), wanted) << time_text(time) << " - " << time_text(zero);
+  }
+  EXPECT_GT(found, 10'000);
+  EXPECT_FALSE(exact_difference({1, 20}, {1, -20}));
+  EXPECT_FALSE(exact_decimal_of(Time(0x1p100)));
+}
+
 TEST(DecimalTimes, are_rounded_half_to_even_as_decimals) {
   const auto text = [](const std::string& time, Notation::Kind kind, int count) {
     std::string out(400, '\0');
