@@ -19,7 +19,7 @@ constexpr std::string_view time_names =
     "simulationtime walltime walltimes sampletime eventtime capturetime recordtime relativetime reltime absolutetime "
     "abstime jd tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp frametime frametimestamp zeit "
     "uhrzeit datum zeitstempel zeitpunkt temps heure horodatage tiempo hora fecha tempo ora "
-    "datahora dataora fechahora dateheure";
+    "datahora dataora fechahora dateheure tijd tijdstip czas";
 
 /// The names of a unit of time; nothing: an unknown one.
 struct UnitNames {

@@ -407,10 +407,12 @@ class FirstKey {
   bool has_any(const F& f) const {
     return std::ranges::any_of(members_, [&](const FoundMember& member) { return std::invoke(f, member); });
   }
-  /// Whether a request names a column, in any case of its letters.
-  bool is_requested(const std::string& name) const {
+  /// Whether a request names a member, in any case of its letters, or the array that it is in.
+  bool is_requested(const FoundMember& member) const {
     return std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
-      return std::ranges::any_of(role.columns, [&](const auto& column) { return same_in_any_case(column, name); });
+      return std::ranges::any_of(role.columns, [&](const std::string& name) {
+        return same_in_any_case(name, member.name) || is_vector_at(name, member);
+      });
     });
   }
   /// Whether a member is a number in the array of this name, which is not itself a member of a key.
@@ -485,12 +487,8 @@ class FirstKey {
       std::vector<FoundMember> inside;
       std::vector<std::string> rest;
       add_inside(inside, members_[i]);
-      const auto is_of_request = [&](const FoundMember& inner) {
-        return is_requested(inner.name) || std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
-                 return std::ranges::any_of(role.columns, [&](const auto& name) { return is_vector_at(name, inner); });
-               });
-      };
-      const bool is_position_array = members_[i].name == "position" && std::ranges::any_of(inside, is_of_request);
+      const bool is_position_array = members_[i].name == "position" &&
+                                     std::ranges::any_of(inside, [&](const auto& one) { return is_requested(one); });
       for (FoundMember& inner : inside) {
         const auto is_element = [](const std::string& step) { return step.starts_with('['); };
         const auto elements = std::ranges::count_if(inner.route, is_element);
@@ -500,7 +498,7 @@ class FirstKey {
         const bool may_be_time = lacks_time && elements == 0 && is_time;
         const bool is_of_positions = is_position || is_position_array || may_be_position;
         inner.is_rotation = is_in_rotation(inner.name);
-        if (!is_of_positions && !may_be_time && !inner.is_rotation && !is_of_request(inner)) {
+        if (!is_of_positions && !may_be_time && !inner.is_rotation && !is_requested(inner)) {
           std::string whole = inner.name.substr(0, inner.name.find('[', members_[i].name.size()));
           if (rest.empty() || rest.back() != whole) rest.push_back(std::move(whole));
           continue;
@@ -690,13 +688,13 @@ class FirstKey {
     const bool has_position = requested_.has(Role::position) || has_any(&FoundMember::is_of_positions);
     const bool has_time = requested_.timeless || requested_.has(Role::time) ||
                           has_any([](const FoundMember& m) { return m.numbers == 1 && !m.array && has_time_name(m); });
+    const bool lacks_numbers = !has_position && records_.size() > 1 && !has_any(is_plain_number);
     for (const FoundMember& member : members_) {
       const bool is_array = member.array && !member.nested;
       const bool is_used = member.is_of_positions() || (is_array && !member.columns.empty());
-      if (member.is_spread || is_used || may_be_rotation(member) || has_role(member.name) ||
-          (!is_array && !member.deep_numbers))
-        continue;
-      const bool is_position = !has_position && (is_array || is_usual_position(member.name));
+      if (member.is_spread || is_used || may_be_rotation(member) || has_role(member.name)) continue;
+      if (!is_array && !member.deep_numbers && (!lacks_numbers || path_of_number(member) == member.name)) continue;
+      const bool is_position = !has_position && (is_array || lacks_numbers || is_usual_position(member.name));
       if (!is_position && (has_time || !is_usual_time(member.name))) continue;
       throw at(member,
                is_array
@@ -710,9 +708,11 @@ class FirstKey {
     }
   }
 
+  /// The path of the first number in a value, also in quotes; the name of the member where there is none.
   std::string path_of_number(const FoundMember& member) const {
+    if (member.node == JsonCell::missing) return member.name;
     std::size_t node = member.node;
-    while (node < tape_[member.node].next && tape_.kind(node) != JsonTape::Kind::number) ++node;
+    while (node < tape_[member.node].next && !is_number(tape_, node)) ++node;
     return node == tape_[member.node].next ? member.name : member.name + tape_.path(member.node, node);
   }
 

@@ -29,11 +29,6 @@ bool holds_kind(const JsonTape& tape, std::size_t value, Kind kind) {
   return false;
 }
 
-bool is_number(const JsonTape& tape, std::size_t value) {
-  const Kind kind = tape.kind(value);
-  return kind == Kind::number || (kind == Kind::string && parse_number(tape.text(value)));
-}
-
 /// Whether an array or object is not empty, and its values are all of a kind.
 bool has_only(const JsonTape& tape, std::size_t value, Kind kind) {
   const auto all = tape.inside(value);
@@ -75,6 +70,11 @@ bool has_time(const JsonTape& tape, std::size_t object) {
 }
 
 }  // namespace
+
+bool is_number(const JsonTape& tape, std::size_t value) {
+  const Kind kind = tape.kind(value);
+  return kind == Kind::number || (kind == Kind::string && parse_number(tape.text(value)));
+}
 
 std::vector<std::string> usual_names(std::size_t columns, bool is_timeless) {
   if (is_timeless || columns == 0) return default_channel_names(columns);

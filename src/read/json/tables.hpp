@@ -107,4 +107,7 @@ void refuse_other_json(const JsonTape& tape, const ColumnOptions& requested, std
 /// Whether a value holds a list of records.
 bool holds_table(const JsonTape& tape, std::size_t value);
 
+/// Whether a value is a number, also in quotes.
+bool is_number(const JsonTape& tape, std::size_t value);
+
 }  // namespace tcb
