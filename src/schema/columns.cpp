@@ -2,6 +2,7 @@
 #include "schema/columns.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -18,9 +19,8 @@
 namespace tcb {
 namespace {
 
-/// A request such as time=NAME, or several of these.
 std::string request_of(std::string_view role, std::span<const std::string> header, std::size_t cell) {
-  return fmt::format("{}={}", role, requested_as(header[cell], cell));
+  return requested_as(role, header, {&cell, 1});
 }
 
 Error two_times(std::string_view column, std::string_view other_column, std::string_view request,
@@ -380,8 +380,8 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
       throw data_error(
           "column {} looks like a label, not a position; expected its role; give --group {} for one curve per value, "
           "--columns {} to keep it in the rows, or --columns {} to leave it out",
-          in_quotes(header[cell]), in_shell(requested_as(header[cell], cell)),
-          in_shell(request_of("carry", header, cell)), in_shell(request_of("ignore", header, cell)));
+          in_quotes(header[cell]), in_shell(requested_as(header, cell)), in_shell(request_of("carry", header, cell)),
+          in_shell(request_of("ignore", header, cell)));
     }
     if (role == Role::time && columns.has(Role::time)) {
       const auto other = std::ranges::find(columns.cells, Role::time, &Columns::Column::role);
@@ -487,7 +487,7 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
     if (is_unused[cell]) continue;
     columns.ignored.push_back(header.empty() ? fmt::format("column {}", cell + 1) : header[cell]);
     if (columns.marks.size() == most_marks) continue;
-    columns.marks.push_back({requested_as(header.empty() ? "" : header[cell], cell), !numeric[cell]});
+    columns.marks.push_back({requested_as(header, cell), !numeric[cell]});
   }
   if (columns.channels.empty()) {
     std::vector<std::string> texts;
@@ -511,6 +511,18 @@ Columns requested_columns(std::span<const std::string> header, const std::vector
                           std::span<const RoleRequest> requests) {
   std::vector<ColumnOfChannel> none;
   return requested_columns(header, numeric, requests, none);
+}
+
+std::string requested_as(std::span<const std::string> names, std::size_t cell) {
+  const bool is_named = cell < names.size() && std::ranges::count(names, names[cell]) == 1;
+  return requested_as(is_named ? std::string_view(names[cell]) : "", cell);
+}
+
+std::string requested_as(std::string_view role, std::span<const std::string> names,
+                         std::span<const std::size_t> cells) {
+  std::vector<std::string> columns;
+  for (const std::size_t cell : cells) columns.push_back(requested_as(names, cell));
+  return fmt::format("{}={}", role, fmt::join(columns, ":"));
 }
 
 std::string requested_as(std::string_view name, std::size_t cell) {

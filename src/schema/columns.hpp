@@ -40,8 +40,13 @@ struct ColumnOptions {
   }
 };
 
-/// A column as options request it: by its name, or by its number from 1 if it has none or one that a list would divide.
+/// A column as options request it: by its name, or by its number from 1 if it has none, one that another column has
+/// too, or one that a list would divide.
+std::string requested_as(std::span<const std::string> names, std::size_t cell);
 std::string requested_as(std::string_view name, std::size_t cell);
+
+/// A value of --columns such as time=NAME, or position=NAME:NAME.
+std::string requested_as(std::string_view role, std::span<const std::string> names, std::span<const std::size_t> cells);
 
 /// Whether a column is a number in an array or an object, as q[0] and q.x are in q.
 inline bool is_element_of(std::string_view outer, std::string_view column) {

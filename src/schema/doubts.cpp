@@ -26,13 +26,6 @@ bool is_requested(const FoundColumns& found, Role role) {
   return std::ranges::count(found.requested.roles, role, &RoleRequest::role) > 0;
 }
 
-/// A column as it can be requested: its name, or the number from 1 of one without a name.
-std::string request_of(const FoundColumns& found, std::size_t cell) {
-  const bool is_named = cell < found.names.size() && !found.names[cell].empty() &&
-                        std::ranges::count(found.names, found.names[cell]) == 1;
-  return requested_as(is_named ? found.names[cell] : "", cell);
-}
-
 /// A column as messages show it.
 std::string shown(const FoundColumns& found, std::size_t cell) {
   const std::string number = fmt::format("column {}", cell + 1);
@@ -44,15 +37,9 @@ std::string column_in_words(const FoundColumns& found, std::size_t cell) {
   return name.starts_with('"') ? "column " + name : name;
 }
 
-std::vector<std::string> requests_of(const FoundColumns& found, std::span<const std::size_t> cells) {
-  std::vector<std::string> requests;
-  for (const std::size_t cell : cells) requests.push_back(request_of(found, cell));
-  return requests;
-}
-
 /// A value of --columns or --rotation with the role and all these columns.
 std::string roles_of(const FoundColumns& found, std::string_view role, std::span<const std::size_t> cells) {
-  return in_shell(fmt::format("{}={}", role, fmt::join(requests_of(found, cells), ":")));
+  return in_shell(requested_as(role, found.names, cells));
 }
 
 std::vector<std::string> names_of(std::span<const std::string> names, std::span<const std::size_t> chosen) {
@@ -318,7 +305,7 @@ Found labels_of_curves(const FoundColumns& found) {
       const std::string_view text = cell < row.size() ? row[cell] : "";
       if (runs.empty() || runs.back() != text) runs.push_back(text);
     }
-    const std::string first(runs[0]), column = request_of(found, cell);
+    const std::string first(runs[0]), column = requested_as(found.names, cell);
     if (runs.size() == 1) {
       return note("column {} is {} in the first rows; --group {} makes a curve of each value", shown(found, cell),
                   in_quotes(first), in_shell(column));
@@ -574,10 +561,12 @@ Found quaternion_by_norm(const FoundColumns& found) {
     const std::array ordered = by_letters(found, four);
     const bool is_by_name = ordered != four && in_lower_case(found.names[four[0]]).find('q') != std::string::npos;
     if (is_by_name) return std::nullopt;
+    std::vector<std::string> names;
+    for (const std::size_t cell : four) names.push_back(requested_as(found.names, cell));
     return note(
         "columns {} may be a quaternion; --rotation {} resamples them as a rotation whose last number is w, --rotation "
         "none leaves out this note",
-        listed(requests_of(found, four)), roles_of(found, "quaternion", ordered));
+        listed(names), roles_of(found, "quaternion", ordered));
   }
   return std::nullopt;
 }

@@ -232,7 +232,7 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
     const std::string name = i < names.size() ? names[i] : fmt::format("column {}", i + 1);
     const Error fault = why_not_number(name, cell, head.marks);
     if (is_coordinate(name)) throw Error(fault).at(tokenizer.position(cells[i]));
-    const std::string column = in_shell(requested_as(i < names.size() ? name : "", i));
+    const std::string column = in_shell(requested_as(names, i));
     throw data_error(
         "{}; or give --group {} if these texts tell curves apart, or --columns ignore={} to leave the column out",
         fault.message(), column, column)
@@ -365,11 +365,7 @@ class RolesByCells {
     return requested_.has(fmt::format("{}", cell + 1)) || (cell < names_.size() && requested_.has(names_[cell]));
   }
 
-  void request(Role role, std::size_t cell) {
-    const bool is_unique =
-        cell < names_.size() && !names_[cell].empty() && std::ranges::count(names_, names_[cell]) == 1;
-    requested_.roles.push_back({role, {is_unique ? names_[cell] : fmt::format("{}", cell + 1)}});
-  }
+  void request(Role role, std::size_t cell) { requested_.roles.push_back({role, {requested_as(names_, cell)}}); }
 
   std::optional<TimeNotation> notation(std::size_t cell) const {
     return cell < rows_[0].size() ? find_notation(rows_[0][cell]) : std::nullopt;
