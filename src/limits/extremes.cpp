@@ -2,12 +2,14 @@
 #include "limits/extremes.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <queue>
+#include <functional>
+#include <span>
 #include <tuple>
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 
 #include "error.hpp"
@@ -17,215 +19,174 @@
 namespace tcb::limits {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rounding = 0x1p-40;      ///< relative: of the segments, and of hundreds of operations on them
-constexpr std::size_t most_parts = 2000;  ///< that are bounded with rationals
+constexpr double rounding = 0x1p-40;  ///< relative: of the segments, and of hundreds of operations on them
+constexpr double least = 1e-290;      ///< below it, squares may be 0
 
 /// The power of a polynomial in Bernstein's form, times the binomials.
 template <class S>
-Polynomial<S> power_of(const Polynomial<S>& form, int power) {
+Polynomial<S> power_of_form(const Polynomial<S>& form, int power) {
   const Polynomial<S> base = with_binomials(form);
   Polynomial<S> result{S(1)};
   for (int i = 0; i < power; ++i) result = product(result, base);
   return result;
 }
 
-/// The numbers of a segment and of a piece of it.
-struct Place {
-  std::size_t segment, piece;
-};
-
-/// A part of a piece with a measure on it in Bernstein's form, and how far rounding may move that.
-struct Candidate {
-  Polynomial<double> over{0}, base{0};
+/// A measure over a part of a piece in Bernstein's form, and how far rounding may move that of doubles.
+template <class S>
+struct Form {
+  Polynomial<S> over{S(0)}, base{S(0)};
   int power = 0;
-  bool is_certain = true;  ///< the piece is not so short that exact numbers may have none
   double slack = 0, base_slack = 0;
-  double begin = 0, size = 1;                  ///< of the part
-  double upper = infinity, doubt = 0;          ///< a bound, and how far rounding may move it
-  const std::vector<Place>* places = nullptr;  ///< of all pieces with this measure
-  Place place = {};                            ///< one of them
-
-  /// A quotient is at most the largest of those of the coefficients, or of them with binomials.
-  void set_bound() {
-    upper = infinity;
-    doubt = 0;
-    if (power == 0) {
-      upper = *std::ranges::max_element(over) + slack;
-      doubt = 8 * slack;
-      return;
-    }
-    Polynomial<double> least = base;
-    for (double& x : least) x -= base_slack;
-    const double smallest = *std::ranges::min_element(least);
-    if (!(smallest > 0)) return;  // it may be 0 there
-    const Polynomial<double> below = power_of(least, power), above = with_binomials(over);
-    upper = -infinity;
-    double binomial = 1;
-    for (std::size_t i = 0; i < over.size(); ++i) {
-      const double most = above[i] + slack * binomial;
-      upper = std::max(upper, std::max(0.0, most) / below[i] * (1 + rounding));
-      binomial *= static_cast<double>(over.size() - 1 - i) / static_cast<double>(i + 1);
-    }
-    doubt = 8 * (slack / std::pow(smallest, power) + power * upper * (base_slack / smallest + rounding));
-  }
-  /// The largest value at its ends, at least.
-  double attained() const {
-    const auto at_end = [&](double x, double y) {
-      return power == 0 ? x - slack : std::max(0.0, x - slack) / std::pow(y + base_slack, power) * (1 - rounding);
-    };
-    return std::max(at_end(over.front(), base.front()), at_end(over.back(), base.back()));
-  }
-  bool is_narrow(double other) const { return !is_certain || upper - other <= doubt; }
-  bool operator<(const Candidate& other) const { return upper < other.upper; }
 };
 
-/// An order of measures in which only equal ones are equivalent.
-struct ByMeasure {
-  bool operator()(const Candidate& a, const Candidate& b) const {
-    const auto numbers = [](const Candidate& x) {
-      return std::tie(x.upper, x.power, x.over, x.base, x.slack, x.base_slack, x.is_certain);
-    };
-    return numbers(a) < numbers(b);
-  }
-};
+template <class S>
+Form<S> form_of(const Measured<S>& x) {
+  const std::size_t base_degree = x.base.size() - 1, of_power = base_degree * static_cast<std::size_t>(x.power);
+  return {bernstein(x.over, std::max(x.over.size() - 1, of_power)), bernstein(x.base, base_degree), x.power,
+          x.scale == 0 ? 0 : rounding * x.scale + least, rounding * x.base_scale};
+}
 
-/// The parts that may hold the maximum of one measure.
-class Search {
- public:
-  explicit Search(const Measure& measure) : measure_(&measure) {}
-
-  void add(const Piece<double>& piece, std::size_t segment) {
-    const Measured<double> x = measured(piece, *measure_);
-    constexpr double least = 1e-290;      // below it, squares may be 0
-    constexpr double shortest = 0x1p-40;  // of pieces that are certain
-    const std::size_t base_degree = x.base.size() - 1, of_power = base_degree * static_cast<std::size_t>(x.power);
-    Candidate one;
-    if (std::isfinite(x.scale)) {
-      one.over = bernstein(x.over, std::max(x.over.size() - 1, of_power));
-      one.base = bernstein(x.base, base_degree);
-      one.power = x.power;
-      one.is_certain = piece.size > shortest;
-      one.slack = x.scale == 0 ? 0 : rounding * x.scale + least;
-      one.base_slack = rounding * x.base_scale;
-      if (!may_be_largest(one)) return;
-    } else {
-      one.slack = infinity;  // doubles do not bound it
-    }
-    std::vector<Place>& places = pieces_[one];
-    if (places.size() <= most_parts) places.push_back({segment, piece.number});
-    if (pieces_.size() < 2 * kept_ + 64) return;
-    std::erase_if(pieces_, [this](const auto& other) { return !(other.first.upper >= attained_); });
-    kept_ = pieces_.size();
-  }
-
-  /// The parts that are left, those with the largest bounds first; if there are more than `most_parts`, the last one
-  /// bounds those that are not among them. Outlived by this, for their places.
-  std::vector<Candidate> rest() {
-    std::vector<Candidate> final;
-    std::priority_queue<Candidate> queue;
-    for (const auto& [piece, places] : pieces_) {
-      Candidate whole = piece;
-      whole.places = &places;
-      queue.push(std::move(whole));
-    }
-    while (!queue.empty() && final.size() <= most_parts) {
-      const Candidate top = queue.top();
-      queue.pop();
-      if (!(top.upper >= attained_)) break;
-      constexpr double smallest = 0x1p-30, smallest_without_bound = 0x1p-10;
-      const bool is_small = top.size <= (std::isfinite(top.upper) ? smallest : smallest_without_bound);
-      if (!std::isfinite(top.slack) || is_small || top.is_narrow(attained_)) {
-        for (const Place& place : *top.places) {
-          if (final.size() > most_parts) break;
-          final.push_back(top);
-          final.back().place = place;
-        }
-        continue;
-      }
-      const auto [left, right] = halves(top.over);
-      const auto [base_left, base_right] = halves(top.base);
-      for (const bool second : {false, true}) {
-        Candidate half = top;
-        half.size = top.size / 2;
-        if (second) half.begin += half.size;
-        half.over = second ? right : left;
-        half.base = second ? base_right : base_left;
-        if (may_be_largest(half)) queue.push(std::move(half));
-      }
-    }
-    std::erase_if(final, [this](const Candidate& one) { return !(one.upper >= attained_); });
-    return final;
-  }
-
- private:
-  /// Whether a part may have the largest value, by its bound, which is set.
-  bool may_be_largest(Candidate& part) {
-    part.set_bound();
-    if (!(part.upper > attained_)) return false;
-    if (part.is_certain) attained_ = std::max(attained_, part.attained());
-    return true;
-  }
-
-  const Measure* measure_;
-  std::map<Candidate, std::vector<Place>, ByMeasure> pieces_;  ///< those with the same measure are bounded once
-  std::size_t kept_ = 0;
-  double attained_ = -infinity;
-};
+/// The forms on [0, at] and [at, 1].
+template <class S>
+std::pair<Form<S>, Form<S>> split(const Form<S>& form, const S& at) {
+  std::pair<Form<S>, Form<S>> parts{form, form};
+  std::tie(parts.first.over, parts.second.over) = split(form.over, at);
+  std::tie(parts.first.base, parts.second.base) = split(form.base, at);
+  return parts;
+}
 
 Rational exactly(const spline::DoubleDouble& x) { return Rational(x.hi) + Rational(x.lo); }
 Rational exactly(const Real& x) { return x.rational(); }
 
-Rational at_least(const Rational& x) { return x; }
+/// The ends of what a scalar may be, as numbers that are compared.
+template <class Number, class S>
+std::pair<Number, Number> ends_of(const S& x) {
+  if constexpr (std::is_same_v<S, Number>) {
+    return {x, x};
+  } else if constexpr (std::is_same_v<Number, Rational>) {
+    const Rational middle = exactly(x.middle()),
+                   radius = exactly(Middle<std::decay_t<decltype(x.middle())>>::number(x.radius()));
+    return {middle - radius, middle + radius};
+  } else {
+    const Number radius = x.widened(0x1p-95 * x.most()).radius();  // and the rounding of the sums
+    return {x.middle() - radius, x.middle() + radius};
+  }
+}
+
+const Rational& middle_of(const Rational& x) { return x; }
 template <class M>
-Rational at_least(const BallOf<M>& x) {
-  return exactly(x.middle()) - exactly(Middle<M>::number(x.radius()));
+const M& middle_of(const BallOf<M>& x) {
+  return x.middle();
 }
 bool is_above_zero(const Rational& x) { return x > 0; }
 template <class M>
 bool is_above_zero(const BallOf<M>& x) {
   return x.middle() > M() && !x.may_be_zero();
 }
+double rough(double x) { return x; }
 double rough(const Rational& x) { return nearest_double(x); }
 template <class M>
 double rough(const BallOf<M>& x) {
   return x.rough();
 }
 
-/// The largest coefficient, at most.
-Rational largest_of(const Polynomial<Rational>& x) { return *std::ranges::max_element(x); }
-template <class M>
-Rational largest_of(const Polynomial<BallOf<M>>& x) {
-  const BallOf<M> largest(std::ranges::max_element(x, {}, &BallOf<M>::middle)->middle());
-  Rational most = exactly(largest.middle());
-  for (const BallOf<M>& coefficient : x) {
-    if (!(largest - coefficient).may_be_zero()) continue;  // it is below
-    most = std::max(most, exactly(coefficient.middle()) + exactly(Middle<M>::number(coefficient.radius())));
-  }
-  return most;
-}
+/// A bound on a part; nothing where none is known. Rounding may keep it `doubt` away from the values.
+template <class Number>
+struct Bound {
+  std::optional<Number> upper;
+  Number doubt{};
+};
 
-/// The part of a measure on [begin, begin + size].
-template <class S>
-Measured<S> part_of(const Measured<S>& x, const Rational& begin, const Rational& size) {
-  const S first = scalar_of<S>(begin), width = scalar_of<S>(size);
-  return {limits::part_of(x.over, first, width), limits::part_of(x.base, first, width), x.power};
-}
-
-/// A bound on [0, 1]: the largest coefficient of Bernstein's form; nothing where it has none.
-template <class S>
-std::optional<Rational> bound_of(const Measured<S>& x) {
-  const std::size_t base_degree = x.base.size() - 1, of_power = base_degree * static_cast<std::size_t>(x.power);
-  Polynomial<S> above = bernstein(x.over, std::max(x.over.size() - 1, of_power));
-  if (x.power > 0) {
-    above = with_binomials(above);
-    const Polynomial<S> below = power_of(bernstein(x.base, base_degree), x.power);
-    for (std::size_t i = 0; i < above.size(); ++i) {
-      if (!is_above_zero(below[i])) return std::nullopt;
-      above[i] = above[i] / below[i];
+/// A quotient is at most the largest of those of the coefficients, or of them with binomials.
+template <class Number, class S>
+Bound<Number> bound_of(const Form<S>& form) {
+  Polynomial<S> x = form.over;
+  if (form.power > 0) {
+    x = with_binomials(x);
+    const Polynomial<S> below = power_of_form(form.base, form.power);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (!is_above_zero(below[i])) return {};
+      x[i] = x[i] / below[i];
     }
   }
-  return largest_of(above);
+  const auto larger = [](const S& a, const S& b) { return middle_of(a) < middle_of(b); };
+  const S& largest = *std::ranges::max_element(x, larger);
+  Number upper = ends_of<Number>(largest).second;
+  if constexpr (spline::bounds_errors<S>) {
+    for (const S& other : x) {
+      if ((largest - other).may_be_zero()) upper = std::max(upper, ends_of<Number>(other).second);
+    }
+  }
+  return {upper, std::max(upper, -upper) * Number(0x1p-80)};
+}
+template <>
+Bound<double> bound_of<double, double>(const Form<double>& form) {
+  const int power = form.power;
+  const double slack = form.slack, base_slack = form.base_slack;
+  if (power == 0) return {*std::ranges::max_element(form.over) + slack, 8 * slack};
+  Polynomial<double> base = form.base;
+  for (double& x : base) x -= base_slack;
+  const double smallest = *std::ranges::min_element(base);
+  if (!(smallest > 0)) return {};  // it may be 0 there
+  const Polynomial<double> below = power_of_form(base, power), above = with_binomials(form.over);
+  double upper = 0, binomial = 1;
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    upper = std::max(upper, (above[i] + slack * binomial) / below[i] * (1 + rounding));
+    binomial *= static_cast<double>(above.size() - 1 - i) / static_cast<double>(i + 1);
+  }
+  return {upper, 8 * (slack / power_of(smallest, power) + power * upper * (base_slack / smallest + rounding))};
+}
+
+/// A value that is attained at the start of a part, or at its end; nothing where none is known.
+template <class Number, class S>
+std::optional<Number> value_at_end(const Form<S>& form, bool last) {
+  const S &above = last ? form.over.back() : form.over.front(), &base = last ? form.base.back() : form.base.front();
+  if constexpr (std::is_same_v<S, double>) {
+    if (form.power == 0) return above - form.slack;
+    return std::max(0.0, above - form.slack) / power_of(base + form.base_slack, form.power) * (1 - rounding);
+  } else {
+    if (form.power == 0) return ends_of<Number>(above).first;
+    const S below = power_of(base, form.power);
+    return is_above_zero(below) ? std::optional(ends_of<Number>(S(above / below)).first) : std::nullopt;
+  }
+}
+
+/// Where a function on [0, 1] is no longer above 0, if it is at first and falls.
+template <class F>
+double falling_root(const F& f) {
+  if (!(f(0) > 0)) return 0;
+  if (f(1) > 0) return 1;
+  double low = 0;
+  for (double size = 0.5; size >= 0x1p-45; size /= 2) low += f(low + size) >= 0 ? size : 0;
+  return low;
+}
+
+/// Where the largest value on [0, 1] probably is: the root of the derivative.
+template <class S>
+double likely_place(const Form<S>& form) {
+  using spline::is_exactly_zero, spline::rough_max, std::abs;
+  const auto differences = [](const Polynomial<S>& x) {
+    Polynomial<S> result;
+    for (std::size_t i = 1; i < x.size(); ++i) result.push_back(x[i] - x[i - 1]);
+    return result;
+  };
+  const auto in_units = [](const Polynomial<S>& x) {  // near doubles, by rising powers
+    S unit(0);
+    for (const S& coefficient : x) unit = rough_max(unit, S(abs(coefficient)));
+    Polynomial<double> result(x.size());
+    if constexpr (spline::bounds_errors<S>) unit = without_radius(unit);
+    if (is_exactly_zero(unit)) return result;
+    for (std::size_t i = 0; i < x.size(); ++i) result[i] = rough(S(x[i] / unit));
+    return from_bernstein(result);
+  };
+  if (form.over.size() == 1) return 0;
+  if (form.power == 0) {
+    return falling_root([rate = in_units(differences(form.over))](double u) { return value_at(rate, u); });
+  }
+  const Polynomial<double> over = in_units(form.over), base = in_units(form.base);
+  return falling_root([&, over_rate = derivative(over), base_rate = derivative(base)](double u) {
+    return value_at(over_rate, u) * value_at(base, u) - form.power * value_at(over, u) * value_at(base_rate, u);
+  });
 }
 
 /// The simplest fraction between two numbers.
@@ -234,128 +195,260 @@ Rational simplest_within(const Rational& low, const Rational& high) {
   return high < 0 ? -simplest_between(-high, -low) : Rational(0);
 }
 
-/// The maximum on [0, 1], which is within [low, high], if it is a simple fraction; its place may be irrational. There x
-/// less the maximum has a double root, and x is concave.
-std::optional<Rational> simple_maximum(const Polynomial<Rational>& x, const Rational& low, const Rational& high) {
+/// The number within [low, high], if there is one that is far simpler than in other such intervals.
+std::optional<Rational> simple_number(const Rational& low, const Rational& high) {
   const Rational simplest = simplest_within(low, high), size = denominator(simplest);
-  if (size * size * (high - low) > Rational(0x1p-20)) return std::nullopt;  // as simple as that of any such interval
-  const Polynomial<Rational> rate = derivative(x);
-  if (!(*bound_of(Measured<Rational>{derivative(rate)}) < 0)) return std::nullopt;
-  const Polynomial<Rational> root = common_divisor(sum(x, {simplest}, Rational(-1)), rate);
-  return value_at(root, Rational(0)) * value_at(root, Rational(1)) <= 0 ? std::optional(simplest) : std::nullopt;
+  return size * size * (high - low) <= Rational(0x1p-20) ? std::optional(simplest) : std::nullopt;
 }
 
-/// Bounds parts of pieces with exact numbers.
-class ExactSearch {
- public:
-  std::optional<Extreme> best;
-  Rational place;  ///< of the best, in its piece
-  std::size_t best_candidate = 0;
+/// Whether a number is the maximum of a concave polynomial, at a place that may be irrational: there the polynomial
+/// less the maximum has a double root.
+bool is_maximum(const Polynomial<Rational>& x, const Rational& number) {
+  const Polynomial<Rational> root = common_divisor(sum(x, {number}, Rational(-1)), derivative(x));
+  return value_at(root, Rational(0)) * value_at(root, Rational(1)) <= 0;
+}
 
-  /// A part is halved at most `deepest` times. A bound that is then far from what is attained is taken, or is
-  /// Undecided.
+bool is_concave(const Polynomial<Rational>& x) {
+  const Polynomial<Rational> bend = derivative(derivative(x));
+  return std::ranges::max(bernstein(bend, bend.size() - 1)) < 0;
+}
+
+/// A place near another one where a polynomial in Bernstein's form is largest on the part [begin, begin + size] of a
+/// piece: at the simplest fraction of the piece, or better by a step of Newton's method.
+Rational better_place(const Polynomial<Rational>& form, const Rational& near_place, const Rational& begin,
+                      const Rational& size) {
+  const Polynomial<Rational> rate = derivative(from_bernstein(form));
+  const auto is_inside = [](const Rational& u) { return 0 <= u && u <= 1; };
+  const Rational fraction = begin + near_place * size, near = std::min(Rational(0x1p-36), size / 4);
+  const Rational simplest = fraction <= near ? Rational(0) : simplest_between(fraction - near, fraction + near);
+  const Rational simple = (simplest - begin) / size;
+  if (is_inside(simple) && value_at(rate, simple) == 0) return simple;
+  const Rational bend = value_at(derivative(rate), near_place);
+  if (bend == 0) return near_place;
+  const Rational step = -value_at(rate, near_place) / bend;
+  const bool is_quadratic = form.size() == 3;
+  const Rational better = near_place + (is_quadratic ? step : Rational(nearest_double(step)));
+  return is_inside(better) ? better : near_place;
+}
+
+/// Where a piece is: the numbers of its segment, and of its part of the ease.
+struct Place {
+  std::size_t segment, piece;
+};
+
+/// Searches the maximum of one measure by parts of pieces. Number: in which values are compared. Rationals find it, and
+/// others the segments that may hold it.
+template <class Number>
+class Search {
+ public:
+  struct Attained {
+    Number value;
+    Place piece;
+    Number place;  ///< on the piece
+  };
+  std::optional<Attained> best;
+
+  /// How often parts are halved, and whether a bound that is then far from what is attained is taken, or Undecided.
+  struct Depth {
+    int deepest = 40;
+    bool takes_far_bounds = true;
+  };
+
+  /// A bound on a piece; nothing where none is known. `attains`: the piece certainly exists. Throws: Undecided.
   template <class S>
-  void add(const Measured<S>& x, const Candidate& part, std::size_t number, int deepest, bool takes_far_bounds) {
-    candidate_ = number;
-    deepest_ = deepest;
-    takes_far_bounds_ = takes_far_bounds;
-    bound(part_of(x, Rational(part.begin), Rational(part.size)), Rational(part.begin), Rational(part.size), 0);
+  std::optional<Number> bound(const Form<S>& form, const Place& piece, const Depth& depth, bool attains = true) {
+    piece_ = piece;
+    depth_ = depth;
+    splits_ = 0;
+    const auto whole = bound_of<Number>(form);
+    if (!attains) return whole.upper;
+    attain(value_at_end<Number>(form, false), Number(0));
+    attain(value_at_end<Number>(form, true), Number(1));
+    return bound_part(form, whole, Number(0), Number(1), 0);
+  }
+
+  struct Part {
+    std::size_t segment;
+    std::optional<Number> upper;  ///< nothing: no bound is known
+  };
+  /// Adds a segment, the next one, to those that may hold the maximum.
+  void add(std::size_t segment, const std::optional<Number>& upper) {
+    if (is_below(upper)) return;
+    parts_.push_back({segment, upper});
+    if (parts_.size() >= 2 * kept_ + 64) kept_ = rest().size();
+  }
+  /// The segments that may hold the maximum.
+  const std::vector<Part>& rest() {
+    std::erase_if(parts_, [this](const Part& part) { return is_below(part.upper); });
+    return parts_;
+  }
+  /// Whether a bound is below a value that is attained.
+  bool is_below(const std::optional<Number>& upper) const { return upper && best && *upper < best->value; }
+
+ private:
+  static constexpr bool is_exact = std::is_same_v<Number, Rational>;
+
+  void attain(const std::optional<Number>& value, const Number& place) {
+    if (value && (!best || best->value < *value)) best = Attained{*value, piece_, place};
+  }
+
+  /// Bounds the part [begin, begin + size] of a piece. `whole`: what bound_of() has for it.
+  template <class S>
+  std::optional<Number> bound_part(const Form<S>& form, const Bound<Number>& whole, const Number& begin,
+                                   const Number& size, int depth) {
+    if (whole.upper && !(best->value < *whole.upper)) return whole.upper;
+    Number at(likely_place(form));
+    const bool is_inside = Number(0) < at && at < Number(1);
+    if constexpr (std::is_same_v<S, Rational>) {
+      if (is_inside) at = better_place(form.over, at, begin, size);
+    }
+    std::pair<Form<S>, Form<S>> parts;
+    Bound<Number> before, after;
+    const auto split_at = [&](const Number& place) {
+      parts = split(form, scalar<S>(place));
+      before = bound_of<Number>(parts.first);
+      after = bound_of<Number>(parts.second);
+      attain(value_at_end<Number>(parts.first, true), begin + place * size);
+    };
+    if (is_inside) split_at(at);
+    const auto larger = [](const std::optional<Number>& x, const std::optional<Number>& y) {
+      return x && y ? std::max(x, y) : std::nullopt;
+    };
+    std::optional<Number> upper = is_inside ? larger(before.upper, after.upper) : whole.upper;
+    if (upper) {
+      if (!(best->value < *upper)) return upper;
+      const bool is_narrow = !(std::max(whole.doubt, before.doubt) < *upper - best->value);
+      if (is_narrow || (depth == depth_.deepest && depth_.takes_far_bounds)) {
+        if constexpr (std::is_same_v<S, Rational>) {
+          const auto exact = is_inside ? simple_number(parts.first.over.back(), *upper) : std::nullopt;
+          const Polynomial<Rational> x = exact ? from_bernstein(form.over) : Polynomial<Rational>{0};
+          if (exact && !is_concave(x) && depth < 40) {  // a smaller part is
+            split_at(Rational(1) / 2);
+            return larger(bound_part(parts.first, before, begin, size / 2, depth + 1),
+                          bound_part(parts.second, after, begin + size / 2, size / 2, depth + 1));
+          }
+          if (exact && is_maximum(x, *exact)) attain(upper = exact, begin + at * size);
+        } else if constexpr (is_exact && std::is_same_v<S, Ball>) {
+          throw Undecided();  // its results are never exact: it only shows that a part has no larger values
+        }
+        return upper;
+      }
+    }
+    constexpr int deepest_without_bound = 10, most_splits = 1000;
+    if (!is_exact && (++splits_ > most_splits || (!upper && depth == deepest_without_bound))) return upper;
+    if (depth == depth_.deepest) throw Undecided();
+    if (!is_inside) {
+      at = Number(0.5);
+      split_at(at);
+    }
+    const auto left = bound_part(parts.first, before, begin, at * size, depth + 1);
+    return left ? larger(left, bound_part(parts.second, after, begin + at * size, size - at * size, depth + 1)) : left;
+  }
+  template <class S>
+  static S scalar(const Number& x) {
+    if constexpr (is_exact) {
+      return scalar_of<S>(x);
+    } else {
+      return S(x);
+    }
+  }
+
+  Place piece_ = {};
+  Depth depth_;
+  int splits_ = 0;
+  std::vector<Part> parts_;
+  std::size_t kept_ = 0;
+};
+
+/// The largest of the bounds on pieces; nothing where one is not known.
+template <class S, class BoundOn>
+auto largest_of(const std::vector<Piece<S>>& pieces, const BoundOn& bound_on) {
+  auto largest = bound_on(pieces.front());
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    const auto bound = bound_on(pieces[i]);
+    largest = largest && bound ? std::max(largest, bound) : std::nullopt;
+  }
+  return largest;
+}
+
+/// Bounds of the derivatives of the channels of a piece, with room for rounding.
+class Ranges {
+ public:
+  explicit Ranges(const Piece<double>& piece) : piece_(piece), known_(4 * piece.cubics.size()) {}
+
+  /// No value of the measure is larger; nothing where none is known.
+  std::optional<double> bound_of(const Measure& measure) {
+    if (measure.is_of_direction()) return std::nullopt;
+    double squares = 0;
+    for (const std::size_t channel : measure.channels) {
+      const auto [low, high] = of(channel, measure.derivative);
+      if (!measure.is_size()) return measure.kind == Measure::Kind::smallest ? -low : high;
+      if (low != 0 || high != 0) squares += power_of(std::max(-low, high), 2) * (1 + rounding) + least;
+    }
+    return squares;
   }
 
  private:
-  void attain(const Rational& value, const Rational& where) {
-    if (best && value <= best->low) return;
-    best = Extreme{value, best ? std::max(best->high, value) : value, {}};
-    place = where;
-    best_candidate = candidate_;
+  using Range = std::pair<double, double>;
+
+  const Range& of(std::size_t channel, int order) {
+    std::optional<Range>& range = known_[4 * channel + static_cast<std::size_t>(order)];
+    if (!range) {
+      const Polynomial<double> rate = rate_of(piece_, channel, order), form = bernstein(rate, rate.size() - 1);
+      const auto [low, high] = std::ranges::minmax_element(form);
+      const double scale = scale_of(rate, piece_, channel, order), slack = scale == 0 ? 0 : rounding * scale + least;
+      range = Range{*low - slack, *high + slack};
+    }
+    return *range;
   }
 
-  /// Bounds the part [begin, begin + size], on which the measure is x(0) to x(1): in this form its coefficients have
-  /// the size of what changes on the part, whatever they have on the piece. Where the derivative is nearly 0 at an end,
-  /// the coefficients of Bernstein's form are nearly the value there at most.
+  const Piece<double>& piece_;
+  std::vector<std::optional<Range>> known_;
+};
+
+/// A bound on a piece by doubles, which also tells the search of values that are attained.
+std::optional<double> bound_on(const Piece<double>& piece, const Measure& measure, Ranges& ranges,
+                               Search<double>& search) {
+  const std::optional<double> rough = ranges.bound_of(measure);
+  if (search.is_below(rough)) return rough;
+  const Measured<double> x = measured(piece, measure);
+  if (!std::isfinite(x.scale)) return std::nullopt;  // doubles do not bound it
+  constexpr double shortest = 0x1p-40;               // of pieces that certainly exist, whatever the rounding
+  return search.bound(form_of(x), {}, {}, piece.size > shortest);
+}
+
+/// Segments that have occurred before, by all their numbers.
+class Repeats {
+ public:
+  /// The number of an equal segment, or of this one; nothing for further ones, when there are many.
   template <class S>
-  void bound(const Measured<S>& x, const Rational& begin, const Rational& size, int depth) {
-    static const Rational close = Rational(0x1p-80), half = Rational(1) / 2;
-    const Rational at = likely_place(x, begin, size);
-    const S value = x.at(scalar_of<S>(at));
-    attain(at_least(value), begin + at * size);
-    const std::optional<Rational> before = bound_of(part_of(x, 0, at)), after = bound_of(part_of(x, at, 1 - at));
-    if (before && after) {
-      const Rational most = std::max(*before, *after);
-      if (most <= best->high) return;
-      const bool is_close = most - best->low <= close * abs(most);
-      if (is_close || (depth == deepest_ && takes_far_bounds_)) {
-        if constexpr (std::is_same_v<S, Rational>) {
-          if (const auto exact = simple_maximum(x.over, value, most)) return attain(*exact, begin + at * size);
-        } else if constexpr (std::is_same_v<S, Ball>) {
-          throw Undecided();  // its results are never exact: it only shows that a part has no larger values
-        }
-        best->high = std::max(best->high, most);
-        return;
-      }
+  std::optional<std::size_t> find(const spline::Segments<S>& segments, std::size_t number, const S& duration) {
+    bytes_.clear();
+    add(duration);
+    for (const auto& [begin, size, parameter] : parts_of(segments.warp(number))) {
+      for (const S& x : parameter) add(x);
     }
-    if (depth == deepest_) throw Undecided();
-    attain(at_least(x.at(scalar_of<S>(half))), begin + half * size);  // so that a half that rests may be left out
-    const auto bound_half = [&](const Rational& first) {
-      bound(part_of(x, first, half), begin + first * size, size * half, depth + 1);
-    };
-    const bool is_first = at < half;  // the half that has the largest value, probably
-    bound_half(is_first ? Rational(0) : half);
-    bound_half(is_first ? half : Rational(0));
+    for (const spline::Cubic<S>& x : segments[number]) {
+      for (const S& coefficient : {x.p0, x.out, x.c, x.c_low, x.d, x.in}) add(coefficient);
+    }
+    const auto known = known_.find(bytes_);
+    if (known != known_.end()) return known->second;
+    constexpr std::size_t most = 5000;
+    if (known_.size() == most) return std::nullopt;
+    return known_.emplace(bytes_, known_.size()).first->second;
   }
 
-  /// Where the largest value on [0, 1] probably is: the root of the derivative. Of a polynomial, where it is one at the
-  /// simplest fraction of the piece near it, or better by a step of Newton's method.
-  template <class S>
-  static Rational likely_place(const Measured<S>& x, const Rational& begin, const Rational& size) {
-    using spline::is_exactly_zero;
-    const auto largest_of = [](const Polynomial<S>& of, std::size_t first) {
-      using spline::rough_max;
-      S largest(0);
-      for (std::size_t i = first; i < of.size(); ++i) largest = rough_max(largest, S(abs(of[i])));
-      return largest;
-    };
-    const S largest = largest_of(x.over, x.power == 0 ? 1 : 0), largest_base = largest_of(x.base, 0);
-    if (is_exactly_zero(largest)) return 0;
-    const auto in_units = [](const Polynomial<S>& of, const S& unit) {
-      Polynomial<double> result(of.size());
-      for (std::size_t i = 0; i < of.size(); ++i) result[i] = rough(of[i] / unit);
-      return result;
-    };
-    const Polynomial<S> exact = derivative(x.over);
-    const Polynomial<double> rate = in_units(exact, largest), base = in_units(x.base, largest_base);
-    const Polynomial<double> over = x.power == 0 ? Polynomial<double>{0} : in_units(x.over, largest);
-    const auto grows = [&](double u) {
-      return value_at(rate, u) * value_at(base, u) > x.power * value_at(over, u) * value_at(derivative(base), u);
-    };
-    if (!grows(0)) return 0;
-    if (grows(1)) return 1;
-    double low = 0, high = 1;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = low + (high - low) / 2;
-      if (middle == low || middle == high) break;
-      (grows(middle) ? low : high) = middle;
-    }
-    const Rational rough(low);
-    if constexpr (std::is_same_v<S, Rational>) {
-      const auto is_inside = [](const Rational& u) { return 0 <= u && u <= 1; };
-      const Rational fraction = begin + rough * size, near = std::min(Rational(0x1p-36), size / 4);
-      const Rational simplest = fraction <= near ? Rational(0) : simplest_between(fraction - near, fraction + near);
-      const Rational simple = (simplest - begin) / size;
-      if (is_inside(simple) && value_at(exact, simple) == 0) return simple;
-      const Rational bend = value_at(derivative(exact), rough);
-      if (bend == 0) return rough;
-      const Rational step = -value_at(exact, rough) / bend;
-      const bool is_quadratic = x.over.size() == 3;
-      const Rational better = rough + (is_quadratic ? step : Rational(nearest_double(step)));
-      return is_inside(better) ? better : rough;
-    }
-    return rough;
+ private:
+  void add(double x) {
+    const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(x);
+    bytes_.append(bytes.data(), bytes.size());
+  }
+  void add(const Ball& x) {
+    for (const double part : {x.middle().hi, x.middle().lo, x.radius()}) add(part);
   }
 
-  int deepest_ = 0;
-  bool takes_far_bounds_ = false;
-  std::size_t candidate_ = 0;
+  std::string bytes_;
+  std::unordered_map<std::string, std::size_t> known_;
 };
 
 /// Where a curve rests at a place at which it has a curvature before and after it, so that this has no bound; its
@@ -383,189 +476,293 @@ Rational exactly(const Time& time, const std::optional<FrameTimes>& frames) {
 }
 
 /// The fractions of the duration of a segment that are measured; nothing: none.
-std::optional<std::pair<Rational, Rational>> fractions(const MeasuredCurve& curve, const Rational& start,
-                                                       const Rational& end) {
-  if ((curve.from && end <= *curve.from) || (curve.to && start >= *curve.to)) return std::nullopt;
-  Rational first = 0, last = 1;
-  if (curve.from && start < *curve.from) first = (*curve.from - start) / (end - start);
-  if (curve.to && *curve.to < end) last = (*curve.to - start) / (end - start);
-  return std::pair(first, last);
+template <class S>
+std::optional<std::pair<S, S>> fractions(const MeasuredCurve& curve, const S& start, const S& end) {
+  std::pair<S, S> part(0, 1);
+  if (curve.from) {
+    const S from = scalar_of<S>(*curve.from);
+    if (end <= from) return std::nullopt;
+    if (start < from) part.first = (from - start) / (end - start);
+  }
+  if (curve.to) {
+    const S to = scalar_of<S>(*curve.to);
+    if (start >= to) return std::nullopt;
+    if (to < end) part.second = (to - start) / (end - start);
+  }
+  return part;
+}
+
+/// The pieces of a segment of its own that are measured.
+template <class S>
+std::vector<Piece<S>> measured_pieces(const MeasuredCurve& curve, const spline::Segments<S>& one) {
+  const S duration = one.times[1] - one.times[0];
+  const auto range = fractions(curve, one.times[0], one.times[1]);
+  if (!range) return {};
+  return pieces_of(one, 0, duration == S(0) ? S(1) : duration, range->first, range->second);
 }
 
 /// Lists the keys at which velocities jump.
 class Corners {
  public:
+  /// The velocities at an end of a segment, and the sizes of their terms.
+  struct End {
+    std::vector<double> velocities, sizes;
+  };
+  struct Ends {
+    End start, end;
+  };
+
   explicit Corners(const std::vector<std::size_t>& channels) : channels_(channels) {}
 
   std::vector<Corner> found;
 
-  void add(const std::vector<Piece<double>>& pieces, const Time& start) {
-    if (pieces.empty()) return;
-    const std::vector<End> out = ends(pieces.front(), false);
-    if (first_.empty()) first_ = out;
-    if (!before_.empty()) compare(before_, out, start);
-    before_ = ends(pieces.back(), true);
+  Ends ends_of(const std::vector<Piece<double>>& pieces) const {
+    return {end_of(pieces.front(), 0), end_of(pieces.back(), 1)};
+  }
+  void add(const Ends& ends, const Time& start) {
+    if (!first_) first_ = ends.start;
+    if (before_) compare(*before_, ends.start, start);
+    before_ = ends.end;
   }
   void close(const Time& end) {
-    if (!first_.empty()) compare(before_, first_, end);
+    if (first_) compare(*before_, *first_, end);
   }
 
  private:
-  struct End {
-    double velocity, size;
-  };
-
-  std::vector<End> ends(const Piece<double>& piece, bool at_end) const {
-    std::vector<End> result;
+  End end_of(const Piece<double>& piece, double at) const {
+    End end;
     for (const std::size_t channel : channels_) {
       const Polynomial<double> rate = rate_of(piece, channel, 1);
-      result.push_back({value_at(rate, at_end ? 1.0 : 0.0), scale_of(rate, piece, channel, 1)});
+      end.velocities.push_back(value_at(rate, at));
+      end.sizes.push_back(scale_of(rate, piece, channel, 1));
     }
-    return result;
+    return end;
   }
 
-  void compare(const std::vector<End>& in, const std::vector<End>& out, const Time& time) {
-    Corner corner{time};
+  void compare(const End& in, const End& out, const Time& time) {
+    Corner corner{time, 0, {}, in.velocities, out.velocities};
+    std::vector<double> jumps;
     for (std::size_t i = 0; i < channels_.size(); ++i) {
-      corner.in.push_back(in[i].velocity);
-      corner.out.push_back(out[i].velocity);
-      const double jump = std::abs(out[i].velocity - in[i].velocity);
-      if (!(jump > rounding * std::max(out[i].size, in[i].size))) continue;
-      corner.jump = std::hypot(corner.jump, jump);
+      const double jump = std::abs(out.velocities[i] - in.velocities[i]);
+      if (!(jump > rounding * std::max(out.sizes[i], in.sizes[i]))) continue;
+      jumps.push_back(jump);
       corner.channels.push_back(channels_[i]);
     }
-    if (!corner.channels.empty()) found.push_back(std::move(corner));
+    corner.jump = root_of_squares(jumps);
+    if (!jumps.empty()) found.push_back(std::move(corner));
   }
 
   const std::vector<std::size_t>& channels_;
-  std::vector<End> first_, before_;
+  std::optional<End> first_, before_;
 };
 
-/// Bounds a part of a piece with balls. The place on the piece where a curvature has no bound, if there is one. Throws:
-/// Undecided where that needs more digits.
+/// Bounds the segments that are left with double-doubles. Those that are beyond these keep the bounds by doubles.
+std::vector<Search<spline::DoubleDouble>> with_balls(const MeasuredCurve& curve, const std::vector<Measure>& measures,
+                                                     std::vector<Search<double>>& rough) {
+  using Number = spline::DoubleDouble;
+  constexpr std::size_t few = 20;                           // segments, which need no bounds before the exact ones
+  std::vector<std::span<const Search<double>::Part>> left;  // not yet bounded
+  std::vector<bool> is_bounded;
+  for (std::size_t k = 0; k < measures.size(); ++k) {
+    left.emplace_back(rough[k].rest());
+    is_bounded.push_back(!measures[k].is_of_direction() && left[k].size() > few);
+  }
+  std::vector<Search<Number>> searches(measures.size());
+  using Known = std::vector<std::optional<Number>>;  // bounds on a segment, for the measures
+  std::vector<Known> known;
+  Repeats repeats;
+  while (true) {
+    std::optional<std::size_t> segment;
+    for (const auto& parts : left) {
+      if (!parts.empty()) segment = std::min(segment.value_or(parts.front().segment), parts.front().segment);
+    }
+    if (!segment) return searches;
+    std::vector<Piece<Ball>> pieces;
+    std::optional<std::size_t> number;
+    for (std::size_t k = 0; k < measures.size(); ++k) {
+      if (left[k].empty() || left[k].front().segment != *segment) continue;
+      std::optional<Number> upper = left[k].front().upper;
+      left[k] = left[k].subspan(1);
+      try {
+        if (is_bounded[k] && pieces.empty()) {
+          const spline::Segments<Ball> one = curve.in_balls(*segment);
+          if (!curve.from && !curve.to) number = repeats.find(one, 0, one.times[1] - one.times[0]);
+          if (number) known.resize(std::max(known.size(), *number + 1), Known(measures.size()));
+          pieces = measured_pieces(curve, one);
+        }
+        std::optional<Number> once, &found = number ? known[*number][k] : once;
+        if (is_bounded[k] && !found && !pieces.empty()) {
+          found = largest_of(pieces, [&](const Piece<Ball>& piece) {
+            return searches[k].bound(form_of(measured(piece, measures[k])), {}, {});
+          });
+        }
+        if (found) upper = found;
+      } catch (const Undecided&) {
+      }
+      searches[k].add(*segment, upper);
+    }
+  }
+}
+
+/// Bounds the change of a direction on a piece with balls. The place on the piece where it has no bound, if there is
+/// one. Throws: Undecided where that needs more digits.
 template <class M>
-std::optional<Rational> add_with_balls(ExactSearch& search, const Piece<Rational>& piece, const Measure& measure,
-                                       const Candidate& part, std::size_t number, bool is_last) {
+std::optional<Rational> bound_with_balls(Search<Rational>& search, std::optional<Rational>& high,
+                                         const Piece<Rational>& piece, const Measure& measure, const Place& place,
+                                         bool is_last) {
   using S = BallOf<M>;
-  const auto balls = [](const Polynomial<Rational>& of) {
+  const Measured<S> x = measured_direction<S>(piece, measure, [](const Polynomial<Rational>& of) {
     Polynomial<S> result(of.size());
     std::ranges::transform(of, result.begin(), scalar_of<S>);
     return result;
-  };
-  const auto measured_with_balls = [&] {
-    if (measure.is_of_direction()) return measured_direction<S>(piece, measure, balls);
-    Piece<S> same{piece.number,
-                  scalar_of<S>(piece.begin),
-                  scalar_of<S>(piece.size),
-                  scalar_of<S>(piece.duration),
-                  balls(piece.parameter),
-                  std::vector<Polynomial<S>>(piece.cubics.size())};
-    for (const std::size_t channel : measure.channels) same.cubics[channel] = balls(piece.cubics[channel]);
-    return measured(same, measure);
-  };
-  const Measured<S> x = measured_with_balls();
+  });
   const auto rest = x.power == 3 ? sharp_rest(piece, measure) : std::nullopt;
-  if (!rest) search.add(x, part, number, Middle<M>::bits() * 3 / 10, is_last);
+  if (!rest) high = std::max(high, search.bound(form_of(x), place, {Middle<M>::bits() * 3 / 10, is_last}));
   return rest;
 }
 
-/// The maximum among the parts that may hold it. Throws: Undecided where numbers are too far apart for any digits.
-std::optional<Extreme> exact_maximum(const std::vector<Candidate>& parts, const Measure& measure,
+/// Bounds a piece with as many digits as it needs, as bound_with_balls() does.
+std::optional<Rational> bound_exactly(Search<Rational>& search, std::optional<Rational>& high,
+                                      const Piece<Rational>& piece, const Measure& measure, const Place& place) {
+  if (!measure.is_of_direction()) {
+    high = std::max(high, search.bound(form_of(measured(piece, measure)), place, {600, true}));
+    return std::nullopt;
+  }
+  try {
+    return bound_with_balls<spline::DoubleDouble>(search, high, piece, measure, place, false);
+  } catch (const Undecided&) {
+  }
+  try {
+    const RealPrecision precision(400);
+    return bound_with_balls<Real>(search, high, piece, measure, place, false);
+  } catch (const Undecided&) {
+  }
+  const RealPrecision precision(2000);
+  return bound_with_balls<Real>(search, high, piece, measure, place, true);
+}
+
+/// The maximum among the segments that may hold it. Throws: Undecided where numbers are too far apart for any digits.
+std::optional<Extreme> exact_maximum(std::vector<Search<spline::DoubleDouble>::Part> parts, const Measure& measure,
                                      const MeasuredCurve& curve) {
-  const auto piece_of = [&](const Candidate& part) -> std::optional<Piece<Rational>> {
-    const spline::Segments<Rational> one = curve.exact(part.place.segment, measure.is_of_direction());
-    const Rational duration = one.times[1] - one.times[0];
-    const auto range = fractions(curve, one.times[0], one.times[1]).value_or(std::pair<Rational, Rational>(0, 1));
-    const auto pieces = pieces_of(one, 0, duration == 0 ? Rational(1) : duration, range.first, range.second);
-    const auto found = std::ranges::find(pieces, part.place.piece, &Piece<Rational>::number);
-    return found == pieces.end() ? std::nullopt : std::optional(*found);
-  };
-  const auto extreme_at = [&](Extreme extreme, const Candidate& part, const Rational& place) {
-    const Piece<Rational> piece = *piece_of(part);
+  const auto exact = [&](std::size_t segment) { return curve.exact(segment, measure.is_of_direction()); };
+  const auto extreme_at = [&](Extreme extreme, const Place& of_piece, const Rational& place) {
+    const spline::Segments<Rational> one = exact(of_piece.segment);
+    const Piece<Rational> piece = measured_pieces(curve, one)[of_piece.piece];
+    if (measure.is_of_direction() && !extreme.is_unbounded) extreme.low = measured(piece, measure).at(place);
     const Rational fraction = piece.begin + place * piece.size;
-    const spline::Segments<Rational> one = curve.exact(part.place.segment, measure.is_of_direction());
     extreme.time = one.times[0] + fraction * (one.times[1] - one.times[0]);
-    extreme.is_at_key = fraction == 0 || fraction == 1;
-    if (fraction == 1) extreme.side = spline::Side::left;
+    extreme.side = place == 1 ? spline::Side::left : spline::Side::right;
+    const bool is_between_parts = measure.derivative > 1 && (place == 0 || place == 1);  // of an ease
+    extreme.is_at_key = fraction == 0 || fraction == 1 || is_between_parts;
     const Rational u = value_at(piece.parameter, place);
     for (const Polynomial<Rational>& x : piece.cubics) extreme.position.push_back(nearest_double(value_at(x, u)));
     return extreme;
   };
-  ExactSearch search;
-  const auto add_with_enough_digits = [&](const Piece<Rational>& piece, const Candidate& part, std::size_t number) {
-    try {
-      return add_with_balls<spline::DoubleDouble>(search, piece, measure, part, number, false);
-    } catch (const Undecided&) {
-    }
-    if (!measure.is_of_direction()) {
-      search.add(measured(piece, measure), part, number, 600, true);
-      return std::optional<Rational>();
-    }
-    try {
-      const RealPrecision precision(400);
-      return add_with_balls<Real>(search, piece, measure, part, number, false);
-    } catch (const Undecided&) {
-    }
-    const RealPrecision precision(2000);
-    return add_with_balls<Real>(search, piece, measure, part, number, true);
+  std::ranges::stable_sort(parts, [](const auto& a, const auto& b) {
+    return b.upper && (!a.upper || *a.upper > *b.upper);  // those without a bound first
+  });
+  constexpr std::size_t few = 100, most = 2000;  // segments that are bounded with exact numbers
+  Search<Rational> search;
+  std::optional<Rational> high;
+  std::vector<std::vector<Polynomial<Rational>>> bounded;  // pieces, which repeat where a motion does
+  const auto may_matter = [&](std::size_t i) {             // for 15 digits, or for the limit
+    if (!parts[i].upper || !search.best) return i < most;
+    const Rational upper = exactly(*parts[i].upper), &value = search.best->value;
+    if (measure.limit && value <= *measure.limit && *measure.limit < upper) return true;
+    return i < most && upper > value + abs(value) * Rational(0x1p-70);
   };
-  std::vector<std::vector<Polynomial<Rational>>> bounded;  // parts, which repeat where a motion does
-  for (std::size_t i = 0; i < std::min(parts.size(), most_parts); ++i) {
-    const auto piece = piece_of(parts[i]);
-    if (!piece) continue;
-    std::vector<Polynomial<Rational>> part{{piece->duration, Rational(parts[i].begin), Rational(parts[i].size)},
-                                           piece->parameter};
-    for (const std::size_t channel : measure.channels) part.push_back(piece->cubics[channel]);
-    if (std::ranges::find(bounded, part) != bounded.end()) continue;
-    bounded.push_back(std::move(part));
-    const auto rest = add_with_enough_digits(*piece, parts[i], i);
-    if (rest) return extreme_at({.is_unbounded = true}, parts[i], *rest);
+  std::size_t i = 0;
+  for (; i < parts.size() && (i < few || may_matter(i)); ++i) {
+    const std::vector<Piece<Rational>> pieces = measured_pieces(curve, exact(parts[i].segment));
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      std::vector<Polynomial<Rational>> numbers{{pieces[k].duration}, pieces[k].parameter};
+      for (const std::size_t channel : measure.channels) numbers.push_back(pieces[k].cubics[channel]);
+      if (std::ranges::find(bounded, numbers) != bounded.end()) continue;
+      if (bounded.size() < most) bounded.push_back(std::move(numbers));
+      const Place place{parts[i].segment, k};
+      const auto rest = bound_exactly(search, high, pieces[k], measure, place);
+      if (rest) return extreme_at({.is_unbounded = true}, place, *rest);
+    }
   }
   if (!search.best) return std::nullopt;
-  Extreme& best = *search.best;
-  if (measure.is_of_direction()) best.low = measured(*piece_of(parts[search.best_candidate]), measure).at(search.place);
-  if (parts.size() > most_parts) {
-    if (!std::isfinite(parts.back().upper)) throw Undecided();
-    best.high = std::max(best.high, Rational(parts.back().upper));
+  if (i < parts.size()) {
+    if (!parts[i].upper) throw Undecided();
+    high = std::max(*high, exactly(*parts[i].upper));
   }
-  return extreme_at(best, parts[search.best_candidate], search.place);
+  const auto& [value, piece, place] = *search.best;
+  return extreme_at({value, std::max(value, *high), {}}, piece, place);
 }
 
 }  // namespace
 
+double root_of_squares(const std::vector<double>& numbers) {
+  double largest = 0;
+  for (const double x : numbers) largest = std::max(largest, std::abs(x));
+  if (largest == 0 || !std::isfinite(largest)) return largest;
+  const double unit = spline::power_of_two_below(largest);
+  spline::DoubleDouble squares;
+  for (const double x : numbers) squares = squares + spline::DoubleDouble(x / unit) * spline::DoubleDouble(x / unit);
+  return sqrt(squares).hi * unit;
+}
+
 Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measures,
                   const std::vector<std::size_t>& channels) {
-  std::vector<Search> searches(measures.begin(), measures.end());
+  struct Known {
+    std::vector<std::optional<double>> upper;  ///< bounds for the measures
+    Corners::Ends ends;
+  };
+  std::vector<Search<double>> searches(measures.size());
   Corners corners(channels);
+  Repeats repeats;
+  std::vector<Known> known;
+  const auto found_on = [&](const std::vector<Piece<double>>& pieces) {
+    Known found{{}, corners.ends_of(pieces)};
+    std::vector<Ranges> ranges(pieces.begin(), pieces.end());
+    for (std::size_t k = 0; k < measures.size(); ++k) {
+      found.upper.push_back(largest_of(pieces, [&](const Piece<double>& piece) {
+        return bound_on(piece, measures[k], ranges[static_cast<std::size_t>(&piece - pieces.data())], searches[k]);
+      }));
+    }
+    return found;
+  };
   const Source<SegmentBlock> blocks = curve.segments();
-  std::size_t number = 0;
+  std::size_t segment = 0;
   Time end;
   while (const std::optional<SegmentBlock> block = blocks()) {
     const spline::Segments<double>& segments = block->segments;
-    for (std::size_t i = 0; i < segments.size(); ++i, ++number) {
+    for (std::size_t i = 0; i < segments.size(); ++i, ++segment) {
       const Time start = segments.times[i];
       end = segments.times[i + 1];
-      double first = 0, last = 1;
+      const Time elapsed = curve.frames ? curve.frames->elapsed(end) - curve.frames->elapsed(start) : end - start;
+      const double duration = elapsed.hi > 0 ? elapsed.hi : 1.0;
+      std::pair<double, double> range(0, 1);
+      std::optional<std::size_t> number;
       if (curve.from || curve.to) {
         const auto part = fractions(curve, exactly(start, curve.frames), exactly(end, curve.frames));
         if (!part) continue;
-        first = nearest_double(part->first);
-        last = nearest_double(part->second);
+        range = {nearest_double(part->first), nearest_double(part->second)};
+      } else {
+        number = repeats.find(segments, i, duration);
       }
-      const Time duration = curve.frames ? curve.frames->elapsed(end) - curve.frames->elapsed(start) : end - start;
-      const std::vector<Piece<double>> pieces =
-          pieces_of(segments, i, duration.hi > 0 ? duration.hi : 1.0, first, last);
-      for (Search& search : searches) {
-        for (const Piece<double>& piece : pieces) search.add(piece, number);
+      Known once;
+      const bool is_new = !number || *number == known.size();
+      if (is_new) {
+        const std::vector<Piece<double>> pieces = pieces_of(segments, i, duration, range.first, range.second);
+        if (pieces.empty()) continue;
+        once = found_on(pieces);
       }
-      corners.add(pieces, start);
+      if (is_new && number) known.push_back(once);
+      const Known& found = is_new ? once : known[*number];
+      for (std::size_t k = 0; k < measures.size(); ++k) searches[k].add(segment, found.upper[k]);
+      corners.add(found.ends, start);
     }
   }
   if (curve.closed && !curve.from && !curve.to) corners.close(end);
   Extremes result;
+  std::vector<Search<spline::DoubleDouble>> left = with_balls(curve, measures, searches);
   for (std::size_t k = 0; k < measures.size(); ++k) {
     try {
-      result.maxima.push_back(exact_maximum(searches[k].rest(), measures[k], curve));
+      result.maxima.push_back(exact_maximum(left[k].rest(), measures[k], curve));
     } catch (const Undecided&) {
       result.maxima.push_back(Extreme{.is_unproved = true});
     }

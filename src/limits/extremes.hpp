@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "exact/ball.hpp"
 #include "limits/pieces.hpp"
 #include "numbers/frame_times.hpp"
 #include "numbers/rational.hpp"
@@ -21,6 +22,8 @@ namespace tcb::limits {
 /// A curve whose segments can be read again, as doubles and as exact numbers.
 struct MeasuredCurve {
   std::function<Source<SegmentBlock>()> segments;
+  /// The segment with this number. Throws: Undecided where a ball does not decide it.
+  std::function<spline::Segments<Ball>(std::size_t number)> in_balls;
   /// The segment with this number, and whether directions are measured, for which irrational numbers need more digits.
   std::function<spline::Segments<Rational>(std::size_t number, bool directions)> exact;
   std::optional<FrameTimes> frames;  ///< where the times of the keys are frames in seconds
@@ -52,6 +55,9 @@ struct Extremes {
   std::vector<std::optional<Extreme>> maxima;  ///< of the measures, in their order; nothing where no time is measured
   std::vector<Corner> corners;
 };
+
+/// The root of a sum of squares, which do not overflow.
+double root_of_squares(const std::vector<double>& numbers);
 
 /// The maxima, and the keys at which velocities of `channels` change by more than 2^-40 of their size, which is more
 /// than rounding.

@@ -191,6 +191,16 @@ class ExactSegments {
       const RealPrecision precision(usual_bits, true);
       turning_ = curve_at<RealBall>(exact);
     }
+    of_balls_ = turns ? exact : std::move(plain);
+  }
+
+  /// Throws: Undecided where balls do not decide it.
+  spline::Segments<Ball> in_balls(std::size_t number) {
+    if (resting_) throw Undecided();
+    if (!balls_) balls_ = curve_at<Ball>(of_balls_);
+    auto segment = balls_->segments(number, number + 1);
+    if (!segment.rotations.empty()) add_angles(segment);
+    return segment;
   }
 
   spline::Segments<Rational> operator()(std::size_t number, bool directions) const {
@@ -220,6 +230,8 @@ class ExactSegments {
 
   std::vector<spline::KeyRotation> rotations_;
   std::optional<spline::Segments<Rational>> resting_;
+  ExactCurve of_balls_;
+  std::shared_ptr<const spline::CurveKeys<Ball>> balls_;  ///< nothing: not needed before
   std::shared_ptr<const spline::CurveKeys<Rational>> rational_;
   std::shared_ptr<const spline::CurveKeys<RealBall>> irrational_, turning_;
 };
@@ -232,26 +244,26 @@ Rational as_measured(const Measure& measure, const Rational& limit) {
 
 /// Whether the velocity changes its direction in some of the channels. `compared`: those of the corner.
 bool turns(const Corner& corner, const std::vector<std::size_t>& compared, const std::vector<std::size_t>& measured) {
-  double in_size = 0, out_size = 0, change = 0;
-  const auto of_measured = [&](const auto& add) {
-    for (std::size_t i = 0; i < compared.size(); ++i) {
-      if (std::ranges::count(measured, compared[i]) > 0) add(corner.in[i], corner.out[i]);
-    }
-  };
-  of_measured([&](double in, double out) {
-    in_size = std::hypot(in_size, in);
-    out_size = std::hypot(out_size, out);
-  });
+  std::vector<double> in, out, change;
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    if (std::ranges::count(measured, compared[i]) == 0) continue;
+    in.push_back(corner.in[i]);
+    out.push_back(corner.out[i]);
+  }
+  const double in_size = root_of_squares(in), out_size = root_of_squares(out);
   if (in_size == 0 || out_size == 0) return false;
-  of_measured([&](double in, double out) { change = std::hypot(change, in / in_size - out / out_size); });
-  return change > 0x1p-40;
+  for (std::size_t i = 0; i < in.size(); ++i) change.push_back(in[i] / in_size - out[i] / out_size);
+  return root_of_squares(change) > 0x1p-40;
 }
 
 /// Adds what is asked for of a curve to the report, and its corners.
 void measure(const MeasuredCurve& curve, const std::vector<std::size_t>& compared,
              const std::vector<std::string>& title, std::vector<LimitResult> wanted, LimitsReport& report) {
   std::vector<Measure> measures;
-  for (const LimitResult& one : wanted) measures.push_back(one.measure);
+  for (const LimitResult& one : wanted) {
+    measures.push_back(one.measure);
+    if (one.limit) measures.back().limit = as_measured(one.measure, *one.limit);
+  }
   Extremes found = extremes(curve, measures, compared);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     LimitResult& result = wanted[i];
@@ -269,7 +281,7 @@ void measure(const MeasuredCurve& curve, const std::vector<std::size_t>& compare
                  return std::ranges::count(one.channels, channel) > 0;
                });
       });
-      result.passed = !result.is_broken && !extreme.is_unbounded && extreme.high <= as_measured(one, *result.limit);
+      result.passed = !result.is_broken && !extreme.is_unbounded && extreme.high <= *one.limit;
     }
     report.results.push_back(std::move(result));
   }
@@ -350,8 +362,10 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
       add_angles(block.segments);
       return block;
     };
+    ExactSegments exact(pipeline.exact(streamed), turns);
     const MeasuredCurve curve{[=] { return turns ? mapped(streamed.segments(), with_angles) : streamed.segments(); },
-                              ExactSegments(pipeline.exact(streamed), turns),
+                              [&](std::size_t number) { return exact.in_balls(number); },
+                              [&](std::size_t number, bool directions) { return exact(number, directions); },
                               pipeline.spec().frames,
                               pipeline.request().from,
                               pipeline.request().to,
@@ -367,12 +381,6 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
         .about(job.part.from ? "--from" : "--to");
   }
   return report;
-}
-
-Rational power_of(const Rational& x, int exponent) {
-  Rational power = 1;
-  for (int i = 0; i < exponent; ++i) power *= x;
-  return power;
 }
 
 /// The smallest number of 14 digits whose power is at least x. Requires: x > 0.

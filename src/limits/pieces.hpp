@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -29,8 +30,9 @@ struct Measure {
   Kind kind = Kind::size;
   int derivative = 0;  ///< of the power of the time by which it becomes smaller where that is longer
   std::vector<std::size_t> channels;
-  bool is_signed = false;       ///< it is of one channel, and may have limits on both sides
-  bool is_of_rotation = false;  ///< its channels are numbers of a rotation, or the angle of its turn
+  bool is_signed = false;              ///< it is of one channel, and may have limits on both sides
+  bool is_of_rotation = false;         ///< its channels are numbers of a rotation, or the angle of its turn
+  std::optional<Rational> limit = {};  ///< of its maximum in the form of an Extreme, which is to be decided
 
   bool is_size() const { return kind != Kind::largest && kind != Kind::smallest; }
   bool is_of_direction() const { return kind == Kind::curvature || kind == Kind::angular_speed; }
@@ -39,20 +41,18 @@ struct Measure {
 /// A part of a segment on which all channels are polynomials of the part of its time that has passed, from 0 to 1.
 template <class S>
 struct Piece {
-  std::size_t number;                      ///< of the part of the ease
   S begin, size;                           ///< fractions of the duration of the segment
   S duration;                              ///< of the piece
   Polynomial<S> parameter;                 ///< the local parameter of the segment
   std::vector<Polynomial<S>> cubics = {};  ///< one per channel, over the local parameter
   std::vector<bool> rests = {};            ///< of each channel: both its tangents are 0
 
-  bool is_whole() const { return parameter == Polynomial<S>{S(0), S(1)}; }
+  bool is_whole() const { return parameter.size() == 2 && parameter[0] == S(0) && parameter[1] == S(1); }
 };
 
 /// The local parameter over a part of the duration of a segment, as a polynomial of the fraction of this part.
 template <class S>
 struct WarpPart {
-  std::size_t number;
   S begin, size;
   Polynomial<S> parameter;
 };
@@ -62,19 +62,19 @@ struct WarpPart {
 template <class S>
 std::vector<WarpPart<S>> parts_of(const spline::Warp<S>& warp) {
   const S zero(0), one(1), two(2);
-  if (warp.is_identity()) return {{0, zero, one, {zero, one}}};
+  if (warp.is_identity()) return {{zero, one, {zero, one}}};
   if (warp.is_cubic()) {
     const S a = warp.first_derivative(zero), b = warp.first_derivative(one);
-    return {{0, zero, one, {zero, a, S(3) - two * a - b, a + b - two}}};
+    return {{zero, one, {zero, a, S(3) - two * a - b, a + b - two}}};
   }
   const S first = warp.end_of_first_part(), last = warp.start_of_last_part();
   const S k = one + (first - last) / two, f = first / k, e = (one - last) / k;
   S middle = one - f - e;
   if constexpr (std::is_same_v<S, double>) middle = std::max(middle, 0x1p-44);
   std::vector<WarpPart<S>> parts;
-  if (zero < f) parts.push_back({0, zero, f, {zero, zero, first}});
-  if (zero < middle) parts.push_back({1, f, middle, {first, two * k * middle}});
-  if (zero < e) parts.push_back({2, one - e, e, {last, two * (one - last), last - one}});
+  if (zero < f) parts.push_back({zero, f, {zero, zero, first}});
+  if (zero < middle) parts.push_back({f, middle, {first, two * k * middle}});
+  if (zero < e) parts.push_back({one - e, e, {last, two * (one - last), last - one}});
   return parts;
 }
 
@@ -82,16 +82,19 @@ std::vector<WarpPart<S>> parts_of(const spline::Warp<S>& warp) {
 template <class S>
 std::vector<Piece<S>> pieces_of(const spline::Segments<S>& segments, std::size_t segment, const S& duration,
                                 const S& from, const S& to) {
+  using spline::is_exactly_zero;
   std::vector<Piece<S>> pieces;
-  for (const auto& [number, begin, size, parameter] : parts_of(segments.warp(segment))) {
+  for (const auto& [begin, size, parameter] : parts_of(segments.warp(segment))) {
     const S first = begin < from ? (from - begin) / size : S(0);
     const S last = to < S(1) && to < begin + size ? (to - begin) / size : S(1);
     if (!(first < last)) continue;
     const S width = (last - first) * size;
-    Piece<S> piece{number, begin + first * size, width, width * duration, composed(parameter, {first, last - first})};
+    const bool is_cut = first != S(0) || last != S(1);
+    Piece<S> piece{begin + first * size, width, width * duration,
+                   is_cut ? composed(parameter, {first, last - first}) : parameter};
     for (const spline::Cubic<S>& x : segments[segment]) {
       piece.cubics.push_back({x.p0, x.out, x.c + x.c_low, x.d});
-      piece.rests.push_back(x.out == S(0) && x.in == S(0));
+      piece.rests.push_back(is_exactly_zero(x.out) && is_exactly_zero(x.in));
     }
     pieces.push_back(std::move(piece));
   }
@@ -108,11 +111,8 @@ struct Measured {
   double scale = 0, base_scale = 0;  ///< of doubles: the sums of the sizes of terms, which bound their rounding
 
   S at(const S& place) const {
-    S value = value_at(over, place);
-    if (power == 0) return value;
-    const S below = value_at(base, place);
-    for (int i = 0; i < power; ++i) value = value / below;
-    return value;
+    const S value = value_at(over, place);
+    return power == 0 ? value : value / power_of(value_at(base, place), power);
   }
 };
 
@@ -124,28 +124,46 @@ S size_of(const Polynomial<S>& x) {
   return sum;
 }
 
+/// How often a derivative has the power u^i: i (i - 1) and so on.
+inline int derived(std::size_t i, int order) {
+  int times = 1;
+  for (int k = 0; k < order; ++k) times *= static_cast<int>(i) - k;
+  return times;
+}
+
 /// The derivative of a channel.
 template <class S>
 Polynomial<S> rate_of(const Piece<S>& piece, std::size_t channel, int order) {
-  Polynomial<S> x = piece.is_whole() ? piece.cubics[channel] : composed(piece.cubics[channel], piece.parameter);
   S rate(1);
-  for (int i = 0; i < order; ++i) {
-    rate = rate / piece.duration;
-    x = derivative(x);
-  }
-  for (S& coefficient : x) coefficient = coefficient * rate;
-  return x;
+  for (int i = 0; i < order; ++i) rate = rate / piece.duration;
+  const auto rate_of = [&](const Polynomial<S>& x) {
+    const auto lost = static_cast<std::size_t>(order);
+    if (x.size() <= lost) return Polynomial<S>{S(0)};
+    Polynomial<S> result(x.size() - lost);
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = S(derived(i + lost, order)) * x[i + lost] * rate;
+    return result;
+  };
+  return rate_of(piece.is_whole() ? piece.cubics[channel] : composed(piece.cubics[channel], piece.parameter));
 }
 
 /// The sum of the sizes of the terms of a derivative by rate_of(). Coefficients that are far smaller than others have
 /// the rounding of these, 2^-90 of them.
 inline double scale_of(const Polynomial<double>& rate, const Piece<double>& piece, std::size_t channel, int order) {
   if (is_zero(rate)) return 0;
-  const Polynomial<double> x = rate_of(piece, channel, 0);
-  double others = 0;
-  for (std::size_t i = 1; i < x.size(); ++i) others += std::abs(x[i]) * static_cast<double>(i * i * i);
-  for (int i = 0; i < order; ++i) others /= piece.duration;
-  return size_of(rate) + 0x1p-50 * others;
+  const auto sum_of = [&](const Polynomial<double>& terms) {
+    double sum = 0;
+    for (std::size_t i = order == 0 ? 0 : 1; i < terms.size(); ++i) {
+      sum += std::abs(terms[i]) * (derived(i, order) + 0x1p-50 * static_cast<double>(i * i * i));
+    }
+    for (int i = 0; i < order; ++i) sum /= piece.duration;
+    return sum;
+  };
+  if (piece.is_whole()) return sum_of(piece.cubics[channel]);
+  const auto sizes = [](Polynomial<double> x) {
+    for (double& coefficient : x) coefficient = std::abs(coefficient);
+    return x;
+  };
+  return sum_of(composed(sizes(piece.cubics[channel]), sizes(piece.parameter)));
 }
 
 /// How fast the direction of v changes, where a is its derivative: the square is |v ^ a|^2 / |v|^4, and per length of a
@@ -165,7 +183,7 @@ Measured<To> measured_direction(const Piece<S>& piece, const Measure& measure, c
   if constexpr (std::is_same_v<S, double>) {
     double largest = 0;
     for (const Polynomial<double>& x : v) largest = std::max(largest, size_of(x));
-    if (largest > 0 && std::isfinite(largest)) unit = std::ldexp(1.0, -std::ilogb(largest));
+    if (largest > 0 && std::isfinite(largest)) unit = 1 / spline::power_of_two_below(largest);
   }
   const Polynomial<To> parameter = convert(piece.parameter);
   const auto over_piece = [&](const Polynomial<To>& x) { return piece.is_whole() ? x : composed(x, parameter); };
@@ -194,14 +212,14 @@ Measured<To> measured_direction(const Piece<S>& piece, const Measure& measure, c
       const double v_size = size_of(v[i]), a_size = size_of(a[i]);
       moving += v_size > 0 ? 1 : 0;
       result.base_scale += v_size * v_size;
-      if (a_size > 0) change_scale += std::pow(a_size + 0x1p-50 * v_size, 2);  // as for scale_of()
+      if (a_size > 0) change_scale += power_of(a_size + 0x1p-50 * v_size, 2);  // as for scale_of()
     }
   }
   if constexpr (std::is_same_v<S, double>) {
     changes = moving > 1 && change_scale > 0;  // then |v ^ a| may be up to |v| |a|, and its terms twice that
     const double reach = std::max(1.0, size_of(parameter));  // by which terms may grow
-    result.scale = 2 * result.base_scale * change_scale * std::pow(reach, result.over.size() - 1);
-    result.base_scale *= std::pow(reach, result.base.size() - 1);
+    result.scale = 2 * result.base_scale * change_scale * power_of(reach, static_cast<int>(result.over.size()) - 1);
+    result.base_scale *= power_of(reach, static_cast<int>(result.base.size()) - 1);
   }
   if (!changes) return {};
   result.over = over_piece(result.over);

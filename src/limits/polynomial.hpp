@@ -23,6 +23,13 @@ struct Polynomial : boost::container::small_vector<S, 7> {
 };
 
 template <class S>
+S power_of(const S& x, int exponent) {
+  S power(1);
+  for (int i = 0; i < exponent; ++i) power = power * x;
+  return power;
+}
+
+template <class S>
 bool is_zero(const Polynomial<S>& a) {
   return std::ranges::all_of(a, [](const S& x) { return x == S(0); });
 }
@@ -116,21 +123,34 @@ Polynomial<S> common_divisor(Polynomial<S> a, Polynomial<S> b) {
 }
 
 /// From rising powers to Bernstein's form of a degree that is not below its own: b_j is the sum over i of
-/// a_i C(j, i) / C(n, i).
+/// C(j, i) a_i / C(n, i), as numbers are sums of their differences.
 template <class S>
 Polynomial<S> bernstein(const Polynomial<S>& a, std::size_t degree) {
   const auto whole = [](std::size_t i) { return S(static_cast<int>(i)); };
   Polynomial<S> result(degree + 1);
-  S of_n(1);  // C(n, i)
+  S binomial(1), last(0);  // C(n, i), and the last coefficient, which has the rounding of no quotients
   for (std::size_t i = 0; i < a.size(); ++i) {
-    S of_j(1);  // C(j, i)
-    for (std::size_t j = i; j <= degree; ++j) {
-      result[j] = result[j] + a[i] * of_j / of_n;
-      of_j = of_j * whole(j + 1) / whole(j + 1 - i);
-    }
-    of_n = of_n * whole(degree - i) / whole(i + 1);
+    result[i] = a[i] / binomial;
+    last = last + a[i];
+    binomial = binomial * whole(degree - i) / whole(i + 1);
   }
+  for (std::size_t level = degree; level-- > 0;) {
+    for (std::size_t j = level; j < degree; ++j) result[j + 1] = result[j + 1] + result[j];
+  }
+  result.back() = last;
   return result;
+}
+
+/// From Bernstein's form to rising powers.
+template <class S>
+Polynomial<S> from_bernstein(Polynomial<S> b) {
+  S binomial(1);
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    for (std::size_t j = b.size() - 1; j > i; --j) b[j] = b[j] - b[j - 1];
+    b[i] = b[i] * binomial;
+    binomial = binomial * S(static_cast<int>(b.size() - 1 - i)) / S(static_cast<int>(i + 1));
+  }
+  return b;
 }
 
 /// The coefficients of Bernstein's form times the binomials. Their products are those of the product.
@@ -144,12 +164,14 @@ Polynomial<S> with_binomials(Polynomial<S> b) {
   return b;
 }
 
-/// Bernstein's forms on [0, 1/2] and [1/2, 1].
-inline std::pair<Polynomial<double>, Polynomial<double>> halves(Polynomial<double> b) {
-  Polynomial<double> left(b.size());
+/// Bernstein's forms on [0, at] and [at, 1].
+template <class S>
+std::pair<Polynomial<S>, Polynomial<S>> split(Polynomial<S> b, const S& at) {
+  const S rest = S(1) - at;
+  Polynomial<S> left(b.size());
   left[0] = b[0];
   for (std::size_t level = b.size() - 1; level > 0; --level) {
-    for (std::size_t i = 0; i < level; ++i) b[i] = 0.5 * (b[i] + b[i + 1]);
+    for (std::size_t i = 0; i < level; ++i) b[i] = rest * b[i] + at * b[i + 1];
     left[b.size() - level] = b[0];
   }
   return {left, b};

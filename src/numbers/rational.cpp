@@ -4,6 +4,7 @@
 #include "numbers/rational.hpp"
 
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <numeric>
@@ -117,6 +118,15 @@ Rational::~Rational() = default;
 Rational::Rational(double value) {
   if (std::abs(value) < 0x1p63 && std::trunc(value) == value) {
     numerator_ = static_cast<std::int64_t>(value);
+    return;
+  }
+  int exponent = 0;
+  auto bits = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
+  const int zeros = std::countr_zero(static_cast<std::uint64_t>(bits));
+  exponent += zeros - 53;
+  if (-62 <= exponent && exponent < 0) {
+    numerator_ = bits / (std::int64_t{1} << zeros);
+    denominator_ = std::int64_t{1} << -exponent;
   } else {
     *this = Rational(Large{Large::Number(value)});
   }

@@ -35,7 +35,8 @@ MeasuredCurve curve_of(const std::vector<TwoChannels>& cubics) {
   const auto blocks = [segments]() -> Source<SegmentBlock> {
     return [block = std::optional(SegmentBlock{segments, {}, true})]() mutable { return std::exchange(block, {}); };
   };
-  return {blocks, [exact](std::size_t number, bool) { return exact->at(number); }, {}, {}, {}};
+  const auto no_balls = [](std::size_t) -> spline::Segments<Ball> { throw Undecided(); };
+  return {blocks, no_balls, [exact](std::size_t number, bool) { return exact->at(number); }, {}, {}, {}};
 }
 
 const Measure velocity{"velocity_x", Measure::Kind::size, 1, {0}, true};

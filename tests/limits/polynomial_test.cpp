@@ -38,10 +38,10 @@ TEST(Polynomial, forms_with_binomials_multiply) {
   EXPECT_THAT(product(x, y), ElementsAre(0, 0, 1, 0));
 }
 
-TEST(Polynomial, halves_have_forms_of_their_own) {
-  const auto [left, right] = halves(Polynomial<double>{0, 0, 1});
-  EXPECT_THAT(left, ElementsAre(0, 0, 0.25));
-  EXPECT_THAT(right, ElementsAre(0.25, 0.5, 1));
+TEST(Polynomial, parts_have_forms_of_their_own) {
+  const auto [left, right] = split(P{0, 0, 1}, Rational(1) / 3);
+  EXPECT_THAT(left, ElementsAre(0, 0, Rational(1) / 9));
+  EXPECT_THAT(right, ElementsAre(Rational(1) / 9, Rational(1) / 3, 1));
 }
 
 }  // namespace
