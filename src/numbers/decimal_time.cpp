@@ -257,7 +257,9 @@ std::optional<Time> exact_difference(const LongDecimal& a, const LongDecimal& b)
   const LongDecimal decimal =
       stripped({static_cast<Digits>(difference < 0 ? -difference : difference), exponent, difference < 0});
   if (decimal.size() > digits_of_time) return std::nullopt;
-  return time_of(decimal, 0);
+  const double nearest = nearest_to(decimal.digits, decimal.exponent);
+  if (nearest < 0x1p53 && is_shortest(decimal, nearest)) return Time(decimal.negative ? -nearest : nearest);
+  return time_of(decimal, nearest);
 }
 
 LongDecimal rounded(const LongDecimal& decimal, int decimals) {

@@ -152,7 +152,6 @@ TEST(DecimalTimes, have_exact_differences) {
     if (!difference) continue;
     ++found;
     const Rational wanted = exact_time(time) - exact_time(zero);
-    EXPECT_EQ(*difference, nearest_time(wanted, digits_of_time)) << time_text(time) << " - " << time_text(zero);
     EXPECT_EQ(exact_time(*difference), wanted) << time_text(time) << " - " << time_text(zero);
   }
   EXPECT_GT(found, 10'000);
