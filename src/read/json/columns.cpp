@@ -552,8 +552,9 @@ class FirstKey {
     }
     for (FoundMember& member : members_) {
       const bool is_array = member.array && !member.nested && !member.is_spread;
-      const bool is_whole =
-          !member.is_spread && is_of_rotation(member) && (has_quaternions || is_in_rotation(member.name));
+      const bool is_number = !member.array && member.numbers == 1;
+      const bool is_whole = !member.is_spread && is_of_rotation(member) &&
+                            (has_quaternions || (is_number && is_in_rotation(member.name)));
       member.is_rotation = member.is_rotation || is_whole;
       member.is_position = !member.is_rotation && is_array && std::ranges::count(arrays, member.name) > 0;
     }
