@@ -573,33 +573,40 @@ std::vector<Search<spline::DoubleDouble>> with_balls(const MeasuredCurve& curve,
   Repeats repeats;
   while (true) {
     std::optional<std::size_t> segment;
-    for (const auto& parts : left) {
-      if (!parts.empty()) segment = std::min(segment.value_or(parts.front().segment), parts.front().segment);
+    bool is_needed = false;
+    for (std::size_t k = 0; k < measures.size(); ++k) {
+      if (left[k].empty() || (segment && *segment < left[k].front().segment)) continue;
+      is_needed = is_bounded[k] || (is_needed && segment == left[k].front().segment);
+      segment = left[k].front().segment;
     }
     if (!segment) return searches;
     std::vector<Piece<Ball>> pieces;
-    std::optional<std::size_t> number;
+    Known once(measures.size());
+    Known* found = &once;
+    try {
+      if (is_needed) {
+        const spline::Segments<Ball> one = curve.in_balls(*segment);
+        pieces = measured_pieces(curve, one);
+        const bool may_repeat = !curve.from && !curve.to;
+        const auto number = may_repeat ? repeats.find(one, 0, one.times[1] - one.times[0]) : std::nullopt;
+        if (number == known.size()) known.push_back(once);
+        if (number) found = &known[*number];
+      }
+    } catch (const Undecided&) {
+    }
     for (std::size_t k = 0; k < measures.size(); ++k) {
       if (left[k].empty() || left[k].front().segment != *segment) continue;
-      std::optional<Number> upper = left[k].front().upper;
-      left[k] = left[k].subspan(1);
+      std::optional<Number>& upper = (*found)[k];
       try {
-        if (is_bounded[k] && pieces.empty()) {
-          const spline::Segments<Ball> one = curve.in_balls(*segment);
-          if (!curve.from && !curve.to) number = repeats.find(one, 0, one.times[1] - one.times[0]);
-          if (number) known.resize(std::max(known.size(), *number + 1), Known(measures.size()));
-          pieces = measured_pieces(curve, one);
-        }
-        std::optional<Number> once, &found = number ? known[*number][k] : once;
-        if (is_bounded[k] && !found && !pieces.empty()) {
-          found = largest_of(pieces, [&](const Piece<Ball>& piece) {
+        if (is_bounded[k] && !upper && !pieces.empty()) {
+          upper = largest_of(pieces, [&](const Piece<Ball>& piece) {
             return searches[k].bound(form_of(measured(piece, measures[k])), {}, {});
           });
         }
-        if (found) upper = found;
       } catch (const Undecided&) {
       }
-      searches[k].add(*segment, upper);
+      searches[k].add(*segment, upper ? upper : left[k].front().upper);
+      left[k] = left[k].subspan(1);
     }
   }
 }

@@ -63,27 +63,6 @@ Polynomial<S> composed(const Polynomial<S>& outer, const Polynomial<S>& inner) {
   return result;
 }
 
-/// a(x + shift), by Horner's scheme.
-template <class S>
-Polynomial<S> shifted(Polynomial<S> a, const S& shift) {
-  for (std::size_t done = 0; done + 1 < a.size(); ++done) {
-    for (std::size_t i = a.size() - 1; i-- > done;) a[i] = a[i] + shift * a[i + 1];
-  }
-  return a;
-}
-
-/// a on [begin, begin + size], as a polynomial on [0, 1].
-template <class S>
-Polynomial<S> part_of(const Polynomial<S>& a, const S& begin, const S& size) {
-  Polynomial<S> part = shifted(a, begin);
-  S power(1);
-  for (S& coefficient : part) {
-    coefficient = coefficient * power;
-    power = power * size;
-  }
-  return part;
-}
-
 template <class S>
 Polynomial<S> derivative(const Polynomial<S>& a) {
   if (a.size() == 1) return {S(0)};

@@ -15,11 +15,6 @@ TEST(Polynomial, an_inner_polynomial_takes_the_place_of_x) {
   EXPECT_THAT(composed(P{1, 2, 3}, P{4, 5}), ElementsAre(57, 130, 75));
 }
 
-TEST(Polynomial, a_part_is_a_polynomial_of_its_own) {
-  EXPECT_THAT(part_of(P{0, 0, 0, 1}, Rational(2), Rational(3)), ElementsAre(8, 36, 54, 27));
-  EXPECT_THAT(part_of(P{1, 1, 1}, Rational(1), Rational(0)), ElementsAre(3, 0, 0));
-}
-
 TEST(Polynomial, the_common_divisor_has_the_common_roots) {
   const P common = common_divisor(P{2, -3, 1}, P{3, -4, 1});  // roots 1 and 2, 1 and 3
   EXPECT_EQ(common.size(), 2U);
@@ -31,6 +26,10 @@ TEST(Polynomial, the_common_divisor_has_the_common_roots) {
 TEST(Polynomial, bernsteins_form_of_any_degree) {
   EXPECT_THAT(bernstein(P{0, 0, 1}, 2), ElementsAre(0, 0, 1));
   EXPECT_THAT(bernstein(P{0, 0, 1}, 3), ElementsAre(0, 0, Rational(1) / 3, 1));
+}
+
+TEST(Polynomial, bernsteins_form_is_converted_back) {
+  EXPECT_THAT(from_bernstein(bernstein(P{1, -2, 3, 5}, 3)), ElementsAre(1, -2, 3, 5));
 }
 
 TEST(Polynomial, forms_with_binomials_multiply) {
