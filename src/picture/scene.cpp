@@ -37,6 +37,11 @@ void include_cubic(Interval& interval, const Cubic& x) {
   include_extremes(interval, x);
 }
 
+Error curve_not_finite() {
+  return data_error(
+      "a curve has a number beyond the range of doubles; expected less than 1.8e308 in size; scale the keys down");
+}
+
 void include_block(SceneExtent& extent, const SegmentBlock& block, const Scene& scene) {
   const spline::Segments<double>& segments = block.segments;
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -44,9 +49,12 @@ void include_block(SceneExtent& extent, const SegmentBlock& block, const Scene& 
     extent.time.include(segments.times[i]);
     extent.time.include(segments.times[i + 1]);
     for (std::size_t channel = 0; channel < cubics.size(); ++channel) {
-      include_cubic(extent.channels[channel], cubics[channel]);
-      extent.with_tangents[channel].include(Time(cubics[channel].p0 + cubics[channel].out / 3));
-      extent.with_tangents[channel].include(Time(cubics[channel].p1 - cubics[channel].in / 3));
+      const Cubic& x = cubics[channel];
+      include_cubic(extent.channels[channel], x);
+      for (const double control : {x.p0 + x.out / 3, x.p1 - x.in / 3}) {
+        if (!std::isfinite(control)) throw curve_not_finite();
+        extent.with_tangents[channel].include(Time(control));
+      }
     }
     for (std::size_t axis = 0; scene.path && axis < 2; ++axis) {
       const Cubic& x = cubics[(*scene.path)[axis]];
@@ -291,6 +299,7 @@ SceneExtent extent_of(const Scene& scene) {
   }
   require_finite(extent.time);
   std::ranges::for_each(extent.channels, require_finite);
+  std::ranges::for_each(extent.with_tangents, require_finite);
   return extent;
 }
 
