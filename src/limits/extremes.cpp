@@ -334,9 +334,10 @@ class Search {
         return upper;
       }
     }
-    constexpr int deepest_without_bound = 10, most_splits = 1000;
-    if (!is_exact && (++splits_ > most_splits || (!upper && depth == deepest_without_bound))) return upper;
-    if (depth == depth_.deepest) throw Undecided();
+    constexpr int deepest_without_bound = 10, most_splits = is_exact ? 2'000 : 1'000;
+    const bool is_last_split = ++splits_ > most_splits;
+    if (!is_exact && (is_last_split || (!upper && depth == deepest_without_bound))) return upper;
+    if (is_last_split || depth == depth_.deepest) throw Undecided();
     if (!is_inside) {
       at = Number(0.5);
       split_at(at);
