@@ -373,11 +373,11 @@ class Curve:
         >>> tcbsample.Curve([[0, 0], [1, 2], [2, 0]]).to_ppoly()(0.5).tolist()
         [1.125]
         """
-        from scipy.interpolate import PPoly
-
         if self._pieces is None:
             raise ValueError("the curve is not a cubic in time, as it has rotations or ease, or numbers near the limits "
                              "of doubles, or times with more digits; sample it instead")  # fmt: skip
+        from scipy.interpolate import PPoly
+
         h = self._pieces.durations[:, None]
         p = [power[::3] for power in self._pieces.powers]  # of the distance from the start
         coefficients = np.stack([p[3] / h / h / h, p[2] / h / h, p[1] / h, p[0]])
