@@ -115,8 +115,8 @@ struct RoleRequest {
   std::vector<std::string> columns;
   std::string_view option = "--columns";
   std::string channel = {};  ///< of a role in one channel
-  bool unless_taken =
-      false;  ///< columns that have the role already keep it, and others too where the input requests it
+  /// Columns that have the role already keep it; where the input requests it, those with any other role, too.
+  bool unless_taken = false;
 };
 
 /// "time=frame,position=px:py:pz". Throws: Error (usage).

@@ -47,8 +47,7 @@ constexpr std::string_view frame_names =
 /// Names of arrays and objects that hold positions.
 constexpr std::string_view names_of_positions =
     "position positions pos translation translate tvec location loc point coords coord coordinate coordinates xyz xy p "
-    "vec "
-    "vector value values transform pose";
+    "vec vector value values transform pose";
 
 /// Names of columns that distinguish curves.
 constexpr std::string_view label_names =

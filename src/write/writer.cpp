@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -307,19 +308,22 @@ void Writer::set_frames(const PlayedFrames& frames) {
 
 /// A time of a golden row is its text. Decimals stay decimals.
 Table Writer::from_zero(Table rows) const {
+  const auto shifted = [this](const Time& time, const std::string& text) {
+    const auto decimal = decimal_zero_ && text.empty() ? exact_decimal_of(time) : std::nullopt;
+    if (const auto difference = decimal ? exact_difference(*decimal, *decimal_zero_) : std::nullopt) return *difference;
+    const Rational exact = parse_rational(text).value_or(exact_time(time)) - *zero_;
+    const Time rounded = nearest_time(exact, digits_of_time);
+    return !std::isfinite(rounded.hi) || exact_time(rounded) == exact ? rounded : nearest_time(exact);
+  };
   for (std::size_t i = 0; i < rows.cells.size(); ++i) {
     if (columns_.numbers[i % columns_.numbers.size()].kind != CellKind::time) continue;
-    const bool has_text = !rows.texts.empty() && !rows.texts[i].empty();
-    const auto decimal_time = decimal_zero_ && !has_text ? exact_decimal_of(rows.cells[i]) : std::nullopt;
-    if (const auto shifted = decimal_time ? exact_difference(*decimal_time, *decimal_zero_) : std::nullopt) {
-      rows.cells[i] = *shifted;
-      continue;
+    const std::string text = rows.texts.empty() ? "" : std::exchange(rows.texts[i], "");
+    const Time time = std::exchange(rows.cells[i], shifted(rows.cells[i], text));
+    if (!std::isfinite(rows.cells[i].hi)) {
+      throw data_error(
+          "time {} is too far from --time-zero; expected a difference below 1.8e308; give a time that is nearer",
+          time_text(time));
     }
-    std::optional<Rational> time;
-    if (has_text) time = parse_rational(std::exchange(rows.texts[i], ""));
-    const Rational shifted = (time ? *time : exact_time(rows.cells[i])) - *zero_;
-    const Time decimal = nearest_time(shifted, digits_of_time);
-    rows.cells[i] = exact_time(decimal) == shifted ? decimal : nearest_time(shifted);
   }
   return rows;
 }
