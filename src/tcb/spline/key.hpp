@@ -103,8 +103,11 @@ struct Keys {
   std::size_t size() const { return times.size(); }
   std::span<const S> position(std::size_t key) const { return std::span(positions).subspan(key * channels, channels); }
   /// The number of entries of tcbs per key: 0, 1 or `channels`.
-  std::size_t tcbs_per_key() const { return tcbs.empty() ? 0 : tcbs.size() * channels / positions.size(); }
-  std::size_t turns_per_key() const { return turns.empty() ? 0 : turns.size() / times.size(); }
+  std::size_t tcbs_per_key() const {
+    if (tcbs.empty()) return 0;
+    return channels == 0 ? 1 : tcbs.size() * channels / positions.size();
+  }
+  std::size_t turns_per_key() const { return turns.empty() ? 0 : turns.size() * channels / positions.size(); }
   /// Whether each channel has its own tension, continuity and bias.
   bool has_channel_tcbs() const { return tcbs_per_key() > 1; }
   bool is_missing(std::size_t key, std::size_t channel) const {
