@@ -12,7 +12,7 @@
 
 #include "check/compare_job.hpp"
 #include "check/inputs.hpp"
-#include "tcb/spline/key.hpp"
+#include "tcb/spline/keys.hpp"
 
 namespace tcb {
 

@@ -11,6 +11,7 @@
 #include "numbers/print_number.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
+#include "run/key_options.hpp"
 #include "schema/columns.hpp"
 #include "schema/curve_settings.hpp"
 #include "schema/format.hpp"

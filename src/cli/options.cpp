@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "cli/values.hpp"
+#include "fit/fit.hpp"
 #include "formats/formats.hpp"
 #include "sample/extrapolation.hpp"
 #include "sample/request.hpp"

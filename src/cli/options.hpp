@@ -19,6 +19,7 @@
 #include "limits/limit_options.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
+#include "run/key_options.hpp"
 #include "write/writer_options.hpp"
 
 namespace tcb {

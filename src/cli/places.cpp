@@ -11,7 +11,6 @@
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
-#include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/input.hpp"

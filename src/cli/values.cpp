@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "formats/formats.hpp"
+#include "numbers/dates.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
 #include "sample/table.hpp"

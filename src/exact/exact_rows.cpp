@@ -12,6 +12,7 @@
 #include "exact/real.hpp"
 #include "exact/row_point.hpp"
 #include "numbers/print_number.hpp"
+#include "sample/rows.hpp"
 #include "sample/sampler.hpp"
 
 namespace tcb {

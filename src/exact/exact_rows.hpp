@@ -17,9 +17,11 @@
 #include "exact/exact_keys.hpp"
 #include "numbers/print_number.hpp"
 #include "sample/request.hpp"
-#include "sample/rows.hpp"
+#include "sample/table.hpp"
 
 namespace tcb {
+
+class Locator;
 
 /// The correctly rounded rows of one curve.
 class ExactRows {

@@ -8,9 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "fit/fit_options.hpp"
-#include "schema/key_block.hpp"
-#include "tcb/spline/key.hpp"
+#include "numbers/rational.hpp"
+#include "tcb/spline/keys.hpp"
 
 namespace tcb {
 
@@ -100,6 +99,9 @@ std::vector<FitKey> fitting_keys(const Recording& recording, const FirstTimes& t
 /// How often each sample is counted as done, pass by pass, unless a fit is tried again.
 inline constexpr std::size_t fit_passes = 6;
 
+/// What the keys carry.
+enum class FitKeys { tcb, hermite };
+
 /// How a recording is fitted.
 struct FitRules {
   FitKeys keys = FitKeys::tcb;
@@ -120,14 +122,14 @@ struct CornerKey {
 /// The keys with numbers rounded to decimals that move the curve by thousandths of the tolerances. A slope that no
 /// tension, continuity and bias give is replaced by 0. Rotations have the tension, continuity and bias, the same in
 /// their four channels, whose tangents are nearest to the slopes.
-Keys numbered_keys(const std::vector<CornerKey>& keys, const Recording& recording, const std::vector<Time>& times,
-                   const FitRules& rules);
+spline::Keys<double> numbered_keys(const std::vector<CornerKey>& keys, const Recording& recording,
+                                   const std::vector<Time>& times, const FitRules& rules);
 
 // fit.cpp
 
 /// The keys of a recording.
 struct FitResult {
-  Keys keys;                   ///< tension, continuity and bias of each channel, or velocities
+  spline::Keys<double> keys;   ///< tension, continuity and bias of each channel, or velocities
   double largest = 0;          ///< the largest distance or angle from a sample, in tolerances
   std::size_t sample = 0;      ///< at which
   std::size_t least_keys = 0;  ///< no curve with fewer is within the tolerances of distances

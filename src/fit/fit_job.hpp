@@ -6,6 +6,7 @@
 #include "io/input_list.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
+#include "run/key_options.hpp"
 #include "write/writer_options.hpp"
 
 namespace tcb {

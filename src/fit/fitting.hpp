@@ -11,7 +11,7 @@
 #include "keys/curves.hpp"
 #include "read/input.hpp"
 #include "run/progress.hpp"
-#include "sample/rows.hpp"
+#include "sample/table.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
 

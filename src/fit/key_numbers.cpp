@@ -111,7 +111,7 @@ class Numbering {
             const FitRules& rules)
       : keys_(keys), recording_(recording), times_(times), rules_(rules) {}
 
-  Keys run() {
+  spline::Keys<double> run() {
     result_.channels = recording_.channels;
     result_.positions.resize(keys_.size() * recording_.channels);
     for (const CornerKey& key : keys_) result_.times.push_back(times_[key.sample]);
@@ -213,13 +213,13 @@ class Numbering {
   const Recording& recording_;
   const std::vector<Time>& times_;
   const FitRules& rules_;
-  Keys result_;
+  spline::Keys<double> result_;
 };
 
 }  // namespace
 
-Keys numbered_keys(const std::vector<CornerKey>& keys, const Recording& recording, const std::vector<Time>& times,
-                   const FitRules& rules) {
+spline::Keys<double> numbered_keys(const std::vector<CornerKey>& keys, const Recording& recording,
+                                   const std::vector<Time>& times, const FitRules& rules) {
   return Numbering(keys, recording, times, rules).run();
 }
 

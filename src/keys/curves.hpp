@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "schema/key_block.hpp"
+#include "schema/input_keys.hpp"
 #include "schema/rotation_options.hpp"
 #include "schema/schema.hpp"
 #include "stream/source.hpp"

@@ -8,7 +8,7 @@
 
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
-#include "tcb/spline/key.hpp"
+#include "tcb/spline/keys.hpp"
 
 namespace tcb {
 

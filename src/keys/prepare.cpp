@@ -9,6 +9,7 @@
 
 #include "error.hpp"
 #include "schema/roles.hpp"
+#include "tcb/spline/scalar.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 

@@ -15,7 +15,7 @@
 #include "schema/curve_settings.hpp"
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
-#include "tcb/spline/scalar.hpp"
+#include "tcb/spline/double_double.hpp"
 
 namespace tcb {
 
@@ -52,7 +52,7 @@ struct SignedKeys {
 SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles);
 
 /// The power of a distance at a scalar, from its square. Doubles add up squares as double-doubles, in units of a power
-/// of two, so that none overflows or vanishes. Exact scalars have their own, in exact/rounding.hpp.
+/// of two, so that none overflows or vanishes. Exact scalars have their own, in exact/exact_curve.hpp.
 template <class S>
 struct DistancePower;
 

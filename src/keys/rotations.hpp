@@ -9,7 +9,7 @@
 #include "schema/rotation_options.hpp"
 #include "schema/schema.hpp"
 #include "stream/source.hpp"
-#include "tcb/spline/rules.hpp"
+#include "tcb/spline/rotation_curve.hpp"
 
 namespace tcb {
 

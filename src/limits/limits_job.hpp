@@ -7,9 +7,9 @@
 
 #include "error.hpp"
 #include "limits/limit_options.hpp"
-#include "numbers/rational.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
+#include "run/key_options.hpp"
 #include "sample/request.hpp"
 #include "schema/curve_settings.hpp"
 #include "schema/format.hpp"

@@ -4,13 +4,13 @@
 // other time zones and no leap seconds.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "numbers/rational.hpp"
+#include "numbers/time_notation.hpp"
 
 namespace tcb {
 
@@ -22,26 +22,6 @@ std::optional<Rational> read_clock(std::string_view text);
 
 /// hh:mm:ss.fff, with `decimals` decimals or as many as the time has. Requires: seconds >= 0.
 std::string clock_text(const Rational& seconds, std::optional<int> decimals);
-
-/// The order of the year, the month and the day.
-enum class DateOrder { ymd, dmy, mdy };
-
-struct DateOrderName {
-  std::string_view name;
-  DateOrder order;
-};
-
-/// The orders that have to be requested, as a date with the year last does not tell which number is the day.
-inline constexpr std::array date_orders{DateOrderName{"dmy", DateOrder::dmy}, DateOrderName{"mdy", DateOrder::mdy}};
-
-/// How dates are written.
-struct DateFormat {
-  DateOrder order = DateOrder::ymd;
-  char mark = '-';          ///< between year, month and day: - / or .
-  bool is_padded = true;    ///< months, days and hours have two digits
-  char before_clock = 'T';  ///< between the date and the time of day: T or a blank; 0: midnight is not written
-  std::string zone = "Z";   ///< as written, with the blank before it; empty: none, and the time is in UTC
-};
 
 /// The format of a date by its form; its order is dmy if the year is last. Nothing if the text is no date.
 std::optional<DateFormat> find_date_format(std::string_view text);

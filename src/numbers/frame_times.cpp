@@ -1,6 +1,8 @@
 // Frame times: the exact times that the texts of times name, with the digits that doubles omit.
 #include "numbers/frame_times.hpp"
 
+#include "numbers/decimal_time.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

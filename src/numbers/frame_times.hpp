@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "numbers/decimal_time.hpp"
 #include "numbers/rational.hpp"
 
 namespace tcb {

@@ -17,6 +17,16 @@ namespace tcb {
 /// for a double.
 std::optional<double> parse_number(std::string_view text);
 
+/// A number, and the decimal or ratio as which it is written, which is exact.
+struct WrittenNumber {
+  double value = 0;
+  std::string decimal = "0";
+};
+
+inline Rational exact_number(const WrittenNumber& number) {
+  return parse_rational(number.decimal).value_or(Rational(number.value));
+}
+
 /// A time: as parse_number, but a decimal of 16 digits or more keeps 31 of them, and a whole number below 2^63 all.
 std::optional<Time> parse_time(std::string_view text);
 

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <utility>
 
-#include "tcb/spline/scalar.hpp"
+#include "tcb/spline/double_double.hpp"
 
 namespace tcb {
 

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstdint>
 
+#include "numbers/dates.hpp"
 #include "numbers/decimal_time.hpp"
 #include "text/suggest.hpp"
 

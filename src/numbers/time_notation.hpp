@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "numbers/dates.hpp"
 #include "numbers/rational.hpp"
 
 namespace tcb {
@@ -82,6 +81,26 @@ std::optional<TimeNotation> find_notation(std::string_view text);
 constexpr bool is_date(TimeNotation notation) {
   return notation == TimeNotation::date || notation == TimeNotation::zoned_date;
 }
+
+/// The order of the year, the month and the day.
+enum class DateOrder { ymd, dmy, mdy };
+
+struct DateOrderName {
+  std::string_view name;
+  DateOrder order;
+};
+
+/// The orders that have to be requested, as a date with the year last does not tell which number is the day.
+inline constexpr std::array date_orders{DateOrderName{"dmy", DateOrder::dmy}, DateOrderName{"mdy", DateOrder::mdy}};
+
+/// How dates are written.
+struct DateFormat {
+  DateOrder order = DateOrder::ymd;
+  char mark = '-';          ///< between year, month and day: - / or .
+  bool is_padded = true;    ///< months, days and hours have two digits
+  char before_clock = 'T';  ///< between the date and the time of day: T or a blank; 0: midnight is not written
+  std::string zone = "Z";   ///< as written, with the blank before it; empty: none, and the time is in UTC
+};
 
 /// The seconds of a time in words, which may be no time, such as a minute 60, or a frame number that is dropped or not
 /// below the rate. `rate`: frames per second. `order`: of dates. Source of dropped numbers: SMPTE ST 12-1.

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "numbers/dates.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 

@@ -32,6 +32,7 @@
 #include "sample/rows.hpp"
 #include "sample/table.hpp"
 #include "schema/schema.hpp"
+#include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {

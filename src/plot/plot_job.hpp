@@ -5,6 +5,7 @@
 #include "io/input_list.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
+#include "run/key_options.hpp"
 
 namespace tcb {
 

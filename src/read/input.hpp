@@ -13,7 +13,7 @@
 #include "schema/columns.hpp"
 #include "schema/curve_channels.hpp"
 #include "schema/format.hpp"
-#include "schema/key_block.hpp"
+#include "schema/input_keys.hpp"
 #include "schema/schema.hpp"
 #include "schema/units.hpp"
 #include "stream/source.hpp"

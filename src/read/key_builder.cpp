@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numbers/dates.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
 

@@ -11,23 +11,13 @@
 #include <vector>
 
 #include "error.hpp"
-#include "numbers/rational.hpp"
+#include "numbers/parse_number.hpp"
 #include "schema/columns.hpp"
 #include "schema/key_block.hpp"
 #include "schema/key_rules.hpp"
 #include "schema/units.hpp"
 
 namespace tcb {
-
-/// A number of a file, and its decimal or ratio, which is exact.
-struct WrittenNumber {
-  double value = 0;
-  std::string decimal = "0";
-};
-
-inline Rational exact_number(const WrittenNumber& number) {
-  return parse_rational(number.decimal).value_or(Rational(number.value));
-}
 
 /// The two parts of a time are not whole seconds and nanoseconds. `time`: the name of the column of seconds.
 Error time_parts_not_whole(std::string_view time);

@@ -12,10 +12,12 @@
 #include "numbers/decimal_time.hpp"
 #include "read/input.hpp"
 #include "run/curve_pipeline.hpp"
+#include "run/key_options.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/table.hpp"
 #include "schema/doubts.hpp"
 #include "schema/usual_names.hpp"
+#include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 

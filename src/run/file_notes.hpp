@@ -8,7 +8,6 @@
 #include <string>
 
 #include "numbers/rational.hpp"
-#include "run/job.hpp"
 #include "run/progress.hpp"
 #include "sample/request.hpp"
 #include "write/provenance.hpp"
@@ -19,6 +18,7 @@ class Curves;
 struct Input;
 struct CurveSamples;
 struct CurveSpec;
+struct KeyOptions;
 
 /// Reports facts about a file that a user may not expect.
 class FileNotes {

@@ -1,5 +1,6 @@
 // Parts of jobs: the bytes of keys, and the samples of each curve, where groups may have their own places.
 #include "run/job.hpp"
+#include "run/key_options.hpp"
 
 #include <fmt/ranges.h>
 

@@ -1,8 +1,7 @@
-// Parts of jobs: what resampling, pictures, fits and comparisons have in common.
+// Parts of jobs: the samples, tolerances, threads and messages that several products request.
 #pragma once
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,26 +10,12 @@
 #include "error.hpp"
 #include "numbers/print_number.hpp"
 #include "numbers/rational.hpp"
-#include "read/input_options.hpp"
 #include "sample/request.hpp"
-#include "schema/curve_settings.hpp"
-#include "stream/source.hpp"
 
 namespace tcb {
 
 struct InputCurve;
 struct Schema;
-
-/// How keys are read, and which curves they make.
-struct KeyOptions {
-  InputOptions input;
-  CurveOptions curves;
-  CurveSettings rules;                                     ///< completed by the settings in the input
-  std::shared_ptr<const std::string> standard_input = {};  ///< its bytes, if they were read before
-
-  /// The bytes of a file. Throws: Error (usage) as read_file() does.
-  Source<std::string> bytes_of(const std::string& path) const;
-};
 
 /// Times or arc lengths for each group, by the contents of its texts.
 using GroupedPlaces = std::map<std::vector<std::string>, std::vector<Rational>>;

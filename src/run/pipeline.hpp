@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "io/input_list.hpp"
 #include "run/job.hpp"
+#include "run/key_options.hpp"
 #include "schema/format.hpp"
 #include "write/writer_options.hpp"
 

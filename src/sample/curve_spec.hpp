@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "numbers/rational.hpp"
-#include "sample/extrapolation.hpp"
 #include "sample/request.hpp"
 #include "schema/curve_channels.hpp"
 #include "schema/curve_settings.hpp"
@@ -18,7 +17,7 @@ enum class ShownTcbScale;  // in keys/prepare.hpp
 
 /// Which curve the keys make.
 struct CurveSpec {
-  spline::Preset preset = spline::Preset::gte;
+  spline::Preset preset = {};  ///< the first one of the presets, unless another is named
   spline::CurveRules<double> rules;
   bool closed = false;
   bool timed = true;               ///< the keys have times; otherwise the parameter makes them

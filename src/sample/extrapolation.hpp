@@ -5,7 +5,7 @@
 
 #include "numbers/rational.hpp"
 #include "schema/curve_settings.hpp"
-#include "tcb/spline/scalar.hpp"
+#include "tcb/spline/double_double.hpp"
 
 namespace tcb {
 

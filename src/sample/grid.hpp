@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "error.hpp"
-#include "numbers/decimal_time.hpp"
+#include "numbers/rational.hpp"
 #include "sample/request.hpp"
 
 namespace tcb {

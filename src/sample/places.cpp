@@ -8,6 +8,7 @@
 
 #include "numbers/decimal_time.hpp"
 #include "sample/grid.hpp"
+#include "sample/rows.hpp"
 #include "sample/sampler.hpp"
 #include "sample/tolerance.hpp"
 #include "tcb/spline/curve.hpp"

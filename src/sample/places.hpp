@@ -9,10 +9,13 @@
 
 #include "numbers/rational.hpp"
 #include "sample/build.hpp"
-#include "sample/rows.hpp"
+#include "sample/table.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
+
+class Locator;
+struct SampleBlock;
 
 /// Where the rows of a request lie, in their order: times or arc lengths.
 struct RowPlaces {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "schema/curve_channels.hpp"
-#include "tcb/spline/scalar.hpp"
+#include "tcb/spline/double_double.hpp"
 
 namespace tcb {
 

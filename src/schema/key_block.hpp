@@ -1,4 +1,4 @@
-// Key blocks: successive keys with their texts, text positions, gaps and faults; the keys of an input in blocks.
+// Key blocks: successive keys with their texts, text positions, gaps and faults.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,13 @@
 #include <vector>
 
 #include "error.hpp"
-#include "schema/curve_settings.hpp"
-#include "schema/roles.hpp"
 #include "schema/texts.hpp"
-#include "stream/source.hpp"
-#include "tcb/spline/key.hpp"
+#include "tcb/spline/keys.hpp"
 #include "tcb/spline/rotation_form.hpp"
 
 namespace tcb {
+
+struct CurveInfo;
 
 using Keys = spline::Keys<double>;
 
@@ -125,27 +124,6 @@ struct KeyBlock {
   TextPosition text_position(std::size_t key) const;
   /// The key in its list, as in "keys[17]"; empty if the input is no list.
   std::string list_position(std::size_t key) const;
-};
-
-/// What later stages have to expect of the keys of an input.
-struct KeyTraits {
-  bool own_curves = false;        ///< blocks have the beginnings of curves, and their information
-  bool has_whole_curves = false;  ///< the keys of a curve follow each other, and its first block has its information
-  bool are_segments = false;      ///< the keys are the two ends of each segment, not yet joined
-  bool may_break = false;         ///< a curve may end before the input does
-  bool may_miss = false;          ///< positions may be missing
-  bool has_tcb_scale = false;     ///< the scale of tension, continuity and bias is given
-
-  // What may distinguish curves where times decrease:
-  std::vector<Mark> marks = {};            ///< columns without a role
-  std::vector<std::string> channels = {};  ///< names of the channels of keys as they are read, if they have names
-};
-
-/// The keys of an input as they are read.
-struct InputKeys {
-  Source<KeyBlock> blocks;
-  CurveInfo curve_info = {};  ///< of all curves, unless they have their own
-  KeyTraits traits = {};
 };
 
 }  // namespace tcb

@@ -1,4 +1,5 @@
 // Rotation columns: which columns make rotations and angles, their channels, and the cells that show them.
+#include "schema/columns.hpp"
 #include "schema/schema.hpp"
 
 #include <fmt/format.h>

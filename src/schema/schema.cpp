@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "schema/columns.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

@@ -9,12 +9,14 @@
 
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
-#include "schema/columns.hpp"
 #include "schema/curve_channels.hpp"
 #include "schema/rotation_options.hpp"
 #include "tcb/spline/key.hpp"
 
 namespace tcb {
+
+struct Columns;
+struct Renaming;
 
 /// The marks of delimited text.
 struct TextMarks {

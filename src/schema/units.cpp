@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "numbers/dates.hpp"
 #include "schema/columns.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "numbers/decimal_time.hpp"
 #include "numbers/rational.hpp"
 #include "sample/table.hpp"
 #include "write/output_format.hpp"

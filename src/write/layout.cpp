@@ -12,7 +12,6 @@
 #include "numbers/print_number.hpp"
 #include "schema/key_block.hpp"
 #include "schema/units.hpp"
-#include "text/suggest.hpp"
 #include "write/output_format.hpp"
 
 namespace tcb {

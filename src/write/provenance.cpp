@@ -8,7 +8,6 @@
 
 #include "error.hpp"
 #include "io/digest.hpp"
-#include "io/input_file.hpp"
 #include "sample/rows.hpp"
 #include "schema/key_block.hpp"
 #include "text/utf8.hpp"

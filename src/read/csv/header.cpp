@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "io/encoding.hpp"
+#include "numbers/dates.hpp"
 #include "numbers/parse_number.hpp"
 #include "read/csv/tokenizer.hpp"
 #include "schema/doubts.hpp"

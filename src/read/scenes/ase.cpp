@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "read/scenes/text_lines.hpp"
+#include "read/scenes/tracks.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {

@@ -18,7 +18,9 @@
 #include <vector>
 
 #include "read/scenes/fbx.hpp"
+#include "read/scenes/tracks.hpp"
 #include "tcb/spline/rotation_notation.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 namespace {

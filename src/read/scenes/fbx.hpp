@@ -17,7 +17,8 @@
 #include <string_view>
 #include <vector>
 
-#include "read/scenes/tracks.hpp"
+#include "read/memory_use.hpp"
+#include "read/scenes/track_channel.hpp"
 
 namespace tcb {
 

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "read/scenes/text_lines.hpp"
+#include "read/scenes/tracks.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"

@@ -10,7 +10,7 @@
 
 #include "error.hpp"
 #include "numbers/parse_number.hpp"
-#include "read/scenes/tracks.hpp"
+#include "read/scenes/track_channel.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 

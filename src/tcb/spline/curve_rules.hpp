@@ -3,26 +3,41 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
+#include <optional>
 #include <vector>
 
-#include "tcb/spline/angle.hpp"
 #include "tcb/spline/key.hpp"
-#include "tcb/spline/rules.hpp"
+#include "tcb/spline/rotation_curve.hpp"
 
 namespace tcb::spline {
+
+// Their rows, of which the first is the default, are in rules.hpp.
+enum class EndRule : std::uint8_t;
+enum class TangentRule : std::uint8_t;
+enum class Timing : std::uint8_t;
 
 /// The rule at one end of an open curve.
 template <class S>
 struct EndChoice {
-  EndRule rule = EndRule::half;
+  EndRule rule = {};
   std::vector<S> velocity;  ///< per unit of time, one number per channel, where the rule takes one
+};
+
+/// The rules of rotations: their curve, and the tangents and ends that differ from those of positions.
+struct RotationRules {
+  RotationCurve curve = RotationCurve::squad;
+  std::optional<TangentRule> tangents = {};
+  std::optional<EndRule> ends = {};  ///< at both ends
+
+  bool operator==(const RotationRules&) const = default;
 };
 
 /// The rules that give the tangents of keys.
 template <class S>
 struct CurveRules {
-  TangentRule tangents = TangentRule::velocity;
+  TangentRule tangents = {};
   EndChoice<S> start, end;
   /// Both tangents of a key get the same speed over the metric, or if the metric has no channels, over all channels; a
   /// rotation has its own speed.
@@ -33,7 +48,7 @@ struct CurveRules {
   std::vector<KeyRotation> rotations = {};
   RotationRules rotation_rules = {};
   std::vector<AngleChannel> angles = {};
-  Timing timing = Timing::even;  ///< of all channels
+  Timing timing = {};  ///< of all channels
   /// Each channel, but the numbers of rotations, stays between the positions of two neighbouring keys. See
   /// tangents.hpp.
   bool no_overshoot = false;
@@ -59,13 +74,6 @@ std::vector<std::size_t> metric_of(const CurveRules<S>& rules, std::size_t chann
   }
   if (metric.empty() && !rules.rotations.empty()) metric = {turn_metric};
   return metric;
-}
-
-/// The rules of a product, the same end rule for both ends.
-template <class S>
-CurveRules<S> rules_of(Preset preset) {
-  const PresetRow& row = row_of(preset);
-  return {row.tangents, {row.ends, {}}, {row.ends, {}}, false, {}, {}, row.rotations, {}, row.timing};
 }
 
 /// The rules at another scalar; `number` converts each of their numbers.

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "tcb/spline/scalar.hpp"
+#include "tcb/spline/double_double.hpp"
 
 namespace tcb::spline {
 

@@ -27,7 +27,7 @@
 #include "tcb/spline/angle.hpp"
 #include "tcb/spline/dual.hpp"
 #include "tcb/spline/key.hpp"
-#include "tcb/spline/rules.hpp"
+#include "tcb/spline/rotation_curve.hpp"
 #include "tcb/spline/segment.hpp"
 
 namespace tcb::spline {

@@ -1,4 +1,4 @@
-// Rules: the tables of tangent rules, end rules, curves of rotations and presets.
+// Rules: the tables of tangent rules, end rules and presets.
 //
 // Tangent rules, at a key with two neighbours. With D0, D1 the chords before and after the key and h0, h1 their
 // durations, every rule has the form
@@ -18,7 +18,10 @@
 #include <optional>
 #include <string_view>
 
+#include "tcb/spline/curve_rules.hpp"
 #include "tcb/spline/key.hpp"
+#include "tcb/spline/rotation_curve.hpp"
+#include "tcb/spline/scalar.hpp"
 
 namespace tcb::spline {
 
@@ -38,9 +41,6 @@ enum class EndRule : std::uint8_t {
   lightwave,
   velocity
 };
-
-/// The curves of rotations; rotation_curves has a row for each, in this order. See rotation.hpp.
-enum class RotationCurve : std::uint8_t { squad, casteljau, components, slerp };
 
 /// The presets; presets has a row for each, in this order.
 enum class Preset : std::uint8_t {
@@ -317,35 +317,6 @@ inline constexpr std::array end_rules{
                   "to join a known motion, as in velocity=1:0,zero", true, given_velocity_weights<working_t<S>>},
 };
 
-/// A curve of rotations and its description.
-struct RotationCurveRow {
-  RotationCurve id;
-  std::string_view name;
-  std::string_view formula;
-  std::string_view used_by;
-};
-
-/// Every curve of rotations; the first is the default.
-inline constexpr std::array rotation_curves{
-    RotationCurveRow{RotationCurve::squad, "squad", "slerp(slerp(p, q, u), slerp(a, b, u), 2u(1 - u))",
-                     "Eberly's note on quaternion keyframes, the 3ds Max family"},
-    RotationCurveRow{RotationCurve::casteljau, "casteljau", "De Casteljau's algorithm for a cubic, with slerp",
-                     "the Python package splines, nerfstudio"},
-    RotationCurveRow{RotationCurve::components, "components", "the cubics of the four numbers, then normalized",
-                     "CUBICSPLINE of glTF"},
-    RotationCurveRow{RotationCurve::slerp, "slerp", "slerp(p, q, u), without tangents",
-                     "LINEAR of glTF, SciPy's Slerp"},
-};
-
-/// The rules of rotations: their curve, and the tangents and ends that differ from those of positions.
-struct RotationRules {
-  RotationCurve curve = RotationCurve::squad;
-  std::optional<TangentRule> tangents = {};
-  std::optional<EndRule> ends = {};  ///< at both ends
-
-  bool operator==(const RotationRules&) const = default;
-};
-
 /// How the local parameter of a segment follows from time, where keys have no ease: evenly, or by the monotone cubic
 /// from the times of keys to their numbers, so that the speed of tangents without times has no jumps.
 /// See detail/time_slopes.hpp.
@@ -440,12 +411,16 @@ constexpr const EndRuleRow<S>& row_of(EndRule rule) {
 }
 constexpr const PresetRow& row_of(Preset preset) { return presets[static_cast<std::size_t>(preset)]; }
 
+/// The rules of a product, the same end rule for both ends.
+template <class S>
+CurveRules<S> rules_of(Preset preset) {
+  const PresetRow& row = row_of(preset);
+  return {row.tangents, {row.ends, {}}, {row.ends, {}}, false, {}, {}, row.rotations, {}, row.timing};
+}
+
 /// The names of rules and presets.
 constexpr std::string_view name_of(TangentRule rule) { return row_of<double>(rule).name; }
 constexpr std::string_view name_of(EndRule rule) { return row_of<double>(rule).name; }
-constexpr std::string_view name_of(RotationCurve curve) {
-  return rotation_curves[static_cast<std::size_t>(curve)].name;
-}
 constexpr std::string_view name_of(Preset preset) { return row_of(preset).name; }
 constexpr std::string_view name_of(Timing timing) { return timing == Timing::even ? "even" : "monotone"; }
 

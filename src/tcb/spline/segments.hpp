@@ -9,6 +9,7 @@
 
 #include "tcb/spline/curve_rules.hpp"
 #include "tcb/spline/ease.hpp"
+#include "tcb/spline/keys.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/segment.hpp"
 

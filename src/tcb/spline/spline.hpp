@@ -97,7 +97,7 @@
 #include "tcb/spline/double_pair.hpp"
 #include "tcb/spline/dual.hpp"
 #include "tcb/spline/ease.hpp"
-#include "tcb/spline/key.hpp"
+#include "tcb/spline/keys.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/rotation_form.hpp"
 #include "tcb/spline/rotation_notation.hpp"

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "tcb/spline/key.hpp"
+#include "tcb/spline/keys.hpp"
 
 namespace tcb::spline {
 

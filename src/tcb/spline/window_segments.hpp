@@ -6,6 +6,7 @@
 #include "tcb/spline/detail/rotation_of_window.hpp"
 #include "tcb/spline/detail/tangents.hpp"
 #include "tcb/spline/detail/time_slopes.hpp"
+#include "tcb/spline/rules.hpp"
 #include "tcb/spline/segments.hpp"
 #include "tcb/spline/window.hpp"
 

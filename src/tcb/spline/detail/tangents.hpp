@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tcb/spline/curve_rules.hpp"
+#include "tcb/spline/rules.hpp"
 #include "tcb/spline/scalar.hpp"
 #include "tcb/spline/window.hpp"
 

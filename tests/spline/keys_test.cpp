@@ -1,5 +1,5 @@
 // Keys: append, and entries that all keys share.
-#include "tcb/spline/key.hpp"
+#include "tcb/spline/keys.hpp"
 
 #include <gtest/gtest.h>
 
