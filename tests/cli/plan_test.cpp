@@ -2,6 +2,7 @@
 #include "cli/plan.hpp"
 
 #include "cli/command_line.hpp"
+#include "fit/fit.hpp"
 #include "formats/formats.hpp"
 #include "sample/fields.hpp"
 #include "schema/columns.hpp"

@@ -6,7 +6,9 @@
 #include <array>
 
 #include "sample/build.hpp"
+#include "sample/rows.hpp"
 #include "sample/sampler.hpp"
+#include "tcb/spline/rules.hpp"
 
 namespace tcb {
 namespace {

@@ -1,5 +1,6 @@
 // Frame times: frames are found by their doubles, and elapsed times have the digits that these omit.
 #include "numbers/frame_times.hpp"
+#include "numbers/decimal_time.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

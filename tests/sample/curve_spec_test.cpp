@@ -1,5 +1,6 @@
 // The settings of a curve: what names become, and those of a command line and of an input together.
 #include "sample/curve_spec.hpp"
+#include "tcb/spline/rules.hpp"
 
 #include <gtest/gtest.h>
 

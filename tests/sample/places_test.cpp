@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "sample/kept_curve_of.hpp"
+#include "sample/rows.hpp"
 #include "tcb/spline/curve.hpp"
 
 namespace tcb {

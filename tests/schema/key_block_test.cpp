@@ -1,5 +1,6 @@
 // Key blocks: parts of them with everything that belongs to their keys, and the positions of keys.
 #include "schema/key_block.hpp"
+#include "schema/curve_settings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Curve rules: the channels of an empty metric, and the rules at another scalar.
 #include "tcb/spline/curve_rules.hpp"
+#include "tcb/spline/rules.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tcb/spline/curve_rules.hpp"
+#include "tcb/spline/keys.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb::spline {

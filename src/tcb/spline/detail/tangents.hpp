@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "tcb/spline/angle.hpp"
 #include "tcb/spline/curve_rules.hpp"
 #include "tcb/spline/rules.hpp"
 #include "tcb/spline/scalar.hpp"
