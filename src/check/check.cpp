@@ -463,11 +463,6 @@ Limits limits_of(const Comparison& comparison, const std::string& column) {
   return {limit(comparison.abs, column), limit(comparison.rel, column), limit(comparison.ulp, column)};
 }
 
-Check check(const Comparison& comparison, const std::function<void(const CheckedPair&)>& observe,
-            FileProgress* progress) {
-  return check(comparison, read_inputs(comparison, comparison.fields, progress), observe);
-}
-
 Check check(const Comparison& comparison, ComparisonInputs inputs,
             const std::function<void(const CheckedPair&)>& observe) {
   require_columns(comparison, inputs);

@@ -133,8 +133,6 @@ struct CheckedPair {
 
 /// Compares every number of the samples with the curve. `observe` sees each curve with its samples, if it is given.
 /// Throws: Error if the keys make no curve, or there is nothing to compare.
-Check check(const Comparison& comparison, const std::function<void(const CheckedPair& pair)>& observe = {},
-            FileProgress* progress = nullptr);
 Check check(const Comparison& comparison, ComparisonInputs inputs,
             const std::function<void(const CheckedPair& pair)>& observe = {});
 

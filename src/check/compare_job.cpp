@@ -9,6 +9,7 @@
 #include "check/check.hpp"
 #include "check/ranking.hpp"
 #include "io/atomic_output.hpp"
+#include "io/input_file.hpp"
 #include "io/input_list.hpp"
 #include "picture/differences.hpp"
 #include "run/curve_pipeline.hpp"
@@ -29,7 +30,8 @@ Exit write(const CompareJob& job, const std::string& report, bool agrees) {
 /// Draws curves that are compared.
 class ComparisonPicture {
  public:
-  explicit ComparisonPicture(const PictureOptions& options) : picture_(options) {}
+  explicit ComparisonPicture(const CompareJob& job)
+      : picture_(job.picture, shown_name(job.comparison.keys_file), shown_name(job.comparison.file)) {}
 
   /// Adds a curve with the samples that are on it. Throws: Error (data) if no position is compared.
   void add(const CheckedPair& pair) {
@@ -37,14 +39,10 @@ class ComparisonPicture {
     if (picture_.is_full()) return;
     CurvePipeline pipeline = pair.pipeline;
     const StreamedCurve curve = pipeline.streamed(pair.curve.keys());
-    const CurveChannels channels = pipeline.spec().channels();
-    picture_.add(curve.keys, with_rotations_as_cubics([curve] { return curve.segments(); }, channels),
-                 curve.extent.closed, samples_of(pair));
+    picture_.add(curve, pipeline.spec().channels(), samples_of(pair));
   }
 
-  std::string svg(const ComparisonSummary& files, const std::string& result) {
-    return picture_.svg(files.keys, files.file, result);
-  }
+  std::string svg(const std::string& result) { return picture_.svg(result); }
 
  private:
   void begin(const ComparisonInputs& inputs) {
@@ -56,7 +54,7 @@ class ComparisonPicture {
       given_.push_back(column->given);
     }
     if (channels_.empty()) throw no_position_column(channels);
-    picture_.begin(inputs.kept.schema, channels_, inputs.keys, inputs.file);
+    picture_.begin(inputs.kept.schema, channels_);
   }
 
   std::vector<ComparedSample> samples_of(const CheckedPair& pair) const {
@@ -83,16 +81,16 @@ class ComparisonPicture {
 };
 
 Exit draw(const CompareJob& job, FileProgress* progress) {
-  ComparisonPicture picture(job.picture);
+  ComparisonPicture picture(job);
   const auto observe = [&picture](const CheckedPair& pair) { picture.add(pair); };
   if (!job.identify) {
-    const Check result = check(job.comparison, observe, progress);
-    return write(job, picture.svg(result, in_short(result)), result.passed());
+    const Check result = check(job.comparison, read_inputs(job.comparison, job.comparison.fields, progress), observe);
+    return write(job, picture.svg(in_short(result)), result.passed());
   }
   const ComparisonInputs inputs = read_positions(job.comparison, progress);
   const Identification result = identify(job.comparison, inputs);
   (void)check_best(job.comparison, result, inputs, observe);
-  return write(job, picture.svg(result, in_short(result)), result.fits());
+  return write(job, picture.svg(in_short(result)), result.fits());
 }
 
 }  // namespace
@@ -112,7 +110,7 @@ Exit compare(const CompareJob& job) {
     const Identification result = identify(job.comparison, read_positions(job.comparison, progress.get()));
     return write(job, as_json ? json(result) : text(result), result.fits());
   }
-  const Check result = check(job.comparison, {}, progress.get());
+  const Check result = check(job.comparison, read_inputs(job.comparison, job.comparison.fields, progress.get()));
   return write(job, as_json ? json(result) : text(result), result.passed());
 }
 

@@ -393,24 +393,25 @@ ExplainJob explain_job(const TypedOptions& typed) {
           golden_of(typed), fields_of(typed), typed.output.format, typed.output.header};
 }
 
+FilesJob files_job(const TypedOptions& typed) {
+  return {files_of(typed), typed.fail_fast, keys_of(typed), typed.threads, verbosity_of(typed)};
+}
+
 FitJob fit_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
   FitOptions options = typed.fit;
   options.kept_times = typed.places.list;
   options.grouped_kept_times = typed.places.grouped;
-  return {files_of(typed), typed.fail_fast, keys_of(typed),     options, rows_of(typed, std::move(provenance)),
-          typed.picture,   typed.threads,   verbosity_of(typed)};
+  return {files_job(typed), options, rows_of(typed, std::move(provenance)), typed.picture};
 }
 
 PlotJob plot_job(const TypedOptions& typed) {
-  KeyOptions keys = keys_of(typed);
-  keys.input.rotation.as_curves = true;
-  return {files_of(typed), typed.fail_fast, keys, samples_of(typed), typed.picture, typed.threads, verbosity_of(typed)};
+  PlotJob job{files_job(typed), samples_of(typed), typed.picture};
+  job.keys.input.rotation.as_curves = true;
+  return job;
 }
 
 ResampleJob resample_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
-  return {files_of(typed),   typed.fail_fast,    keys_of(typed),
-          samples_of(typed), golden_of(typed),   rows_of(typed, std::move(provenance)),
-          typed.threads,     verbosity_of(typed)};
+  return {files_job(typed), samples_of(typed), golden_of(typed), rows_of(typed, std::move(provenance))};
 }
 
 /// Throws: Error (usage) without limits or samples.

@@ -17,6 +17,7 @@
 #include <type_traits>
 
 #include "exact/real.hpp"
+#include "tcb/spline/angle.hpp"
 #include "tcb/spline/dual.hpp"
 #include "tcb/spline/ease.hpp"
 #include "tcb/spline/rotation.hpp"
@@ -271,6 +272,9 @@ class BallOf {
 using Ball = BallOf<spline::DoubleDouble>;
 using RealBall = BallOf<Real>;
 
+template <class M>
+inline constexpr bool spline::bounds_errors<BallOf<M>> = true;
+
 /// The double nearest to all numbers in a ball, if that is the same one.
 inline bool rounds_to_one_double(const Ball& ball) {
   const auto& [high, low] = ball.middle();
@@ -407,67 +411,23 @@ B enclosed_warp_root(const B& value, const B& slope, const B& k) {
       [&](const B& x) { return slope + x * (B(2.0) * square + B(3.0) * x * k); }, near);
 }
 
-}  // namespace tcb
-
-namespace tcb::spline {
-
+/// As tcb/spline/rotation.hpp has them for other scalars, also near the zero vector, where nothing is divided.
 template <class M>
-inline constexpr bool bounds_errors<BallOf<M>> = true;
+spline::Quaternion<BallOf<M>> enclosed_exponential(const spline::Vector3<BallOf<M>>& v);
+template <class M>
+spline::Vector3<BallOf<M>> enclosed_logarithm(const spline::Quaternion<BallOf<M>>& q);
 
-/// Either end will do where a ball does not tell which is nearer.
-template <>
-inline bool LocalParameter<Ball>::near_start() const {
-  return u.rough() <= 0.5;
-}
-template <>
-inline bool LocalParameter<RealBall>::near_start() const {
-  return u.rough() <= 0.5;
-}
-
-/// The ball carries its rounding errors already.
-template <>
-inline Ball compensated_cubic<Ball>(const Ball& base, const Ball& a, const Ball& b, const Ball&, const Ball& d,
-                                    const Ball& x) {
-  return base + x * (a + x * (b + x * d));
-}
-template <>
-inline RealBall compensated_cubic<RealBall>(const RealBall& base, const RealBall& a, const RealBall& b, const RealBall&,
-                                            const RealBall& d, const RealBall& x) {
-  return base + x * (a + x * (b + x * d));
+/// As tcb/spline/angle.hpp has it for other scalars. Throws: Undecided for an angle whose ball is not small.
+template <class M>
+spline::SineCosine<BallOf<M>> sine_cosine(const BallOf<M>& angle);
+template <class M>
+BallOf<M> sine(const BallOf<M>& angle) {
+  return sine_cosine(angle).sine;
 }
 
-template <>
-inline Quaternion<Ball> eigenvector<Ball>(const QuaternionMatrix<Ball>& a) {
-  return enclosed_eigenvector(a);
-}
-template <>
-inline Quaternion<RealBall> eigenvector<RealBall>(const QuaternionMatrix<RealBall>& a) {
-  return enclosed_eigenvector(a);
-}
+/// The angle of the vector (x, y) in [0, pi]. Requires: y >= 0. Throws: Undecided where the ball of the vector is not
+/// small beside its distance from 0.
+template <class M>
+BallOf<M> angle_of(const BallOf<M>& y, const BallOf<M>& x);
 
-/// Also near the zero vector, where nothing is divided.
-template <>
-Quaternion<Ball> exponential<Ball>(const Vector3<Ball>& v);
-template <>
-Quaternion<RealBall> exponential<RealBall>(const Vector3<RealBall>& v);
-template <>
-Vector3<Ball> logarithm<Ball>(const Quaternion<Ball>& q);
-template <>
-Vector3<RealBall> logarithm<RealBall>(const Quaternion<RealBall>& q);
-
-/// No zero of a ball has a sign.
-template <>
-RotationNumbers<Ball> numbers_of<Ball>(const Quaternion<Ball>& q, const RotationNotation& notation);
-template <>
-RotationNumbers<RealBall> numbers_of<RealBall>(const Quaternion<RealBall>& q, const RotationNotation& notation);
-
-template <>
-inline Ball Warp<Ball>::root(const Ball& value, const Ball& slope) const {
-  return enclosed_warp_root(value, slope, k_);
-}
-template <>
-inline RealBall Warp<RealBall>::root(const RealBall& value, const RealBall& slope) const {
-  return enclosed_warp_root(value, slope, k_);
-}
-
-}  // namespace tcb::spline
+}  // namespace tcb

@@ -1,15 +1,15 @@
-// Angles of balls: sine, cosine, and the angle of a vector.
+// Angles of balls: sine, cosine, the angle of a vector, and the logarithms of rotations.
 //
 // Method: an angle is k pi/16 and a rest, whose Taylor series are short. The sines and cosines of k pi/16 are nested
 // square roots. The angle of a vector is that of its middle in doubles, and the arc tangent of the small rest that
 // remains when the vector is turned back by it.
-#include "exact/ball_angle.hpp"
-
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <vector>
+
+#include "exact/ball.hpp"
 
 namespace tcb {
 namespace {
@@ -100,8 +100,30 @@ spline::SineCosine<B> sine_cosine_of_rest(const B& rest, const std::vector<B>& i
   return {(rest + rest * z * odd).widened(error * rest.most()), (B(1.0) + z * even).widened(error)};
 }
 
+double rough_angle(const Ball& y, const Ball& x) { return spline::angle_of(std::abs(y.rough()), x.rough()); }
+double rough_angle(const RealBall& y, const RealBall& x) {
+  int exponent = 0;
+  (void)frexp(y.most() < x.most() ? x : y, &exponent);
+  return spline::angle_of(std::abs(ldexp(y, -exponent).rough()), ldexp(x, -exponent).rough());
+}
+
+/// Squares below this have short series.
 template <class B>
-spline::SineCosine<B> sine_cosine_of(const B& whole_angle) {
+bool is_small(const B& square) {
+  return square.most() < B::Ops::power_of_two(-40);
+}
+/// The number of terms, each of which is below 2^-40 of the one before, after which those left out are below
+/// 2^-(bits + 20).
+template <class B>
+int terms() {
+  return (B::Ops::bits() + 20) / 40 + 1;
+}
+
+}  // namespace
+
+template <class M>
+spline::SineCosine<BallOf<M>> sine_cosine(const BallOf<M>& whole_angle) {
+  using B = BallOf<M>;
   if (whole_angle.is_zero()) return {B(), B(1.0)};
   B angle = whole_angle;
   if (!(angle.most() < typename B::Bound(100.0))) {
@@ -126,53 +148,24 @@ spline::SineCosine<B> sine_cosine_of(const B& whole_angle) {
   }
 }
 
-double rough_angle(const Ball& y, const Ball& x) { return spline::angle_of(std::abs(y.rough()), x.rough()); }
-double rough_angle(const RealBall& y, const RealBall& x) {
-  int exponent = 0;
-  (void)frexp(y.most() < x.most() ? x : y, &exponent);
-  return spline::angle_of(std::abs(ldexp(y, -exponent).rough()), ldexp(x, -exponent).rough());
-}
-
-template <class B>
-B angle_of_vector(const B& y, const B& x) {
+template <class M>
+BallOf<M> angle_of(const BallOf<M>& y, const BallOf<M>& x) {
+  using B = BallOf<M>;
   if (y.is_zero()) return x > B() ? B() : pi<B>();
   const double rough = rough_angle(y, x);
-  const auto [sine, cosine] = sine_cosine_of(B(rough));
+  const auto [sine, cosine] = sine_cosine(B(rough));
   const B tangent = (y * cosine - x * sine) / (x * cosine + y * sine);
   if (!(tangent.most() < B::Ops::power_of_two(-20))) throw Undecided();
   if (tangent.most() < tiny<B>()) return B(rough) + tangent.widened(left_out<B>() * tangent.most());
   const B z = -(tangent * tangent);
-  const int terms = (B::Ops::bits() + 20) / 40 + 1;  // the next one is below 2^-40 to the power of their number
   B sum;
-  for (int n = terms - 1; n >= 0; --n) sum = B(1.0) / B(2 * n + 1) + z * sum;
+  for (int n = terms<B>() - 1; n >= 0; --n) sum = B(1.0) / B(2 * n + 1) + z * sum;
   return B(rough) + (tangent * sum).widened(left_out<B>() * tangent.most());
 }
 
-}  // namespace
-
-spline::SineCosine<Ball> sine_cosine(const Ball& angle) { return sine_cosine_of(angle); }
-spline::SineCosine<RealBall> sine_cosine(const RealBall& angle) { return sine_cosine_of(angle); }
-Ball angle_of(const Ball& y, const Ball& x) { return angle_of_vector(y, x); }
-RealBall angle_of(const RealBall& y, const RealBall& x) { return angle_of_vector(y, x); }
-
-}  // namespace tcb
-
-namespace tcb::spline {
-namespace {
-
-/// Squares below this have short series.
-template <class B>
-bool is_small(const B& square) {
-  return square.most() < B::Ops::power_of_two(-40);
-}
-/// The number of terms after which those left out are below 2^-(bits + 20).
-template <class B>
-int terms() {
-  return (B::Ops::bits() + 20) / 40 + 1;
-}
-
-template <class B>
-Quaternion<B> exponential_of(const Vector3<B>& v) {
+template <class M>
+spline::Quaternion<BallOf<M>> enclosed_exponential(const spline::Vector3<BallOf<M>>& v) {
+  using B = BallOf<M>;
   const B square = v[0] * v[0] + (v[1] * v[1] + v[2] * v[2]);
   B factor, cosine;
   if (is_small(square)) {  // the series of sine and cosine
@@ -193,8 +186,9 @@ Quaternion<B> exponential_of(const Vector3<B>& v) {
 }
 
 /// Near no turn, by the series of the arc sine.
-template <class B>
-Vector3<B> logarithm_of(const Quaternion<B>& q) {
+template <class M>
+spline::Vector3<BallOf<M>> enclosed_logarithm(const spline::Quaternion<BallOf<M>>& q) {
+  using B = BallOf<M>;
   const B square = q.x * q.x + (q.y * q.y + q.z * q.z);
   B factor;
   if (is_small(square) && q.w > B()) {
@@ -212,31 +206,13 @@ Vector3<B> logarithm_of(const Quaternion<B>& q) {
   return {q.x * factor, q.y * factor, q.z * factor};
 }
 
-}  // namespace
+template spline::SineCosine<Ball> sine_cosine(const Ball& angle);
+template spline::SineCosine<RealBall> sine_cosine(const RealBall& angle);
+template Ball angle_of(const Ball& y, const Ball& x);
+template RealBall angle_of(const RealBall& y, const RealBall& x);
+template spline::Quaternion<Ball> enclosed_exponential(const spline::Vector3<Ball>& v);
+template spline::Quaternion<RealBall> enclosed_exponential(const spline::Vector3<RealBall>& v);
+template spline::Vector3<Ball> enclosed_logarithm(const spline::Quaternion<Ball>& q);
+template spline::Vector3<RealBall> enclosed_logarithm(const spline::Quaternion<RealBall>& q);
 
-template <>
-Quaternion<Ball> exponential<Ball>(const Vector3<Ball>& v) {
-  return exponential_of(v);
-}
-template <>
-Quaternion<RealBall> exponential<RealBall>(const Vector3<RealBall>& v) {
-  return exponential_of(v);
-}
-template <>
-Vector3<Ball> logarithm<Ball>(const Quaternion<Ball>& q) {
-  return logarithm_of(q);
-}
-template <>
-Vector3<RealBall> logarithm<RealBall>(const Quaternion<RealBall>& q) {
-  return logarithm_of(q);
-}
-template <>
-RotationNumbers<Ball> numbers_of<Ball>(const Quaternion<Ball>& q, const RotationNotation& notation) {
-  return signed_numbers_of(q, notation);
-}
-template <>
-RotationNumbers<RealBall> numbers_of<RealBall>(const Quaternion<RealBall>& q, const RotationNotation& notation) {
-  return signed_numbers_of(q, notation);
-}
-
-}  // namespace tcb::spline
+}  // namespace tcb

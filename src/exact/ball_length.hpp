@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "exact/ball_angle.hpp"
 #include "exact/ball_arc.hpp"
 #include "exact/ball_turn.hpp"
 #include "tcb/spline/segment_length.hpp"

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "exact/ball.hpp"
-#include "exact/ball_angle.hpp"
 #include "exact/ball_length.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "exact/ball_angle.hpp"
+#include "exact/ball.hpp"
 #include "exact/ball_quadrature.hpp"
 
 namespace tcb {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "exact/ball_angle.hpp"
+#include "exact/ball.hpp"
 #include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
 #include "keys/prepare.hpp"

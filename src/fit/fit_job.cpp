@@ -154,14 +154,14 @@ std::vector<ComparedSample> compared_samples(const Samples& samples, const std::
   return compared;
 }
 
-/// Fits the recordings of an input, and adds them to a picture, the curves of their keys being called "keys".
+/// Fits the recordings of an input, and adds them to a picture.
 FitReport add_fits(DifferencePicture& picture, const FitJob& job) {
   const std::string& path = job.files.files[0];
   const Input input = open_input(path, read_file(path), job.keys.input);
   const Schema keys = curve_of_fit(input, job.keys.rules, job.options);
   std::vector<std::size_t> all(keys.channels.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  picture.begin(keys, all, "keys", shown_name(path));
+  picture.begin(keys, all);
   FitReport report;
   Curves curves(input.schema, input.keys, job.keys.curves, false);
   while (const std::optional<InputCurve> curve = curves.next()) {
@@ -178,9 +178,7 @@ FitReport add_fits(DifferencePicture& picture, const FitJob& job) {
     request.mode = Mode::at;
     CurvePipeline pipeline({.samples = request, .rules = job.keys.rules, .threads = job.threads.count()}, keys, {}, {});
     const StreamedCurve streamed = pipeline.streamed(blocks());
-    const CurveChannels channels = pipeline.spec().channels();
-    picture.add(streamed.keys, with_rotations_as_cubics([streamed] { return streamed.segments(); }, channels),
-                streamed.extent.closed, compared_samples(samples, pipeline.kept(blocks())));
+    picture.add(streamed, pipeline.spec().channels(), compared_samples(samples, pipeline.kept(blocks())));
   }
   return report;
 }
@@ -197,11 +195,10 @@ Exit draw_fit(const FitJob& job) {
   if (outputs.file != "-") remove_unfinished_when_interrupted();
   const ThreadPool pool(job.threads.count());
   Report notes(job.verbosity);
-  DifferencePicture picture(job.picture);
+  DifferencePicture picture(job.picture, "keys", shown_name(path));
   const FitReport report = in_file(shown_name(path), [&] { return add_fits(picture, job); });
   Output output(outputs.file);
-  output.write(picture.svg("keys", shown_name(path),
-                           fmt::format("{} samples · {} keys · at least {} are needed", with_thousands(report.samples),
+  output.write(picture.svg(fmt::format("{} samples · {} keys · at least {} are needed", with_thousands(report.samples),
                                        with_thousands(report.keys), with_thousands(report.least_keys))));
   output.commit();
   notes.note(path, note_of(report, job.options));
@@ -214,7 +211,7 @@ Exit fit(const FitJob& job) {
   if (job.rows.format->is_picture) return draw_fit(job);
   Report report(job.verbosity);
   warn_of_other_program(report, job.rows.provenance);
-  return convert_files(job.files, job.fail_fast, job.threads, report,
+  return convert_files(job, report,
                        [&](const std::string& path) { return std::make_unique<FittedKeys>(job, report, path); });
 }
 

@@ -3,7 +3,6 @@
 
 #include "error.hpp"
 #include "fit/fit_options.hpp"
-#include "io/input_list.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
 #include "run/key_options.hpp"
@@ -11,16 +10,11 @@
 
 namespace tcb {
 
-/// Keys for the recordings in files.
-struct FitJob {
-  InputListOptions files;
-  bool fail_fast = false;  ///< stop at the first file that fails
-  KeyOptions keys;         ///< how the samples are read
+/// Keys for the recordings in files, whose samples are read as keys are.
+struct FitJob : FilesJob {
   FitOptions options;
   WriterOptions rows;
   PictureOptions picture;  ///< for a format that is a picture
-  ThreadOptions threads;
-  Verbosity verbosity;
 };
 
 /// Fits the recordings of every file, and writes their keys or a picture. Returns the exit code of the program, as

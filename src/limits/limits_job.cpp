@@ -13,8 +13,8 @@
 #include <tuple>
 #include <utility>
 
-#include "exact/ball_angle.hpp"
 #include "exact/exact_curve.hpp"
+#include "exact/exact_keys.hpp"
 #include "formats/formats.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
@@ -295,7 +295,10 @@ class LimitsPicture {
   explicit LimitsPicture(const PictureOptions& options) : options_(options) {}
 
   void add(const StreamedCurve& streamed, const Schema& schema, const CurveSpec& spec, std::string title) {
-    if (scene_.channels.empty()) begin(schema, spec);
+    if (scene_.channels.empty()) {
+      scene_.begin(schema, schema.channels, options_.axes, spec.rules.metric, spec.lacks_metric);
+      scene_.require_few_strips();
+    }
     if (scene_.curves.size() == Scene::most_curves) return;
     scene_.names.push_back(std::move(title));
     const auto segments = [streamed] { return streamed.segments(); };
@@ -317,16 +320,6 @@ class LimitsPicture {
   }
 
  private:
-  void begin(const Schema& schema, const CurveSpec& spec) {
-    scene_.time = schema.time.name;
-    scene_.time_scale = time_scale_of(schema);
-    scene_.channels = schema.channels;
-    scene_.require_few_strips();
-    scene_.is_path_requested = !options_.axes.empty();
-    if (spec.lacks_metric && !scene_.is_path_requested) return;
-    scene_.path = path_axes(schema.channels, options_.axes, spec.rules.metric);
-  }
-
   const PictureOptions& options_;
   Scene scene_;
 };

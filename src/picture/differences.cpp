@@ -1,7 +1,4 @@
 // Pictures of differences: samples over a curve, their differences from it over time, and the largest of these.
-//
-// The scene has the channels that are drawn, and after them a channel for each of their differences, in which the curve
-// is 0. The samples are a curve of their own: a polyline through them.
 #include "picture/differences.hpp"
 
 #include <fmt/format.h>
@@ -57,38 +54,39 @@ std::string file_name(const std::string& path) { return path.substr(path.rfind('
 
 }  // namespace
 
-void DifferencePicture::begin(const Schema& keys, std::vector<std::size_t> channels, const std::string& curves,
-                              const std::string& samples) {
+DifferencePicture::DifferencePicture(const PictureOptions& options, const std::string& curves,
+                                     const std::string& samples)
+    : options_(options), curves_(file_name(curves)), samples_(file_name(samples)) {}
+
+void DifferencePicture::begin(const Schema& keys, std::vector<std::size_t> channels) {
   channels_ = std::move(channels);
-  for (const std::size_t channel : channels_) scene_.channels.push_back(keys.channels[channel]);
-  scene_.path = path_axes(scene_.channels, options_.axes);
-  scene_.is_path_requested = !options_.axes.empty();
-  for (std::size_t i = 0; i < channels_.size(); ++i) scene_.channels.push_back(scene_.channels[i] + ", difference");
+  std::vector<std::string> names;
+  for (const std::size_t channel : channels_) names.push_back(keys.channels[channel]);
+  scene_.begin(keys, names, options_.axes);
+  for (const std::string& name : names) scene_.channels.push_back(name + ", difference");
   scene_.require_few_strips();
-  scene_.time = keys.time.name;
-  scene_.time_scale = time_scale_of(keys);
-  scene_.names = {file_name(curves), file_name(samples)};
+  scene_.names = {curves_, samples_};
 }
 
-void DifferencePicture::add(const KeyStore& keys, const std::function<Source<SegmentBlock>()>& segments, bool closed,
+void DifferencePicture::add(const StreamedCurve& curve, const CurveChannels& channels,
                             std::vector<ComparedSample> samples) {
   if (is_full()) return;
-  add_curve(keys, segments, closed);
+  add_curve(curve, channels);
   add_samples(std::move(samples));
 }
 
-void DifferencePicture::add_curve(const KeyStore& store, const std::function<Source<SegmentBlock>()>& segments,
-                                  bool closed) {
-  const Keys all = store.all();
+void DifferencePicture::add_curve(const StreamedCurve& curve, const CurveChannels& channels) {
+  const Keys all = curve.keys.all();
   Keys keys{2 * channels_.size(), all.times, {}, {}, {}, {}};
   for (std::size_t key = 0; key < all.size(); ++key) {
     for (const std::size_t channel : channels_) keys.positions.push_back(all.position(key)[channel]);
     keys.positions.resize((key + 1) * keys.channels, std::numeric_limits<double>::quiet_NaN());
   }
+  const auto segments = with_rotations_as_cubics([curve] { return curve.segments(); }, channels);
   const auto drawn = [segments, channels = channels_] {
     return mapped(segments(), [channels](const SegmentBlock& block) { return with_zeros(block, channels); });
   };
-  scene_.curves.push_back({0, KeyStore(keys), drawn, closed});
+  scene_.curves.push_back({0, KeyStore(keys), drawn, curve.extent.closed});
 }
 
 void DifferencePicture::add_samples(std::vector<ComparedSample> samples) {
@@ -121,8 +119,8 @@ void DifferencePicture::add_samples(std::vector<ComparedSample> samples) {
   scene_.curves.push_back({1, store, segments, false, 0, {}, true, size});
 }
 
-std::string DifferencePicture::svg(const std::string& curves, const std::string& samples, const std::string& result) {
-  scene_.title = options_.title.value_or(fmt::format("{} against {}", file_name(samples), file_name(curves)));
+std::string DifferencePicture::svg(const std::string& result) {
+  scene_.title = options_.title.value_or(fmt::format("{} against {}", samples_, curves_));
   scene_.subtitle = fmt::format("{} · largest difference {:.4g}", result, largest_);
   return picture(std::move(scene_), options_.size);
 }

@@ -157,6 +157,17 @@ bool are_joints(std::string_view one, std::string_view other) {
   return stem.size() < one.size() && stem == stem_of(other) && stem != "p" && stem != "x" && stem != "pos";
 }
 
+/// How a picture writes the times of a schema.
+TimeScale time_scale_of(const Schema& schema) {
+  const TimeSchema& time = schema.time;
+  TimeScale scale{time.notation, time.frame_rate.value_or(1), time.dates};
+  const std::optional<TimeUnit> unit = time.unit ? time.unit : time.epoch_unit;
+  if (unit == TimeUnit::ms || unit == TimeUnit::us || unit == TimeUnit::ns) {
+    scale.units_per_second = units_per_second(*unit);
+  }
+  return scale;
+}
+
 void require_finite(const Interval& interval) {
   if (std::isfinite(interval.length())) return;
   throw data_error(
@@ -186,6 +197,15 @@ std::uint64_t Scene::rows() const {
 
 bool Scene::has_samples() const {
   return std::ranges::all_of(curves, [](const SceneCurve& curve) { return curve.samples.size() == curve.rows; });
+}
+
+void Scene::begin(const Schema& schema, std::vector<std::string> names, const std::vector<std::string>& axes,
+                  const std::vector<std::size_t>& metric, bool lacks_metric) {
+  time = schema.time.name;
+  time_scale = time_scale_of(schema);
+  channels = std::move(names);
+  is_path_requested = !axes.empty();
+  if (is_path_requested || !lacks_metric) path = path_axes(channels, axes, metric);
 }
 
 void Scene::require_few_strips() const {
@@ -221,16 +241,6 @@ std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::strin
     axes.push_back(*channel);
   }
   return axes.size() < 2 ? std::nullopt : std::optional(std::array{axes[0], axes[1]});
-}
-
-TimeScale time_scale_of(const Schema& schema) {
-  const TimeSchema& time = schema.time;
-  TimeScale scale{time.notation, time.frame_rate.value_or(1), time.dates};
-  const std::optional<TimeUnit> unit = time.unit ? time.unit : time.epoch_unit;
-  if (unit == TimeUnit::ms || unit == TimeUnit::us || unit == TimeUnit::ns) {
-    scale.units_per_second = units_per_second(*unit);
-  }
-  return scale;
 }
 
 std::vector<FirstRotation> first_rotations(const KeyStore& keys, const std::vector<RotationColumns>& columns) {

@@ -76,6 +76,11 @@ struct Scene {
   /// Nobody can read a picture of more strips, and its size would grow with them.
   static constexpr std::size_t most_strips = 1000;
 
+  /// Takes the times of a schema, and channels of these names. The path has the requested axes, or else the first two
+  /// of `metric`, unless the curves lack one. Throws: Error (usage) as path_axes().
+  void begin(const Schema& schema, std::vector<std::string> names, const std::vector<std::string>& axes,
+             const std::vector<std::size_t>& metric = {}, bool lacks_metric = false);
+
   /// The number of strips.
   std::size_t strip_count() const { return strips.empty() ? channels.size() : strips.size(); }
   /// Throws: Error (usage) if there are more than most_strips.
@@ -88,9 +93,6 @@ struct Scene {
 std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::string>& channels,
                                                     const std::vector<std::string>& requested,
                                                     const std::vector<std::size_t>& metric = {});
-
-/// How a picture writes the times of a schema.
-TimeScale time_scale_of(const Schema& schema);
 
 /// A rotation of a curve, from which angles are measured.
 struct FirstRotation {

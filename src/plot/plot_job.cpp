@@ -176,13 +176,7 @@ class Drawing {
   /// A rotation has one strip, for its angle, instead of those of its numbers, and the first one has axes along the
   /// path.
   void begin_scene(const Schema& schema, const CurveSpec& spec) {
-    scene_.time = schema.time.name;
-    scene_.time_scale = time_scale_of(schema);
-    scene_.channels = schema.channels;
-    if (!spec.lacks_metric || !options_.axes.empty()) {
-      scene_.path = path_axes(schema.channels, options_.axes, spec.rules.metric);
-      scene_.is_path_requested = !options_.axes.empty();
-    }
+    scene_.begin(schema, schema.channels, options_.axes, spec.rules.metric, spec.lacks_metric);
     channels_ = spec.channels();
     if (channels_.rotations.empty()) return scene_.require_few_strips();
     for (std::size_t i = 0; i < schema.channels.size(); ++i) {
@@ -295,7 +289,7 @@ class Picture final : public BatchOutput {
 
 Exit plot(const PlotJob& job) {
   Report report(job.verbosity);
-  return convert_files(job.files, job.fail_fast, job.threads, report,
+  return convert_files(job, report,
                        [&](const std::string& path) { return std::make_unique<Picture>(job, report, path); });
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "error.hpp"
-#include "io/input_list.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
 #include "run/key_options.hpp"
@@ -10,14 +9,9 @@
 namespace tcb {
 
 /// Pictures of the curves of files.
-struct PlotJob {
-  InputListOptions files;
-  bool fail_fast = false;  ///< stop at the first file that fails
-  KeyOptions keys;
+struct PlotJob : FilesJob {
   SampleOptions samples;  ///< those that are shown on the curves
   PictureOptions picture;
-  ThreadOptions threads;
-  Verbosity verbosity;
 };
 
 /// Reads the keys of every file and draws their curves. Returns the exit code of the program, as convert_files().

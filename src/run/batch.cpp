@@ -92,11 +92,11 @@ void remove_left_temporaries(const Inputs& inputs, const OutputPaths& paths) {
   for (const std::string& folder : folders) tcb::remove_left_temporaries(folder);
 }
 
-Exit convert_each(const Inputs& inputs, const InputListOptions& files, bool fail_fast, unsigned threads, Report& report,
-                  const OpenOutput& open) {
-  const OutputPaths& paths = files.outputs;
+Exit convert_each(const Inputs& inputs, const FilesJob& job, Report& report, const OpenOutput& open) {
+  const OutputPaths& paths = job.files.outputs;
+  const unsigned threads = job.threads.count();
   make_folder(*paths.folder);
-  if (files.update) remove_left_temporaries(inputs, paths);
+  if (job.files.update) remove_left_temporaries(inputs, paths);
   const auto convert = [&](const InputFile& file, unsigned some) {
     const std::string path = output_path(file, paths);
     if (file.inside > 0) make_folder(folder_of(path));
@@ -119,30 +119,26 @@ Exit convert_each(const Inputs& inputs, const InputListOptions& files, bool fail
     in_file(shown_name(first.path), [&] { convert(first, threads); });
     return Exit::done;
   }
-  const Summary summary = convert_all(inputs, fail_fast, threads, report, convert);
+  const Summary summary = convert_all(inputs, job.fail_fast, threads, report, convert);
   report.summary(summary);
   return summary.failed == 0 ? Exit::done : Exit::data;
 }
 
-void convert_together(const Inputs& inputs, const std::string& path, unsigned threads, const OpenOutput& open) {
-  const std::unique_ptr<BatchOutput> output = open(path);
-  for (const InputFile& file : inputs.files) in_file(shown_name(file.path), [&] { output->add(file, threads); });
-  output->commit();
-}
-
 }  // namespace
 
-Exit convert_files(const InputListOptions& files, bool fail_fast, const ThreadOptions& threads, Report& report,
-                   const OpenOutput& open) {
-  const OutputPaths& paths = files.outputs;
+Exit convert_files(const FilesJob& job, Report& report, const OpenOutput& open) {
+  const OutputPaths& paths = job.files.outputs;
   if (paths.folder || paths.file != "-") remove_unfinished_when_interrupted();
-  const ThreadPool pool(threads.count());
-  const Inputs inputs = find_inputs(files);
+  const unsigned threads = job.threads.count();
+  const ThreadPool pool(threads);
+  const Inputs inputs = find_inputs(job.files);
   std::uintmax_t bytes = 0;
   for (const InputFile& file : inputs.files) bytes += file.size;
   report.expect(inputs.files.size(), bytes);
-  if (paths.folder) return convert_each(inputs, files, fail_fast, threads.count(), report, open);
-  convert_together(inputs, paths.file, threads.count(), open);
+  if (paths.folder) return convert_each(inputs, job, report, open);
+  const std::unique_ptr<BatchOutput> output = open(paths.file);
+  for (const InputFile& file : inputs.files) in_file(shown_name(file.path), [&] { output->add(file, threads); });
+  output->commit();
   return Exit::done;
 }
 

@@ -33,11 +33,10 @@ class BatchOutput {
 /// Opens the output with this path. Threads: any number at once.
 using OpenOutput = std::function<std::unique_ptr<BatchOutput>(const std::string& path)>;
 
-/// Converts the files into one output, or each into its own. Returns the exit code of the program, which is not
-/// Exit::done if a file of several failed and was reported.
-/// Throws: Error, with the file. An incomplete output does not get its name.
-Exit convert_files(const InputListOptions& files, bool fail_fast, const ThreadOptions& threads, Report& report,
-                   const OpenOutput& open);
+/// Converts the files of a job into one output, or each into its own. Returns the exit code of the program, which is
+/// not Exit::done if a file of several failed and was reported. Throws: Error, with the file. An incomplete output does
+/// not get its name.
+Exit convert_files(const FilesJob& job, Report& report, const OpenOutput& open);
 
 /// Writes the output of one file with a number of threads, and returns the number of its rows.
 /// Throws: Error, in which case there is no new output. Threads: any number at once.

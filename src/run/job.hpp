@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "error.hpp"
+#include "io/input_list.hpp"
 #include "numbers/print_number.hpp"
 #include "numbers/rational.hpp"
 #include "sample/request.hpp"
@@ -62,6 +63,15 @@ struct Verbosity {
   bool notes = false;     ///< unexpected facts about inputs
   bool progress = false;  ///< the progress, once the work takes a while
   bool color = false;     ///< places and kinds of messages are colored
+};
+
+/// What jobs have in common that make an output of each file of keys, or one of all.
+struct FilesJob {
+  InputListOptions files;
+  bool fail_fast = false;  ///< stop at the first file that fails
+  KeyOptions keys;
+  ThreadOptions threads;
+  Verbosity verbosity;
 };
 
 }  // namespace tcb

@@ -175,8 +175,7 @@ class Rows final : public BatchOutput {
 Exit resample(const ResampleJob& job) {
   Report report(job.verbosity);
   warn_of_other_program(report, job.rows.provenance);
-  return convert_files(job.files, job.fail_fast, job.threads, report,
-                       [&](const std::string& path) { return std::make_unique<Rows>(job, report, path); });
+  return convert_files(job, report, [&](const std::string& path) { return std::make_unique<Rows>(job, report, path); });
 }
 
 }  // namespace tcb

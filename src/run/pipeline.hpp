@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "error.hpp"
-#include "io/input_list.hpp"
 #include "run/job.hpp"
 #include "run/key_options.hpp"
 #include "schema/format.hpp"
@@ -15,15 +14,10 @@
 namespace tcb {
 
 /// Rows at the requested places of the curves.
-struct ResampleJob {
-  InputListOptions files;
-  bool fail_fast = false;  ///< stop at the first file that fails
-  KeyOptions keys;
+struct ResampleJob : FilesJob {
   SampleOptions samples;
   std::optional<GoldenOptions> golden;  ///< rows are exact, and rounded once
   WriterOptions rows;
-  ThreadOptions threads;
-  Verbosity verbosity;
 };
 
 /// Reads the keys of every file and writes the samples of their curves. Returns the exit code of the program, as

@@ -51,19 +51,89 @@ class Point {
   bool at_end() const { return sample_->at.w == S(0); }
 
   /// The elapsed fraction of the segment's duration, and the part of its ease there.
-  S u() const;
-  spline::EasePart part() const;
+  S u() const {
+    const auto& at = sample_->at;
+    if (at_start() || at_end()) return at.u;
+    if constexpr (spline::has_roots<S>) {
+      if (std::is_same_v<S, double> || sample_->s) return spline::high_part<S>(segment_->warp.inverse(at));
+    }
+    // The inverse of a warp has roots, so exact scalars prefer the time, from which the place was computed.
+    const spline::Time<S>& t = outside_ == nullptr ? sample_->t : outside_->t;
+    return spline::high_part<S>((t - segment_->start) / (segment_->end - segment_->start));
+  }
+
+  spline::EasePart part() const {
+    const CurveSegmentOf<S>& segment = *segment_;
+    if (!segment.warp.has_ease()) return spline::EasePart::middle;
+    if (sample_->part) return *sample_->part;
+    if (sample_->s || at_start() || at_end()) return segment.warp.part(sample_->at, segment.side);
+    using W = spline::working_t<S>;
+    const spline::Time<S> t = segment.precise(outside_ == nullptr ? sample_->t : outside_->t);
+    return segment.warp.part(W(t - segment.precise(segment.start)), W(segment.precise(segment.end) - t),
+                             W(segment.duration()), segment.side);
+  }
+
   /// One component. Outside the curve the end is extended by its velocity, or moved by whole cycles.
-  S position(std::size_t channel);
+  S position(std::size_t channel) {
+    S position = spline::position(segment_->cubics[channel], sample_->at);
+    if (outside_ == nullptr) return position;
+    const S beyond = spline::high_part<S>(outside_->beyond);
+    if (beyond != S(0)) position += derivatives().velocity[channel] * beyond;
+    if (outside_->cycles != S(0)) position += outside_->cycles * segment_->cycle[channel];
+    return position;
+  }
+
   /// A rotation. Outside the curve, `linear` keeps turning at the rate of the end, `offset` adds the turn of the whole
   /// curve once per period, and `repeat` negates the quaternion in odd periods where its sign would jump.
-  spline::Quaternion<S> rotation(std::size_t index) const;
+  spline::Quaternion<S> rotation(std::size_t index) const {
+    const spline::Quaternion<S> q = segment_->rotations[index].at(sample_->at);
+    if (outside_ == nullptr) return q;
+    const S beyond = spline::high_part<S>(outside_->beyond);
+    if (beyond != S(0)) {
+      const auto rate = rate_on_curve(index);
+      const S half = beyond / S(2);
+      return spline::normalized(spline::exponential<S>({rate[0] * half, rate[1] * half, rate[2] * half}) * q);
+    }
+    if (outside_->odd && segment_->turns[index].w < S(0)) return -q;
+    return outside_->cycles == S(0) ? q : spline::normalized(turn_of_cycles(index) * q);
+  }
+
   /// The angular velocity of a rotation, in the frame in which it is given, per unit of time.
-  spline::Vector3<S> angular_velocity(std::size_t index) const;
-  const spline::Derivatives<S>& derivatives();
+  spline::Vector3<S> angular_velocity(std::size_t index) const {
+    if (segment_->start == segment_->end || (outside_ != nullptr && outside_->holds)) return {S(0), S(0), S(0)};
+    const spline::Vector3<S> rate = rate_on_curve(index);
+    if (outside_ == nullptr) return rate;
+    if (outside_->backward) return {-rate[0], -rate[1], -rate[2]};
+    if (outside_->cycles == S(0)) return rate;
+    const spline::Quaternion<S> turn = turn_of_cycles(index);
+    const auto turned = turn * spline::Quaternion<S>{rate[0], rate[1], rate[2], S(0)} * spline::conjugate(turn);
+    return {turned.x, turned.y, turned.z};
+  }
+
+  const spline::Derivatives<S>& derivatives() {
+    if (!has_derivatives_) set_derivatives();
+    has_derivatives_ = true;  // only now: some scalars throw
+    return derivatives_;
+  }
+
   /// From the curve's first key.
-  S length();
-  Quantity<S> key() const;
+  S length() {
+    if constexpr (spline::has_roots<S>) {
+      using W = spline::working_t<S>;
+      if (sample_->s) return *sample_->s;
+      if (at_start()) return spline::high_part<S>(segment_->s_start);
+      if (at_end()) return spline::high_part<S>(segment_->s_end);
+      return spline::high_part<S>(segment_->s_start + W(arc().to(sample_->at).value));
+    } else {
+      return S(0);  // lengths are not rational
+    }
+  }
+
+  Quantity<S> key() const {
+    if (at_start()) return {static_cast<S>(segment_->number)};
+    if (at_end()) return {static_cast<S>(segment_->end_key)};
+    return {S(0), false};
+  }
 
   // Over the metric channels:
   Quantity<S> speed() { return shape_.speed(*this); }
@@ -79,7 +149,29 @@ class Point {
     return arc_;
   }
 
-  void set_derivatives();
+  void set_derivatives() {
+    const bool holds = outside_ != nullptr && outside_->holds;
+    const auto zero = std::size_t{segment_->cubics.size()};
+    if (holds || segment_->start == segment_->end) {
+      derivatives_.velocity.assign(zero, S(0));
+      derivatives_.acceleration.assign(zero, S(0));
+      derivatives_.jerk.assign(zero, S(0));
+      derivatives_.velocity_noise = derivatives_.acceleration_noise = S(0);
+      return;
+    }
+    spline::set_derivatives<S>(derivatives_, segment_->cubics, sample_->at, segment_->warp, u(),
+                               spline::high_part<S>(segment_->duration()), part());
+    if (outside_ == nullptr) return;
+    if (spline::high_part<S>(outside_->beyond) != S(0)) {
+      derivatives_.acceleration.assign(zero, S(0));
+      derivatives_.jerk.assign(zero, S(0));
+    }
+    if (!outside_->backward) return;
+    for (auto* odd : {&derivatives_.velocity, &derivatives_.jerk}) {
+      for (S& value : *odd) value = -value;
+    }
+  }
+
   spline::Vector3<S> rate_on_curve(std::size_t rotation) const {
     const S du = segment_->warp.first_derivative(u(), part()) / spline::high_part<S>(segment_->duration());
     const auto rate = segment_->rotations[rotation].rate(sample_->at);
@@ -103,117 +195,6 @@ class Point {
   bool has_derivatives_ = false;
   PathShape<S> shape_;
 };
-
-template <class S>
-S Point<S>::u() const {
-  const auto& at = sample_->at;
-  if (at_start() || at_end()) return at.u;
-  if constexpr (spline::has_roots<S>) {
-    if (std::is_same_v<S, double> || sample_->s) return spline::high_part<S>(segment_->warp.inverse(at));
-  }
-  // The inverse of a warp has roots, so exact scalars prefer the time, from which the place was computed.
-  const spline::Time<S>& t = outside_ == nullptr ? sample_->t : outside_->t;
-  return spline::high_part<S>((t - segment_->start) / (segment_->end - segment_->start));
-}
-
-template <class S>
-spline::EasePart Point<S>::part() const {
-  const CurveSegmentOf<S>& segment = *segment_;
-  if (!segment.warp.has_ease()) return spline::EasePart::middle;
-  if (sample_->part) return *sample_->part;
-  if (sample_->s || at_start() || at_end()) return segment.warp.part(sample_->at, segment.side);
-  using W = spline::working_t<S>;
-  const spline::Time<S> t = segment.precise(outside_ == nullptr ? sample_->t : outside_->t);
-  return segment.warp.part(W(t - segment.precise(segment.start)), W(segment.precise(segment.end) - t),
-                           W(segment.duration()), segment.side);
-}
-
-template <class S>
-S Point<S>::position(std::size_t channel) {
-  S position = spline::position(segment_->cubics[channel], sample_->at);
-  if (outside_ == nullptr) return position;
-  const S beyond = spline::high_part<S>(outside_->beyond);
-  if (beyond != S(0)) position += derivatives().velocity[channel] * beyond;
-  if (outside_->cycles != S(0)) position += outside_->cycles * segment_->cycle[channel];
-  return position;
-}
-
-template <class S>
-spline::Quaternion<S> Point<S>::rotation(std::size_t index) const {
-  const spline::Quaternion<S> q = segment_->rotations[index].at(sample_->at);
-  if (outside_ == nullptr) return q;
-  const S beyond = spline::high_part<S>(outside_->beyond);
-  if (beyond != S(0)) {
-    const auto rate = rate_on_curve(index);
-    const S half = beyond / S(2);
-    return spline::normalized(spline::exponential<S>({rate[0] * half, rate[1] * half, rate[2] * half}) * q);
-  }
-  if (outside_->odd && segment_->turns[index].w < S(0)) return -q;
-  return outside_->cycles == S(0) ? q : spline::normalized(turn_of_cycles(index) * q);
-}
-
-template <class S>
-spline::Vector3<S> Point<S>::angular_velocity(std::size_t index) const {
-  if (segment_->start == segment_->end || (outside_ != nullptr && outside_->holds)) return {S(0), S(0), S(0)};
-  const spline::Vector3<S> rate = rate_on_curve(index);
-  if (outside_ == nullptr) return rate;
-  if (outside_->backward) return {-rate[0], -rate[1], -rate[2]};
-  if (outside_->cycles == S(0)) return rate;
-  const spline::Quaternion<S> turn = turn_of_cycles(index);
-  const auto turned = turn * spline::Quaternion<S>{rate[0], rate[1], rate[2], S(0)} * spline::conjugate(turn);
-  return {turned.x, turned.y, turned.z};
-}
-
-template <class S>
-const spline::Derivatives<S>& Point<S>::derivatives() {
-  if (!has_derivatives_) set_derivatives();
-  has_derivatives_ = true;  // only now: some scalars throw
-  return derivatives_;
-}
-
-template <class S>
-void Point<S>::set_derivatives() {
-  const bool holds = outside_ != nullptr && outside_->holds;
-  const auto zero = std::size_t{segment_->cubics.size()};
-  if (holds || segment_->start == segment_->end) {
-    derivatives_.velocity.assign(zero, S(0));
-    derivatives_.acceleration.assign(zero, S(0));
-    derivatives_.jerk.assign(zero, S(0));
-    derivatives_.velocity_noise = derivatives_.acceleration_noise = S(0);
-    return;
-  }
-  spline::set_derivatives<S>(derivatives_, segment_->cubics, sample_->at, segment_->warp, u(),
-                             spline::high_part<S>(segment_->duration()), part());
-  if (outside_ == nullptr) return;
-  if (spline::high_part<S>(outside_->beyond) != S(0)) {
-    derivatives_.acceleration.assign(zero, S(0));
-    derivatives_.jerk.assign(zero, S(0));
-  }
-  if (!outside_->backward) return;
-  for (auto* odd : {&derivatives_.velocity, &derivatives_.jerk}) {
-    for (S& value : *odd) value = -value;
-  }
-}
-
-template <class S>
-S Point<S>::length() {
-  if constexpr (spline::has_roots<S>) {
-    using W = spline::working_t<S>;
-    if (sample_->s) return *sample_->s;
-    if (at_start()) return spline::high_part<S>(segment_->s_start);
-    if (at_end()) return spline::high_part<S>(segment_->s_end);
-    return spline::high_part<S>(segment_->s_start + W(arc().to(sample_->at).value));
-  } else {
-    return S(0);  // lengths are not rational
-  }
-}
-
-template <class S>
-Quantity<S> Point<S>::key() const {
-  if (at_start()) return {static_cast<S>(segment_->number)};
-  if (at_end()) return {static_cast<S>(segment_->end_key)};
-  return {S(0), false};
-}
 
 /// The shape of the path in doubles: values within the bounds on rounding of spline::shape are 0.
 template <>
@@ -278,6 +259,7 @@ class PathShape {
       return {v < S(0) ? S(-(v * v / v2)) : S(v * v / v2), true, true};
     }
   }
+
   Quantity<S> curvature(Point<S>& point) const {
     const S v2 = square(velocity(point));
     if (!(v2 > S(0))) return {S(0), false};
@@ -289,6 +271,7 @@ class PathShape {
     }
     return root(area2 / (v2 * v2 * v2));
   }
+
   Quantity<S> torsion(Point<S>& point) const {
     if (!(square(velocity(point)) > S(0))) return {S(0), false};
     const View v = velocity(point), a = acceleration(point), j(point.derivatives().jerk, point.segment().metric);

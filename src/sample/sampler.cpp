@@ -15,11 +15,58 @@ namespace {
 /// length.
 class OnGrid : public Sampler {
  public:
-  OnGrid(const SamplingRequest& request, Spacing spacing);
+  OnGrid(const SamplingRequest& request, Spacing spacing)
+      : request_(request),
+        by_length_(by_length(request.mode)),
+        spacing_(std::move(spacing)),
+        first_(spacing_.grid.time(0)),
+        end_(spacing_.end ? std::optional(nearest_time(*spacing_.end)) : std::nullopt),
+        near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)) {}
 
-  SegmentRows place(const CurveSegment& segment) override;
-  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
-  ExactTimes exact_times(std::uint64_t row, const ExactKeyTimes* keys) const override;
+  SegmentRows place(const CurveSegment& segment) override {
+    const Range on = range(segment);
+    require_bounds(segment, on);
+    const int digits = decimals(segment);
+    const bool ends_here = request_.to && end(digits) <= on.end;
+    const Time stop = ends_here ? end(digits) : on.end;
+    const bool final = segment.last || ends_here;
+    SegmentRows run{next_, std::max(next_, rows_up_to(segment, on, stop, final))};
+    next_ = run.last;
+    if (request_.keys) add_keys(run, segment, on, stop, final);
+    if (final) {
+      finish(run, stop, digits);
+      run.end = run.end || (request_.end == EndPolicy::keep && remainder_);
+      if (run.end) remainder_.reset();
+    }
+    done_ = ends_here || (next_ == spacing_.rows && !request_.keys);
+    return run;
+  }
+
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override {
+    set_coordinates(segment, first, last, located.coordinates);
+    if (by_length_) {
+      locate_lengths(segment, located);
+      // A row that is there for a key is at its time, also at the end of a hold.
+      const bool is_key =
+          first == SpecialRow::at_end && request_.keys && located.coordinates[0] >= Time(segment.s_end.hi);
+      if (is_key) located.samples[0] = {segment.end, {1, 0}, located.coordinates[0].hi};
+      return;
+    }
+    const spline::TimeMap<double> locate = segment.time_map();
+    located.samples.resize(located.coordinates.size());
+    for (std::size_t i = 0; i < located.samples.size(); ++i) {
+      Sample& sample = located.samples[i];
+      sample.t = located.coordinates[i];
+      sample.at = locate(segment.precise(sample.t));
+      sample.s.reset();
+    }
+  }
+
+  ExactTimes exact_times(std::uint64_t row, const ExactKeyTimes* keys) const override {
+    if (row < SpecialRow::at_key) return {spacing_.grid.start() + spacing_.grid.step() * row};
+    if (keys == nullptr) return {row == SpecialRow::at_end ? request_.to : std::nullopt};
+    return {row == SpecialRow::at_key ? keys->start : request_.to ? std::min(*request_.to, keys->end) : keys->end};
+  }
   bool done() const override { return done_; }
   std::optional<Rational> remainder() const override { return remainder_; }
 
@@ -41,12 +88,75 @@ class OnGrid : public Sampler {
   Time first(int decimals) const { return decimals != 0 ? spacing_.grid.time(0, decimals) : first_; }
   Time end(int decimals) const { return decimals != 0 ? nearest_time(*spacing_.end, decimals) : *end_; }
 
-  void require_bounds(const CurveSegment& segment, const Range& on) const;
-  std::uint64_t rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
-  void add_keys(SegmentRows& run, const CurveSegment& segment, const Range& on, const Time& stop, bool final) const;
-  void finish(const SegmentRows& run, const Time& stop, int decimals);
+  /// Throws: Error where the range of the request leaves the curve.
+  void require_bounds(const CurveSegment& segment, const Range& on) const {
+    if (request_.origin && !by_length_) return;
+    const Rational& from = spacing_.grid.start();
+    const auto bound = [&](const Time& end) { return by_length_ ? exact_time(end) : request_.exact(end); };
+    const RangeEnds ends = by_length_ ? RangeEnds::of_length : RangeEnds::of_keys;
+    if (segment.number == 0) require_not_before("--from", from, ends, bound(on.start));
+    if (!segment.last) return;
+    require_not_after("--from", from, ends, bound(on.end));
+    if (!request_.to) return;
+    const Rational to = request_.key_times ? *request_.to : request_.exact(end(decimals(segment)));
+    require_not_after("--to", to, ends, bound(on.end));
+  }
+
+  /// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
+  /// last, if it has no duration, or if rows at keys belong to the segment before.
+  std::uint64_t rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const {
+    const Grid& grid = spacing_.grid;
+    const int digits = decimals(segment);
+    const Time start = first(digits);
+    const bool with_end = final || request_.from_left || on.start == on.end;
+    if (grid.is_single()) {
+      const bool here = with_end ? start <= stop : start < stop;
+      return here ? spacing_.rows : 0;
+    }
+    if (stop < start) return 0;
+    if (spacing_.rows == Spacing::unlimited) {
+      if (grid.rough_rows(stop) > static_cast<double>(request_.max_rows) * 0.99) {
+        require_rows((request_.exact(stop) - grid.start()) / grid.step(), request_.max_rows, !final);
+      }
+      require_resolution(grid, stop, digits);
+    } else if (segment.last) {
+      require_resolution(grid, stop, digits);
+    }
+    return std::min(
+        {spacing_.rows, spacing_.most, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits)});
+  }
+
+  /// Every key in the range becomes a row, on the segment that rows at keys belong to, and no other row is left near
+  /// it.
+  void add_keys(SegmentRows& run, const CurveSegment& segment, const Range& on, const Time& stop, bool final) const {
+    const Grid& grid = spacing_.grid;
+    const int decimals = this->decimals(segment);
+    const auto is_near = [&](std::uint64_t row, const Time& key) {
+      const Time distance = grid.time(row, decimals) - key;
+      return distance <= near_ && -distance <= near_;
+    };
+    const auto is_in_range = [&](const Time& key) { return key >= first(decimals) - near_ && key <= stop + near_; };
+    run.key = (!request_.from_left || segment.number == 0) && is_in_range(on.start) && on.start <= stop;
+    if (run.first < run.last && is_near(run.first, on.start)) ++run.first;
+    if (run.first < run.last && is_near(run.last - 1, on.end)) --run.last;
+    if ((request_.from_left || final) && is_in_range(on.end)) run.end = true;
+  }
+
+  /// Sets how far the end of the range is from the last row.
+  void finish(const SegmentRows& run, const Time& stop, int decimals) {
+    if (run.end || next_ == 0 || spacing_.rows != Spacing::unlimited) return;
+    const Time last = spacing_.grid.time(next_ - 1, decimals);
+    if (last < stop) remainder_ = request_.exact(stop) - exact_time(last);
+  }
+  /// Replaces `coordinates` with those of some rows on this segment.
   void set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
-                       std::vector<Time>& coordinates) const;
+                       std::vector<Time>& coordinates) const {
+    const int digits = decimals(segment);
+    if (first < SpecialRow::at_key) return spacing_.grid.set_times(first, last, digits, coordinates);
+    const Range on = range(segment);
+    const Time end = request_.to ? std::min(this->end(digits), on.end) : on.end;
+    coordinates.assign(1, first == SpecialRow::at_key ? on.start : end);
+  }
 
   SamplingRequest request_;
   bool by_length_;
@@ -64,9 +174,28 @@ class PerSegment : public Sampler {
  public:
   explicit PerSegment(const SamplingRequest& request) : request_(request) {}
 
-  SegmentRows place(const CurveSegment& segment) override;
-  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
-  ExactTimes exact_times(std::uint64_t row, const ExactKeyTimes* keys) const override;
+  SegmentRows place(const CurveSegment& segment) override {
+    require_rows(Rational(segment.number + 1) * request_.count, request_.max_rows, !segment.last);
+    if (segment.start < segment.end) require_resolution(grid(segment), segment.end, segment.decimals);
+    const bool left = request_.from_left;
+    return {1, request_.count, !left || segment.number == 0, left || segment.last};
+  }
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override {
+    const spline::TimeMap<double> locate = segment.time_map();
+    const Grid grid = this->grid(segment);
+    fill(located, first, last, [&](std::uint64_t row) -> Sample {
+      if (row == SpecialRow::at_key) return {segment.start, {0, -1}};
+      if (row == SpecialRow::at_end) return {segment.end, {1, 0}};
+      const Time t = nearest_time(grid.start() + grid.step() * row, segment.decimals);
+      return {t, locate(segment.precise(t))};
+    });
+  }
+
+  ExactTimes exact_times(std::uint64_t row, const ExactKeyTimes* keys) const override {
+    if (keys == nullptr) return {};
+    if (row >= SpecialRow::at_key) return {row == SpecialRow::at_key ? keys->start : keys->end};
+    return {keys->start + (keys->end - keys->start) * row / request_.count};
+  }
   bool done() const override { return false; }
 
  private:
@@ -79,161 +208,45 @@ class PerSegment : public Sampler {
   SamplingRequest request_;
 };
 
-OnGrid::OnGrid(const SamplingRequest& request, Spacing spacing)
-    : request_(request),
-      by_length_(by_length(request.mode)),
-      spacing_(std::move(spacing)),
-      first_(spacing_.grid.time(0)),
-      end_(spacing_.end ? std::optional(nearest_time(*spacing_.end)) : std::nullopt),
-      near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)) {}
-
-void OnGrid::require_bounds(const CurveSegment& segment, const Range& on) const {
-  if (request_.origin && !by_length_) return;
-  const Rational& from = spacing_.grid.start();
-  const auto bound = [&](const Time& end) { return by_length_ ? exact_time(end) : request_.exact(end); };
-  const RangeEnds ends = by_length_ ? RangeEnds::of_length : RangeEnds::of_keys;
-  if (segment.number == 0) require_not_before("--from", from, ends, bound(on.start));
-  if (!segment.last) return;
-  require_not_after("--from", from, ends, bound(on.end));
-  if (!request_.to) return;
-  const Rational to = request_.key_times ? *request_.to : request_.exact(end(decimals(segment)));
-  require_not_after("--to", to, ends, bound(on.end));
-}
-
-/// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
-/// last, if it has no duration, or if rows at keys belong to the segment before.
-std::uint64_t OnGrid::rows_up_to(const CurveSegment& segment, const Range& on, const Time& stop, bool final) const {
-  const Grid& grid = spacing_.grid;
-  const int digits = decimals(segment);
-  const Time start = first(digits);
-  const bool with_end = final || request_.from_left || on.start == on.end;
-  if (grid.is_single()) {
-    const bool here = with_end ? start <= stop : start < stop;
-    return here ? spacing_.rows : 0;
-  }
-  if (stop < start) return 0;
-  if (spacing_.rows == Spacing::unlimited) {
-    if (grid.rough_rows(stop) > static_cast<double>(request_.max_rows) * 0.99) {
-      require_rows((request_.exact(stop) - grid.start()) / grid.step(), request_.max_rows, !final);
-    }
-    require_resolution(grid, stop, digits);
-  } else if (segment.last) {
-    require_resolution(grid, stop, digits);
-  }
-  return std::min(
-      {spacing_.rows, spacing_.most, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits)});
-}
-
-/// Every key in the range becomes a row, on the segment that rows at keys belong to, and no other row is left near it.
-void OnGrid::add_keys(SegmentRows& run, const CurveSegment& segment, const Range& on, const Time& stop,
-                      bool final) const {
-  const Grid& grid = spacing_.grid;
-  const int decimals = this->decimals(segment);
-  const auto is_near = [&](std::uint64_t row, const Time& key) {
-    const Time distance = grid.time(row, decimals) - key;
-    return distance <= near_ && -distance <= near_;
-  };
-  const auto is_in_range = [&](const Time& key) { return key >= first(decimals) - near_ && key <= stop + near_; };
-  run.key = (!request_.from_left || segment.number == 0) && is_in_range(on.start) && on.start <= stop;
-  if (run.first < run.last && is_near(run.first, on.start)) ++run.first;
-  if (run.first < run.last && is_near(run.last - 1, on.end)) --run.last;
-  if ((request_.from_left || final) && is_in_range(on.end)) run.end = true;
-}
-
-/// Sets how far the end of the range is from the last row.
-void OnGrid::finish(const SegmentRows& run, const Time& stop, int decimals) {
-  if (run.end || next_ == 0 || spacing_.rows != Spacing::unlimited) return;
-  const Time last = spacing_.grid.time(next_ - 1, decimals);
-  if (last < stop) remainder_ = request_.exact(stop) - exact_time(last);
-}
-
-SegmentRows OnGrid::place(const CurveSegment& segment) {
-  const Range on = range(segment);
-  require_bounds(segment, on);
-  const int digits = decimals(segment);
-  const bool ends_here = request_.to && end(digits) <= on.end;
-  const Time stop = ends_here ? end(digits) : on.end;
-  const bool final = segment.last || ends_here;
-  SegmentRows run{next_, std::max(next_, rows_up_to(segment, on, stop, final))};
-  next_ = run.last;
-  if (request_.keys) add_keys(run, segment, on, stop, final);
-  if (final) {
-    finish(run, stop, digits);
-    run.end = run.end || (request_.end == EndPolicy::keep && remainder_);
-    if (run.end) remainder_.reset();
-  }
-  done_ = ends_here || (next_ == spacing_.rows && !request_.keys);
-  return run;
-}
-
-/// Replaces `coordinates` with those of some rows on this segment.
-void OnGrid::set_coordinates(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
-                             std::vector<Time>& coordinates) const {
-  const int digits = decimals(segment);
-  if (first < SpecialRow::at_key) return spacing_.grid.set_times(first, last, digits, coordinates);
-  const Range on = range(segment);
-  const Time end = request_.to ? std::min(this->end(digits), on.end) : on.end;
-  coordinates.assign(1, first == SpecialRow::at_key ? on.start : end);
-}
-
-void OnGrid::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
-  set_coordinates(segment, first, last, located.coordinates);
-  if (by_length_) {
-    locate_lengths(segment, located);
-    // A row that is there for a key is at its time, also at the end of a hold.
-    const bool is_key =
-        first == SpecialRow::at_end && request_.keys && located.coordinates[0] >= Time(segment.s_end.hi);
-    if (is_key) located.samples[0] = {segment.end, {1, 0}, located.coordinates[0].hi};
-    return;
-  }
-  const spline::TimeMap<double> locate = segment.time_map();
-  located.samples.resize(located.coordinates.size());
-  for (std::size_t i = 0; i < located.samples.size(); ++i) {
-    Sample& sample = located.samples[i];
-    sample.t = located.coordinates[i];
-    sample.at = locate(segment.precise(sample.t));
-    sample.s.reset();
-  }
-}
-
-ExactTimes OnGrid::exact_times(std::uint64_t row, const ExactKeyTimes* keys) const {
-  if (row < SpecialRow::at_key) return {spacing_.grid.start() + spacing_.grid.step() * row};
-  if (keys == nullptr) return {row == SpecialRow::at_end ? request_.to : std::nullopt};
-  return {row == SpecialRow::at_key ? keys->start : request_.to ? std::min(*request_.to, keys->end) : keys->end};
-}
-
-SegmentRows PerSegment::place(const CurveSegment& segment) {
-  require_rows(Rational(segment.number + 1) * request_.count, request_.max_rows, !segment.last);
-  if (segment.start < segment.end) require_resolution(grid(segment), segment.end, segment.decimals);
-  const bool left = request_.from_left;
-  return {1, request_.count, !left || segment.number == 0, left || segment.last};
-}
-
-void PerSegment::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const {
-  const spline::TimeMap<double> locate = segment.time_map();
-  const Grid grid = this->grid(segment);
-  fill(located, first, last, [&](std::uint64_t row) -> Sample {
-    if (row == SpecialRow::at_key) return {segment.start, {0, -1}};
-    if (row == SpecialRow::at_end) return {segment.end, {1, 0}};
-    const Time t = nearest_time(grid.start() + grid.step() * row, segment.decimals);
-    return {t, locate(segment.precise(t))};
-  });
-}
-
-ExactTimes PerSegment::exact_times(std::uint64_t row, const ExactKeyTimes* keys) const {
-  if (keys == nullptr) return {};
-  if (row >= SpecialRow::at_key) return {row == SpecialRow::at_key ? keys->start : keys->end};
-  return {keys->start + (keys->end - keys->start) * row / request_.count};
-}
-
 /// A row for each segment, or for the piece of it that lies in the range of the request.
 class PieceSampler : public Sampler {
  public:
   explicit PieceSampler(const SamplingRequest& request) : request_(request) {}
 
-  SegmentRows place(const CurveSegment& segment) override;
-  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override;
-  ExactTimes exact_times(std::uint64_t row, const ExactKeyTimes* keys) const override;
+  SegmentRows place(const CurveSegment& segment) override {
+    if (!request_.origin && (segment.number == 0 || segment.last)) require_bounds(segment);
+    const auto [start, end] = range(segment);
+    done_ = request_.to && nearest_time(*request_.to, segment.decimals) <= segment.end;
+    const bool has_row = start < end;
+    if (has_row && !segment.warp.is_identity()) {
+      throw data_error(
+          "segment {}, from the key at time {} to the key at {}, has ease, so it is not cubic in time; expected keys "
+          "without ease; give --no-ease, or a sampling option instead of --emit",
+          segment.number, time_text(segment.start), time_text(segment.end));
+    }
+    if (has_row && ++rows_ > request_.max_rows) require_rows(Rational(rows_ - 1), request_.max_rows, !segment.last);
+    if (rows_ == 0 && (done_ || segment.last) && !request_.origin)
+      throw usage_error(
+          "no part of the curve lies between --from and --to; expected a longer range; correct --from or --to");
+    return {segment.number, segment.number + (has_row ? 1 : 0)};
+  }
+
+  void locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last, Located& located) const override {
+    const spline::TimeMap<double> locate = segment.time_map();
+    const auto [start, end] = range(segment);
+    const auto at = [&](const Time& t) -> Sample { return {t, locate(segment.precise(t))}; };
+    fill(located, first, last, [&, start = start](std::uint64_t) { return at(start); });
+    located.ends.assign(last - first, at(end));
+  }
+
+  ExactTimes exact_times(std::uint64_t, const ExactKeyTimes* keys) const override {
+    if (keys == nullptr) return {};
+    const auto bound = [&](const std::optional<Rational>& given, const Rational& key) {
+      return given ? std::clamp(*given, keys->start, keys->end) : key;
+    };
+    return {bound(request_.from, keys->start), bound(request_.to, keys->end)};
+  }
+
   bool done() const override { return done_; }
 
  private:
@@ -249,58 +262,21 @@ class PieceSampler : public Sampler {
     return {bound(request_.from, segment.start), bound(request_.to, segment.end)};
   }
 
-  void require_bounds(const CurveSegment& segment) const;
+  /// Throws: Error where the range leaves the curve.
+  void require_bounds(const CurveSegment& segment) const {
+    const auto require = [&](std::string_view option, const std::optional<Rational>& given) {
+      if (!given) return;
+      if (segment.number == 0) require_not_before(option, *given, RangeEnds::of_pieces, request_.exact(segment.start));
+      if (segment.last) require_not_after(option, *given, RangeEnds::of_pieces, request_.exact(segment.end));
+    };
+    require("--from", request_.from);
+    require("--to", request_.to);
+  }
 
   SamplingRequest request_;
   std::uint64_t rows_ = 0;
   bool done_ = false;
 };
-
-/// Throws: Error where the range leaves the curve.
-void PieceSampler::require_bounds(const CurveSegment& segment) const {
-  const auto require = [&](std::string_view option, const std::optional<Rational>& given) {
-    if (!given) return;
-    if (segment.number == 0) require_not_before(option, *given, RangeEnds::of_pieces, request_.exact(segment.start));
-    if (segment.last) require_not_after(option, *given, RangeEnds::of_pieces, request_.exact(segment.end));
-  };
-  require("--from", request_.from);
-  require("--to", request_.to);
-}
-
-SegmentRows PieceSampler::place(const CurveSegment& segment) {
-  if (!request_.origin && (segment.number == 0 || segment.last)) require_bounds(segment);
-  const auto [start, end] = range(segment);
-  done_ = request_.to && nearest_time(*request_.to, segment.decimals) <= segment.end;
-  const bool has_row = start < end;
-  if (has_row && !segment.warp.is_identity()) {
-    throw data_error(
-        "segment {}, from the key at time {} to the key at {}, has ease, so it is not cubic in time; expected keys "
-        "without ease; give --no-ease, or a sampling option instead of --emit",
-        segment.number, time_text(segment.start), time_text(segment.end));
-  }
-  if (has_row && ++rows_ > request_.max_rows) require_rows(Rational(rows_ - 1), request_.max_rows, !segment.last);
-  if (rows_ == 0 && (done_ || segment.last) && !request_.origin)
-    throw usage_error(
-        "no part of the curve lies between --from and --to; expected a longer range; correct --from or --to");
-  return {segment.number, segment.number + (has_row ? 1 : 0)};
-}
-
-void PieceSampler::locate(const CurveSegment& segment, std::uint64_t first, std::uint64_t last,
-                          Located& located) const {
-  const spline::TimeMap<double> locate = segment.time_map();
-  const auto [start, end] = range(segment);
-  const auto at = [&](const Time& t) -> Sample { return {t, locate(segment.precise(t))}; };
-  fill(located, first, last, [&, start = start](std::uint64_t) { return at(start); });
-  located.ends.assign(last - first, at(end));
-}
-
-ExactTimes PieceSampler::exact_times(std::uint64_t, const ExactKeyTimes* keys) const {
-  if (keys == nullptr) return {};
-  const auto bound = [&](const std::optional<Rational>& given, const Rational& key) {
-    return given ? std::clamp(*given, keys->start, keys->end) : key;
-  };
-  return {bound(request_.from, keys->start), bound(request_.to, keys->end)};
-}
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // Angles of balls: sines, cosines and angles are held by their balls, against 200 digits, and these are small.
-#include "exact/ball_angle.hpp"
+#include "exact/ball.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "exact/ball_angle.hpp"
+#include "exact/ball.hpp"
 #include "exact/floats.hpp"
 
 namespace tcb {

@@ -27,14 +27,45 @@ class ArcLength {
   ArcLength() = default;
   ArcLength(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric) { assign(segment, metric); }
 
-  void assign(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric);
+  void assign(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric) {
+    speed_.assign(segment, metric);
+    panels_.clear();
+    sum_ = W(0);
+    disagreement_ = rough_ = S(0);
+    total_ = {};
+    const S unit = speed_.unit();
+    if (!speed_.is_finite()) total_ = {std::numeric_limits<S>::infinity(), std::numeric_limits<S>::infinity()};
+    if (unit == S(0)) return;
+    const S epsilon = std::numeric_limits<S>::epsilon();
+    if (speed_.is_constant()) {
+      const S speed = speed_(0, S(0));
+      total_ = {speed * unit, speed * unit * epsilon};
+      return;
+    }
+    for (const Panel<S>& half : make_panels<S>(speed_, {0, S(0), S(0.5)}, {1, S(-0.5), S(0)}))
+      add(half, first_halvings);
+    const S value = high_part<S>(sum_);
+    total_ = {value * unit, (disagreement_ + S(8) * epsilon * (value + S(1))) * unit};
+  }
 
   /// The length of the segment. Promises: accurate to a few units in the last place, and in any case to within `error`;
   /// infinite if a number of the segment is infinite.
   const Length<S>& total() const { return total_; }
 
   /// From the start to a place. Promises: as total().
-  Length<S> to(const LocalParameter<S>& place) const;
+  Length<S> to(const LocalParameter<S>& place) const {
+    if (place.w == S(0)) return total_;
+    if (place.u == S(0)) return {};
+    if (speed_.unit() == S(0)) return speed_.is_finite() ? Length<S>{} : total_;
+    if (panels_.empty()) return {total_.value * place.u, total_.error};
+    const std::size_t half = place.near_start() ? 0 : 1;
+    const S v = half == 0 ? place.u : place.w;
+    auto panel = panels_.begin();
+    while (panel + 1 != panels_.end() && (panel->half < half || panel->middle + panel->width < v)) ++panel;
+    const S z = std::clamp((v - panel->middle) / panel->width, S(-1), S(1));
+    const W sum = panel->before + panel_sum(*panel, speed_, S(-1), z);
+    return {high_part<S>(sum) * speed_.unit(), total_.error};
+  }
 
   /// The panels in order; none if the speed is constant.
   const std::vector<Panel<S>>& panels() const { return panels_; }
@@ -45,11 +76,64 @@ class ArcLength {
   static constexpr int most_halvings = std::max(64, std::numeric_limits<S>::digits);
   using W = working_t<S>;
 
-  S rough_length() const;
-  void add(const Panel<S>& panel, int halvings);
-  void cut(const Panel<S>& panel);
-  void refine(const Panel<S>& panel, bool slow_begin, bool slow_end, int halvings);
-  void accept(const Panel<S>& panel, const S& disagreement = S(0));
+  /// The length to about one digit, by Simpson's rule on each half.
+  S rough_length() const {
+    S sum(0);
+    for (const std::size_t half : {0U, 1U}) {
+      const S shift = half == 0 ? S(0) : S(-0.5);
+      const auto speeds = speed_(half, std::array<S, 3>{shift, S(0.25) + shift, S(0.5) + shift});
+      sum += (speeds[0] + S(4) * speeds[1] + speeds[2]) / S(12);
+    }
+    return sum;
+  }
+
+  /// Accepts a smooth panel, else adds its halves; after a few halvings it is cut.
+  void add(const Panel<S>& panel, int halvings) {
+    if (panel.is_smooth()) return accept(panel);
+    if (halvings == 0) return cut(panel);
+    for (const Panel<S>& half : halves(panel)) add(half, halvings - 1);
+  }
+  /// Cuts a panel at the minima of the speed, if there are any. An end counts as a minimum where the speed is small.
+  void cut(const Panel<S>& panel) {
+    if (rough_ == S(0)) rough_ = rough_length();
+    const S small = rough_ * S(0x1p-6);
+    S from = panel.middle - panel.width;
+    const S end = panel.middle + panel.width;
+    bool slow = speed_(panel.half, from) < small;
+    for (const S& place : slowest_places(speed_, panel.half, from, end)) {
+      refine(make_panel<S>(speed_, {panel.half, from, place}), slow, true, most_halvings);
+      from = place;
+      slow = true;
+    }
+    refine(make_panel<S>(speed_, {panel.half, from, end}), slow, speed_(panel.half, end) < small, most_halvings);
+  }
+
+  /// Accepts a panel that is smooth, or that has a minimum of the speed at an end and on which the rule agrees with the
+  /// sum of its halves; else refines its halves.
+  void refine(const Panel<S>& panel, bool slow_begin, bool slow_end, int halvings) {
+    using std::abs;
+    if (panel.is_smooth()) return accept(panel);
+    const auto [left, right] = halves(panel);
+    if (slow_begin || slow_end || halvings == 0) {
+      // Where the speed is almost zero, each further halving may change the sum by as much.
+      const S disagreement = abs(rule_sum(left) + rule_sum(right) - rule_sum(panel)) * S(halvings + 1);
+      if (disagreement <= std::numeric_limits<S>::epsilon() * S(0.25) * rough_ || halvings == 0) {
+        accept(left);
+        return accept(right, disagreement);
+      }
+    }
+    refine(left, slow_begin, false, halvings - 1);
+    refine(right, false, slow_end, halvings - 1);
+  }
+
+  void accept(const Panel<S>& panel, const S& disagreement = S(0)) {
+    panels_.push_back(panel);
+    panels_.back().length = rule_sum(panel);
+    panels_.back().before = sum_;
+    sum_ = sum_ + panels_.back().length;
+    disagreement_ += disagreement;
+  }
+
   std::array<Panel<S>, 2> halves(const Panel<S>& panel) const {
     return make_panels<S>(speed_, {panel.half, panel.middle - panel.width, panel.middle},
                           {panel.half, panel.middle, panel.middle + panel.width});
@@ -63,105 +147,5 @@ class ArcLength {
   S rough_{};         ///< the length to one digit; 0 until it is needed
   Length<S> total_;
 };
-
-/// The length to about one digit, by Simpson's rule on each half.
-template <class S>
-S ArcLength<S>::rough_length() const {
-  S sum(0);
-  for (const std::size_t half : {0U, 1U}) {
-    const S shift = half == 0 ? S(0) : S(-0.5);
-    const auto speeds = speed_(half, std::array<S, 3>{shift, S(0.25) + shift, S(0.5) + shift});
-    sum += (speeds[0] + S(4) * speeds[1] + speeds[2]) / S(12);
-  }
-  return sum;
-}
-
-template <class S>
-void ArcLength<S>::accept(const Panel<S>& panel, const S& disagreement) {
-  panels_.push_back(panel);
-  panels_.back().length = rule_sum(panel);
-  panels_.back().before = sum_;
-  sum_ = sum_ + panels_.back().length;
-  disagreement_ += disagreement;
-}
-
-/// Accepts a smooth panel, else adds its halves; after a few halvings it is cut.
-template <class S>
-void ArcLength<S>::add(const Panel<S>& panel, int halvings) {
-  if (panel.is_smooth()) return accept(panel);
-  if (halvings == 0) return cut(panel);
-  for (const Panel<S>& half : halves(panel)) add(half, halvings - 1);
-}
-
-/// Cuts a panel at the minima of the speed, if there are any. An end counts as a minimum where the speed is small.
-template <class S>
-void ArcLength<S>::cut(const Panel<S>& panel) {
-  if (rough_ == S(0)) rough_ = rough_length();
-  const S small = rough_ * S(0x1p-6);
-  S from = panel.middle - panel.width;
-  const S end = panel.middle + panel.width;
-  bool slow = speed_(panel.half, from) < small;
-  for (const S& place : slowest_places(speed_, panel.half, from, end)) {
-    refine(make_panel<S>(speed_, {panel.half, from, place}), slow, true, most_halvings);
-    from = place;
-    slow = true;
-  }
-  refine(make_panel<S>(speed_, {panel.half, from, end}), slow, speed_(panel.half, end) < small, most_halvings);
-}
-
-/// Accepts a panel that is smooth, or that has a minimum of the speed at an end and on which the rule agrees with the
-/// sum of its halves; else refines its halves.
-template <class S>
-void ArcLength<S>::refine(const Panel<S>& panel, bool slow_begin, bool slow_end, int halvings) {
-  using std::abs;
-  if (panel.is_smooth()) return accept(panel);
-  const auto [left, right] = halves(panel);
-  if (slow_begin || slow_end || halvings == 0) {
-    // Where the speed is almost zero, each further halving may change the sum by as much.
-    const S disagreement = abs(rule_sum(left) + rule_sum(right) - rule_sum(panel)) * S(halvings + 1);
-    if (disagreement <= std::numeric_limits<S>::epsilon() * S(0.25) * rough_ || halvings == 0) {
-      accept(left);
-      return accept(right, disagreement);
-    }
-  }
-  refine(left, slow_begin, false, halvings - 1);
-  refine(right, false, slow_end, halvings - 1);
-}
-
-template <class S>
-void ArcLength<S>::assign(std::span<const Cubic<S>> segment, std::span<const std::size_t> metric) {
-  speed_.assign(segment, metric);
-  panels_.clear();
-  sum_ = W(0);
-  disagreement_ = rough_ = S(0);
-  total_ = {};
-  const S unit = speed_.unit();
-  if (!speed_.is_finite()) total_ = {std::numeric_limits<S>::infinity(), std::numeric_limits<S>::infinity()};
-  if (unit == S(0)) return;
-  const S epsilon = std::numeric_limits<S>::epsilon();
-  if (speed_.is_constant()) {
-    const S speed = speed_(0, S(0));
-    total_ = {speed * unit, speed * unit * epsilon};
-    return;
-  }
-  for (const Panel<S>& half : make_panels<S>(speed_, {0, S(0), S(0.5)}, {1, S(-0.5), S(0)})) add(half, first_halvings);
-  const S value = high_part<S>(sum_);
-  total_ = {value * unit, (disagreement_ + S(8) * epsilon * (value + S(1))) * unit};
-}
-
-template <class S>
-Length<S> ArcLength<S>::to(const LocalParameter<S>& place) const {
-  if (place.w == S(0)) return total_;
-  if (place.u == S(0)) return {};
-  if (speed_.unit() == S(0)) return speed_.is_finite() ? Length<S>{} : total_;
-  if (panels_.empty()) return {total_.value * place.u, total_.error};
-  const std::size_t half = place.near_start() ? 0 : 1;
-  const S v = half == 0 ? place.u : place.w;
-  auto panel = panels_.begin();
-  while (panel + 1 != panels_.end() && (panel->half < half || panel->middle + panel->width < v)) ++panel;
-  const S z = std::clamp((v - panel->middle) / panel->width, S(-1), S(1));
-  const W sum = panel->before + panel_sum(*panel, speed_, S(-1), z);
-  return {high_part<S>(sum) * speed_.unit(), total_.error};
-}
 
 }  // namespace tcb::spline

@@ -153,9 +153,9 @@ class Warp {
     return distance * (slope + distance * (W(1) - slope - k_ + distance * k_));
   }
 
-  /// The distance at which the cubic has a value, by Newton's method, or by halves where that leaves the bracket. A
-  /// scalar with bounds on its errors refuses the last comparison.
+  /// The distance at which the cubic has a value, by Newton's method, or by halves where that leaves the bracket.
   W root(const W& value, const W& slope) const {
+    if constexpr (bounds_errors<S>) return enclosed_warp_root(value, slope, k_);  // the last comparison is undecided
     constexpr int most_steps = 2000;  // of halves, for a slope of 0 and any number of digits in use
     W low(0), high(1), x = value;
     for (int step = 0; step < most_steps; ++step) {

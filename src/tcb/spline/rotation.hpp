@@ -167,6 +167,7 @@ class Arc {
 /// Half the angle of a rotation along its axis. Requires: |q| = 1.
 template <class S>
 Vector3<S> logarithm(const Quaternion<S>& q) {
+  if constexpr (bounds_errors<S>) return enclosed_logarithm(q);
   using std::sqrt;
   const S sine = sqrt(q.x * q.x + (q.y * q.y + q.z * q.z));
   if (sine == S(0)) return {q.x, q.y, q.z};
@@ -185,6 +186,7 @@ S half_turns_of(const Vector3<S>& turn) {
 /// The rotation with a logarithm.
 template <class S>
 Quaternion<S> exponential(const Vector3<S>& v) {
+  if constexpr (bounds_errors<S>) return enclosed_exponential(v);
   using std::sqrt;
   const S angle = sqrt(v[0] * v[0] + (v[1] * v[1] + v[2] * v[2]));
   if (angle == S(0)) return {v[0], v[1], v[2], S(1)};

@@ -74,6 +74,7 @@ QuaternionMatrix<S> squared(const QuaternionMatrix<S>& a) {
 /// The eigenvector of the largest eigenvalue. Requires: the trace is 1; no other eigenvalue has its size.
 template <class S>
 Quaternion<S> eigenvector(const QuaternionMatrix<S>& a) {
+  if constexpr (bounds_errors<S>) return enclosed_eigenvector(a);
   using std::abs;
   QuaternionMatrix<S> power = a;
   constexpr int most = 32;
@@ -264,11 +265,11 @@ RotationNumbers<S> signed_numbers_of(Quaternion<S> q, const RotationNotation& no
 }
 
 /// The numbers of a rotation in a notation. The angle around an axis is in [0, pi]; where it is 0, the axis is x. No
-/// zero is negative. Requires: |q| = 1.
+/// zero is negative; zeros with bounds on their errors have no sign. Requires: |q| = 1.
 template <class S>
 RotationNumbers<S> numbers_of(const Quaternion<S>& q, const RotationNotation& notation) {
   RotationNumbers<S> numbers = signed_numbers_of(q, notation);
-  for (std::size_t i = 0; i < notation.numbers(); ++i) {
+  for (std::size_t i = 0; !bounds_errors<S> && i < notation.numbers(); ++i) {
     if (numbers[i] == S(0)) numbers[i] = S(0);
   }
   return numbers;

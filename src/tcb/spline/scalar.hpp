@@ -50,7 +50,8 @@ inline DoubleDouble power(const DoubleDouble& x, double exponent) { return power
 template <class S>
 inline constexpr bool has_roots = !std::numeric_limits<S>::is_exact;
 
-/// A scalar that carries bounds on its errors, and refuses comparisons that these leave open.
+/// A scalar that carries bounds on its errors, and refuses comparisons that these leave open. It comes with functions
+/// of its own, enclosed_eigenvector() and the like, and with rough(), a double near it.
 template <class S>
 inline constexpr bool bounds_errors = false;
 

@@ -28,7 +28,12 @@ template <class S>
 struct LocalParameter {
   S u{};
   S w{-1};
-  bool near_start() const { return u <= S(0.5); }
+
+  /// Either end will do where bounds on errors do not tell which is nearer.
+  bool near_start() const {
+    if constexpr (bounds_errors<S>) return u.rough() <= 0.5;
+    return u <= S(0.5);
+  }
 };
 
 /// The local parameter u, or 1 - left.
@@ -86,9 +91,11 @@ Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_
   return cubic<S>(p0, p1, exact_difference(p1, p0), out, in);
 }
 
-/// base + x (a + x (b + x d)): Horner's rule that also carries the rounding errors of its two inner sums.
+/// base + x (a + x (b + x d)): Horner's rule that also carries the rounding errors of its two inner sums, unless the
+/// scalar does so itself.
 template <class S>
 S compensated_cubic(const S& base, const S& a, const S& b, const S& b_rest, const S& d, const S& x) {
+  if constexpr (bounds_errors<S>) return base + x * (a + x * (b + x * d));
   const auto inner = two_sum<S>(b, x * d);
   const auto slope = two_sum<S>(a, x * inner.value);
   return base + (x * slope.value + x * (x * (inner.error + b_rest) + slope.error));
