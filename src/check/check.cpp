@@ -142,8 +142,7 @@ class RowMatcher {
     const double apart = std::abs((place - wanted).hi);
     if (apart <= rounding_ || apart < part_of_gap * gap(index)) return true;
     if (limits_.admit(distance(place.hi, wanted.hi))) return true;
-    const bool is_rounded = notation_.kind == Notation::Kind::digits || notation_.kind == Notation::Kind::fixed;
-    return is_rounded && as_printed(wanted, notation_) == place.hi;
+    return notation_.is_rounded() && as_printed(wanted, notation_) == place.hi;
   }
 
  private:

@@ -236,10 +236,7 @@ SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes
   bytes = decompressed(std::move(bytes));
   EarlierOutputReader provenance(comparison.keys.input.max_memory);
   if (comparison.recorded) {
-    bytes = mapped(std::move(bytes), [&provenance](std::string text) {
-      provenance.add(text);
-      return text;
-    });
+    bytes = observed(std::move(bytes), [&provenance](const std::string& text) { provenance.add(text); });
   }
   std::string beginning = bytes().value_or("");
   InputOptions options;

@@ -76,15 +76,11 @@ std::optional<std::string> decimal_text(const Ball& number, const Notation& nota
   return digits_text(std::to_string(*whole), exponent, notation.count, negative);
 }
 
-bool has_text(const Notation& notation) {
-  return notation.kind == Notation::Kind::digits || notation.kind == Notation::Kind::fixed;
-}
-
 Printed time_cell(const FastRow& row, const RowsOfCurve& curve, const Notation& notation) {
   const Time& shown = row.sample.t;
   const bool is_decimal = curve.exact.decimal || curve.exact.channels.frames;
   const bool is_shown = !row.exact.time && shown.lo == 0 && row.segment.decimals == 0 && !is_decimal;
-  if (is_shown && !has_text(notation)) return {shown};
+  if (is_shown && !notation.is_rounded()) return {shown};
   if (is_shown && std::abs(shown.hi) < whole_times_from) {
     if (auto text = decimal_text(Ball(shown.hi), notation)) return {shown, *std::move(text)};
   }
@@ -96,7 +92,7 @@ Printed time_cell(const FastRow& row, const RowsOfCurve& curve, const Notation& 
 
 std::optional<Printed> number_cell(const Ball& number, const Notation& notation, CellKind kind, int decimals) {
   const bool is_plain = kind == CellKind::real || kind == CellKind::whole;
-  if (kind == CellKind::whole || (is_plain && !has_text(notation))) {
+  if (kind == CellKind::whole || (is_plain && !notation.is_rounded())) {
     return rounds_to_one_double(number) ? std::optional(Printed{Cell(number.middle().hi)}) : std::nullopt;
   }
   if (is_plain && rounds_to_one_double(number)) {

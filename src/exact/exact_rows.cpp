@@ -167,7 +167,7 @@ class ExactRows::Evaluation {
 
   void append(Printed printed, Table& table) const {
     table.cells.push_back(printed.cell);
-    if (has_texts()) table.texts.push_back(std::move(printed.text));
+    if (notation_.is_rounded()) table.texts.push_back(std::move(printed.text));
   }
 
   std::size_t width(std::span<const std::size_t> chosen) const {
@@ -312,11 +312,6 @@ class ExactRows::Evaluation {
       std::ranges::transform(values, cells.begin(),
                              [&](const Value& value) { return RowCell{rounding.exactly(value)}; });
     }
-  }
-
-  bool has_texts() const {
-    using enum Notation::Kind;
-    return notation_.kind == digits || notation_.kind == fixed;
   }
 
   const RowsOfCurve& rows_;

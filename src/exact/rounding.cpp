@@ -111,9 +111,7 @@ Rational simplest_between(const Rational& low, const Rational& high) {
   return whole + 1 / simplest_between(1 / (high - whole), 1 / (low - whole));
 }
 
-bool Rounding::has_text() const {
-  return kind_ != CellKind::whole && (notation_.kind == Kind::digits || notation_.kind == Kind::fixed);
-}
+bool Rounding::has_text() const { return kind_ != CellKind::whole && notation_.is_rounded(); }
 
 std::string Rounding::text(const Rational& value) const {
   constexpr std::uint64_t whole_from = std::uint64_t{1} << 53;

@@ -16,6 +16,7 @@
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "numbers/decimal_time.hpp"
+#include "numbers/print_number.hpp"
 #include "picture/differences.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"

@@ -193,14 +193,6 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
   return kept;
 }
 
-Note labels_not_fitted(const std::vector<std::string>& names) {
-  return {fmt::format("ignored: {}; the keys of a fit have no labels", listed(names)), true};
-}
-
-Note rotations_not_fitted(const std::vector<std::string>& names) {
-  return {fmt::format("rotations not fitted: {}; --fit D,0.5deg fits them", listed(names)), true};
-}
-
 }  // namespace
 
 FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules, const FitOptions& options) {
@@ -357,12 +349,16 @@ void FitReport::add(const FitReport& other) {
 
 std::vector<Note> notes_of_columns(const Schema& schema, const FitOptions& options) {
   std::vector<Note> notes;
-  if (!schema.labels.empty()) notes.push_back(labels_not_fitted(schema.labels));
+  if (!schema.labels.empty()) {
+    notes.push_back({fmt::format("ignored: {}; the keys of a fit have no labels", listed(schema.labels)), true});
+  }
   std::vector<std::string> names;
   for (const RotationSchema& rotation : schema.rotations) {
     names.insert(names.end(), rotation.given.columns.begin(), rotation.given.columns.end());
   }
-  if (!options.angle && !names.empty()) notes.push_back(rotations_not_fitted(names));
+  if (!options.angle && !names.empty()) {
+    notes.push_back({fmt::format("rotations not fitted: {}; --fit D,0.5deg fits them", listed(names)), true});
+  }
   return notes;
 }
 

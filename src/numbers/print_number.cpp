@@ -284,7 +284,7 @@ char* write_number(double value, const Notation& notation, char* out) {
 
 char* write_time(const Time& time, const Notation& notation, char* out) {
   constexpr double whole_from = 9007199254740992.0;  // 2^53: every double from here on is whole
-  const bool rounds = notation.kind == Notation::Kind::fixed || notation.kind == Notation::Kind::digits;
+  const bool rounds = notation.is_rounded();
   if (is_long_decimal(time) && time.lo != std::trunc(time.lo) && rounds)
     return write_decimal(decimal_of(time), notation, out);
   const bool plain = notation.kind == Notation::Kind::shortest ||
@@ -314,6 +314,12 @@ std::string time_text(const Time& time) {
   std::string out;
   append_time(out, time);
   return out;
+}
+
+std::string with_thousands(std::uint64_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
+  return text;
 }
 
 }  // namespace tcb

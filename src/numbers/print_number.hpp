@@ -23,6 +23,8 @@ struct Notation {
 
   /// Times that are whole numbers beyond 2^53 stay whole numbers, with all their digits.
   bool is_text() const { return kind != Kind::bytes; }
+  /// Whether it has so many digits or decimals, so that most numbers are rounded.
+  bool is_rounded() const { return kind == Kind::digits || kind == Kind::fixed; }
 };
 
 /// So many digits tell every double from all others.
@@ -85,5 +87,8 @@ char* write_decimal(LongDecimal decimal, const Notation& notation, char* out);
 void append_number(std::string& out, double value);    ///< as write_shortest
 void append_time(std::string& out, const Time& time);  ///< as write_time
 std::string time_text(const Time& time);
+
+/// A count with a comma between thousands, as in 200,000.
+std::string with_thousands(std::uint64_t count);
 
 }  // namespace tcb

@@ -413,12 +413,6 @@ class Composer {
 
 }  // namespace
 
-std::string with_thousands(std::uint64_t count) {
-  std::string text = std::to_string(count);
-  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
-  return text;
-}
-
 std::string picture(Scene scene, const PictureSize& size) {
   const SceneExtent extent = extent_of(scene);
   remove_flat_path(scene, extent);

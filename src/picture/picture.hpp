@@ -1,7 +1,6 @@
 // Picture: the views of a scene with their curves, titles and the legend, as SVG of a bounded size.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,9 +20,6 @@ struct PictureOptions {
   std::optional<std::string> title;  ///< nothing: the name of the file
   PictureSize size;
 };
-
-/// A count with a comma between thousands, as in 200,000.
-std::string with_thousands(std::uint64_t count);
 
 /// The picture as SVG: at most 300 kB, and the same bytes everywhere.
 /// Throws: Error (data) as extent_of(), Error (usage) if the channels need a larger picture.

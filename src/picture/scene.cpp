@@ -37,11 +37,6 @@ void include_cubic(Interval& interval, const Cubic& x) {
   include_extremes(interval, x);
 }
 
-Error curve_not_finite() {
-  return data_error(
-      "a curve has a number beyond the range of doubles; expected less than 1.8e308 in size; scale the keys down");
-}
-
 void include_block(SceneExtent& extent, const SegmentBlock& block, const Scene& scene) {
   const spline::Segments<double>& segments = block.segments;
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -52,7 +47,11 @@ void include_block(SceneExtent& extent, const SegmentBlock& block, const Scene& 
       const Cubic& x = cubics[channel];
       include_cubic(extent.channels[channel], x);
       for (const double control : {x.p0 + x.out / 3, x.p1 - x.in / 3}) {
-        if (!std::isfinite(control)) throw curve_not_finite();
+        if (!std::isfinite(control)) {
+          throw data_error(
+              "a curve has a number beyond the range of doubles; expected less than 1.8e308 in size; scale the keys "
+              "down");
+        }
         extent.with_tangents[channel].include(Time(control));
       }
     }
@@ -139,11 +138,6 @@ SegmentBlock cubic_parts(const SegmentBlock& block, const std::vector<RotationCo
   }
   result.segments.times.push_back(whole.times.back());
   return result;
-}
-
-void include_sample(SceneExtent& extent, const SceneSample& sample) {
-  extent.time.include(sample.t);
-  for (std::size_t i = 0; i < sample.position.size(); ++i) extent.channels[i].include(Time(sample.position[i]));
 }
 
 /// Whether channels are numbered, as the joints j1 and j2 of a robot are, which are no two axes of space; x1 and x2, or
@@ -295,7 +289,10 @@ SceneExtent extent_of(const Scene& scene) {
   for (const SceneCurve& curve : scene.curves) {
     const Source<SegmentBlock> blocks = curve.segments();
     while (const std::optional<SegmentBlock> block = blocks()) include_block(extent, *block, scene);
-    for (const SceneSample& sample : curve.samples) include_sample(extent, sample);
+    for (const auto& [t, position, velocity] : curve.samples) {
+      extent.time.include(t);
+      for (std::size_t i = 0; i < position.size(); ++i) extent.channels[i].include(Time(position[i]));
+    }
   }
   for (std::size_t axis = 0; scene.path && axis < 2; ++axis) {
     const Interval& curve = extent.channels[(*scene.path)[axis]];

@@ -19,6 +19,7 @@
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
+#include "numbers/print_number.hpp"
 #include "picture/picture.hpp"
 #include "picture/scene.hpp"
 #include "read/input.hpp"

@@ -86,14 +86,18 @@ class FileRun {
     }
     if (curve_info_ == nullptr) {
       writer_.begin(input.schema, live_, preset_in_words(pipeline_->spec()), shown_name(path_));
-      if (const auto others = writer_.channels_in_extras(); !others.empty()) {
-        notes_.add({fmt::format("in the extras of the animation, as they are not a translation, rotation or scale: {}",
-                                listed(others)),
-                    true});
-      }
-      if (const auto frames = played_frames(input, *curve.curve_info)) writer_.set_frames(*frames);
+      if (RowKeeper* const keeper = writer_.keeper()) begin_keeper(*keeper, input, *curve.curve_info);
     }
     curve_info_ = curve.curve_info;
+  }
+
+  void begin_keeper(RowKeeper& keeper, const Input& input, const CurveInfo& info) {
+    if (const auto others = keeper.channels_in_extras(); !others.empty()) {
+      notes_.add({fmt::format("in the extras of the animation, as they are not a translation, rotation or scale: {}",
+                              listed(others)),
+                  true});
+    }
+    if (const auto frames = played_frames(input, info)) keeper.set_frames(*frames);
   }
 
   void begin_rows(const Input& input, const InputCurve& curve) {

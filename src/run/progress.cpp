@@ -13,6 +13,7 @@
 #include "io/input_file.hpp"
 #include "io/system.hpp"
 #include "io/terminal.hpp"
+#include "numbers/print_number.hpp"
 #include "sample/rows.hpp"
 #include "text/utf8.hpp"
 
@@ -26,12 +27,6 @@ std::string size_text(double bytes) {
   std::size_t unit = 0;
   for (; bytes >= 999.5 && unit + 1 < units.size(); ++unit) bytes /= 1000;
   return fmt::format("{:.{}f} {}", bytes, unit == 0 || bytes >= 99.5 ? 0 : 1, units[unit]);
-}
-
-std::string thousands(std::uint64_t count) {
-  std::string text = fmt::format("{}", count);
-  for (std::size_t left = text.size(); left > 3; left -= 3) text.insert(left - 3, ",");
-  return text;
 }
 
 std::string duration_text(double seconds) {
@@ -66,14 +61,15 @@ std::vector<LinePart> line_parts(const Progress& progress) {
     parts.push_back({8, fmt::format("{} left", duration_text(progress.seconds * (1 - done) / done))});
   }
   if (progress.all_files > 1) {
-    parts.push_back({7, fmt::format("{} of {} files", thousands(progress.files), thousands(progress.all_files))});
+    parts.push_back(
+        {7, fmt::format("{} of {} files", with_thousands(progress.files), with_thousands(progress.all_files))});
     if (!progress.file.empty()) parts.push_back({4, progress.file});
   }
   const auto rate = [&](double amount) { return amount / std::max(progress.seconds, 1e-3); };
   if (progress.rows > 0) {
-    parts.push_back({6, fmt::format("{} rows", thousands(progress.rows))});
+    parts.push_back({6, fmt::format("{} rows", with_thousands(progress.rows))});
     const double rows = rate(static_cast<double>(progress.rows));
-    parts.push_back({5, fmt::format("{} rows/s", thousands(static_cast<std::uint64_t>(rows)))});
+    parts.push_back({5, fmt::format("{} rows/s", with_thousands(static_cast<std::uint64_t>(rows)))});
   } else {
     const auto bytes = static_cast<double>(progress.bytes);
     parts.push_back({6, fmt::format("{} read", size_text(bytes))});

@@ -7,9 +7,8 @@
 namespace tcb {
 
 Source<KeyBlock> Labels::observe(const std::shared_ptr<Labels>& labels, Source<KeyBlock> blocks) {
-  return mapped(std::move(blocks), [labels](KeyBlock block) {
+  return observed(std::move(blocks), [labels](const KeyBlock& block) {
     if (!block.empty()) labels->add(block);
-    return block;
   });
 }
 

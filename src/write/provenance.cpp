@@ -104,29 +104,20 @@ Source<std::string> ProvenanceRecorder::observe_bytes(const std::string& name, S
   } else {
     inputs.emplace_back(name, "");
   }
-  bytes_ = mapped(std::move(bytes), [this](std::string part) {
-    sha256_.add(part);
-    return part;
-  });
+  bytes_ = observed(std::move(bytes), [this](const std::string& part) { sha256_.add(part); });
   return [this] { return bytes_(); };
 }
 
 Source<KeyBlock> ProvenanceRecorder::observe_keys(Source<KeyBlock> keys) {
   if (!request_) return keys;
   ++provenance_.curves;
-  keys_ = mapped(std::move(keys), [this](KeyBlock block) {
-    provenance_.keys += block.size();
-    return block;
-  });
+  keys_ = observed(std::move(keys), [this](const KeyBlock& block) { provenance_.keys += block.size(); });
   return [this] { return keys_(); };
 }
 
 Source<SampleBlock> ProvenanceRecorder::observe_rows(Source<SampleBlock> rows) {
   if (!request_) return rows;
-  return mapped(std::move(rows), [this](SampleBlock block) {
-    provenance_.rows += block.rows();
-    return block;
-  });
+  return observed(std::move(rows), [this](const SampleBlock& block) { provenance_.rows += block.rows(); });
 }
 
 void ProvenanceRecorder::set_results(Facts results) {

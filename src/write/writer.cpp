@@ -60,19 +60,6 @@ std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t
   return {first, first + static_cast<std::ptrdiff_t>(count)};
 }
 
-Error text_in_binary_format(std::string_view column, std::string_view format) {
-  return data_error(
-      "column {} holds text, but {} holds only numbers; expected a format with text; give another one, such as csv, to "
-      "--output-format, or remove the column",
-      in_quotes(column), format);
-}
-
-Error dates_from_time_zero() {
-  return usage_error(
-      "times that count from --time-zero are not dates; expected another notation; give --time-format seconds, or "
-      "neither");
-}
-
 }  // namespace
 
 std::vector<std::string> OutputColumns::names() const {
@@ -134,7 +121,12 @@ std::string Writer::set_layouts(bool header) {
   for (const bool is_group : {true, false}) {
     const std::vector<std::string>& texts = is_group ? columns_.groups : columns_.labels;
     if (texts.empty() || (is_group ? format.output->has_groups : format.output->has_labels)) continue;
-    if (format.poses == nullptr) throw text_in_binary_format(texts.front(), format.name);
+    if (format.poses == nullptr) {
+      throw data_error(
+          "column {} holds text, but {} holds only numbers; expected a format with text; give another one, such as "
+          "csv, to --output-format, or remove the column",
+          in_quotes(texts.front()), format.name);
+    }
     throw data_error(
         "column {} holds text, but {} holds only times and poses; expected rows without text; give another format, "
         "such as csv, to --output-format",
@@ -219,7 +211,11 @@ TimeNotation notation_of_times(const WriterOptions& options, const TimeSchema& t
 
 void Writer::set_times(const Schema& schema) {
   if (options_.format->poses != nullptr) return set_times_of_poses(schema.time);
-  if (options_.time_zero && options_.time_notation && is_date(*options_.time_notation)) throw dates_from_time_zero();
+  if (options_.time_zero && options_.time_notation && is_date(*options_.time_notation)) {
+    throw usage_error(
+        "times that count from --time-zero are not dates; expected another notation; give --time-format seconds, or "
+        "neither");
+  }
   notation_ = notation_of_times(options_, schema.time);
   if (!options_.time_notation) {
     dates_ = schema.time.dates;
@@ -302,10 +298,6 @@ void Writer::set_first_time(const Time& first) {
   if (exact_time(zero) == *zero_) decimal_zero_ = exact_decimal_of(zero);
 }
 
-void Writer::set_frames(const PlayedFrames& frames) {
-  if (keeper_ != nullptr) keeper_->set_frames(frames);
-}
-
 /// A time of a golden row is its text. Decimals stay decimals.
 Table Writer::from_zero(Table rows) const {
   const auto shifted = [this](const Time& time, const std::string& text) {
@@ -380,10 +372,6 @@ void Writer::write(const Source<std::string>& rows) {
   }
   any_rows_ = any_rows_ || any;
   if (keeper_ != nullptr) keeper_->end_curve();
-}
-
-std::vector<std::string> Writer::channels_in_extras() const {
-  return keeper_ == nullptr ? std::vector<std::string>{} : keeper_->channels_in_extras();
 }
 
 void Writer::commit() {

@@ -51,17 +51,14 @@ class Writer {
   /// other columns than the rows before. `file` is for a column of files.
   void begin(const Schema& schema, bool live, Facts rules, const std::string& file = {});
 
-  /// Names of channels that the format has no place for besides its extras.
-  std::vector<std::string> channels_in_extras() const;
+  /// What the format keeps of the rows; null: they are only printed.
+  RowKeeper* keeper() { return keeper_.get(); }
 
   /// Begins the rows of the next curve of the file.
   void begin_curve(std::vector<std::string> group, const std::optional<EulerTrack>& euler = {});
 
   /// Takes note of the first key of the next curve, for times that count from that of the output.
   void set_first_time(const Time& first);
-
-  /// Sets the frames in which the rows are played, where the format has a rate.
-  void set_frames(const PlayedFrames& frames);
 
   /// The text of some rows; from any thread until the next begin_curve().
   std::string print(const Table& table, bool first) const;
