@@ -1,5 +1,10 @@
-// Angles of rotations in balls: cubics where all rotations are about axes, else panels next to the places where the
-// speed changes fast.
+// Angles of rotations in balls.
+//
+// Where each rotation of a segment is about one axis, its angle is a cubic in a few parts of the segment
+// (AngleAboutAxis), and the length is that of the path of all angles (BallArc). Else the segment is divided into panels
+// that become shorter towards the places where the speed changes fast, until one quadrature rule is accurate on each
+// (BallTurn). Where two points that the curve joins are nearly opposite, the turn between them is a polynomial that
+// floats of many digits determine (NearTurn).
 #include "exact/ball_turn.hpp"
 
 #include <algorithm>

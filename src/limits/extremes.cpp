@@ -1,4 +1,10 @@
 // Extremes: the certified maximum of a measure over a curve.
+//
+// On a piece a measure is a polynomial, or a quotient of two, in Bernstein's form: its coefficients bound it, and the
+// first and the last one are attained (Form). Search divides pieces where the maximum probably is, until no bound is
+// far above the best value that is attained. extremes() does this with doubles, for all segments. Of those that are
+// left, with_balls() bounds many with double-doubles, and exact_maximum() the last few with rationals, or where a
+// direction is measured with floats of many digits.
 #include "limits/extremes.hpp"
 
 #include <algorithm>

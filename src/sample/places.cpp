@@ -10,7 +10,6 @@
 #include "sample/grid.hpp"
 #include "sample/rows.hpp"
 #include "sample/sampler.hpp"
-#include "sample/tolerance.hpp"
 #include "tcb/spline/curve.hpp"
 
 namespace tcb {

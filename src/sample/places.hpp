@@ -24,6 +24,21 @@ struct RowPlaces {
   std::optional<std::uint64_t> least_rows = std::nullopt;  ///< of any polyline within a distance
 };
 
+// tolerance.cpp
+
+struct ToleranceRows {
+  std::vector<Time> times;
+  std::uint64_t least = 2;  ///< any polyline within the tolerance has at least so many rows
+};
+
+/// The times of few rows whose polyline stays within the tolerance of the curve, from its first key to its last.
+/// Corners are rows. `at_keys`: all keys will be added as rows, so the polyline by them stays within the tolerance,
+/// too. Throws: Error (usage) for more than max_rows rows.
+ToleranceRows rows_within_tolerance(const KeptCurve& curve, const CurveTolerance& tolerance, std::uint64_t max_rows,
+                                    bool at_keys = false);
+
+// places.cpp
+
 /// Requires: a mode whose rows are in any order, or a curve that is extended. `exact`: places are decimals as written.
 /// Throws: Error (usage) for a place outside the curve where nothing extends it.
 RowPlaces row_places(const SamplingRequest& request, const KeptCurve& curve, bool exact);

@@ -7,8 +7,6 @@
 // between keys is where its time is printed, if rounding that matters. A rotation is tried at places of each segment
 // against the arc between the rows at equal times. With a single metric channel the polyline is its graph over time,
 // and the distance is taken at equal times.
-#include "sample/tolerance.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,6 +19,7 @@
 #include "numbers/print_number.hpp"
 #include "sample/chord.hpp"
 #include "sample/grid.hpp"
+#include "sample/places.hpp"
 #include "tcb/spline/derivatives.hpp"
 
 namespace tcb {

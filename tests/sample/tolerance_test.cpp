@@ -1,5 +1,5 @@
 // Tolerance: the polyline stays as near as promised, corners are rows, and there are no more rows than needed.
-#include "sample/tolerance.hpp"
+#include "sample/places.hpp"
 
 #include <gtest/gtest.h>
 
