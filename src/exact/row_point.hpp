@@ -13,6 +13,7 @@
 
 #include "exact/ball_length.hpp"
 #include "exact/exact_curve.hpp"
+#include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
 #include "sample/fields.hpp"
 #include "sample/sampler.hpp"

@@ -5,7 +5,6 @@
 #include "fit/fit_options.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
-#include "run/key_options.hpp"
 #include "write/writer_options.hpp"
 
 namespace tcb {

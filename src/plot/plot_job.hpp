@@ -4,7 +4,6 @@
 #include "error.hpp"
 #include "picture/picture.hpp"
 #include "run/job.hpp"
-#include "run/key_options.hpp"
 
 namespace tcb {
 

@@ -11,6 +11,7 @@
 #include "io/input_list.hpp"
 #include "numbers/print_number.hpp"
 #include "numbers/rational.hpp"
+#include "run/key_options.hpp"
 #include "sample/request.hpp"
 
 namespace tcb {

@@ -7,7 +7,6 @@
 
 #include "error.hpp"
 #include "run/job.hpp"
-#include "run/key_options.hpp"
 #include "schema/format.hpp"
 #include "write/writer_options.hpp"
 
