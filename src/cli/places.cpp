@@ -26,8 +26,14 @@ constexpr std::string_view not_a_range = "is not a range; expected FIRST:LAST:ST
 constexpr std::string_view not_a_list_of_numbers =
     "is not a number; expected decimals or ratios of whole numbers, separated by commas, such as 0,0.5,7/24";
 
-/// So many numbers of an option are kept at most.
-constexpr std::uint64_t most_places = 10'000'000;
+/// Throws: Error (usage) for more numbers of an option than are kept.
+void require_room_for(const Rational& numbers) {
+  constexpr std::uint64_t most_places = 10'000'000;
+  if (numbers > most_places)
+    throw usage_error(
+        "there are more than {} numbers; expected fewer; give --from, --to and --step instead, or divide the list",
+        most_places);
+}
 
 struct NumberedPlaces {
   std::vector<Rational> list;
@@ -42,6 +48,7 @@ class PlaceNumbers {
 
   /// Appends a number, or A, A + H, ... up to B for "A:B:H". Throws: Error (usage).
   void add(std::string_view item) {
+    require_room_for(places_.list.size() + 1);
     const auto notation = find_notation(item);
     if (notation && is_date(*notation)) {
       places_.list.push_back(*seconds_in_words(units_, item));
@@ -63,7 +70,6 @@ class PlaceNumbers {
   }
 
  private:
-  /// The places of a range are kept, so there is a limit to their number.
   void add_range(std::string_view text) {
     const std::vector<std::string_view> parts = split(text, ':');
     if (parts.size() != 3) throw usage_error("{} {}", in_quotes(text), not_a_range);
@@ -73,9 +79,7 @@ class PlaceNumbers {
       throw usage_error("{} never reaches its end; expected a step that leads from the first number to the last",
                         in_quotes(text));
     const Rational steps = floor((last - first) / step);
-    if (steps >= most_places)
-      throw usage_error("{} is a range of more than {} numbers; expected fewer; give --from, --to and --step instead",
-                        in_quotes(text), most_places);
+    require_room_for(places_.list.size() + steps + 1);
     for (std::uint64_t i = 0; i <= whole_number(steps); ++i) places_.list.push_back(first + step * i);
   }
 
@@ -123,8 +127,7 @@ std::string numbers_in(const std::string& path) {
           if (cell.empty()) continue;
           at_position(position, [&] { (void)ratio_or(not_a_list_of_numbers, cell); });
           items += (items.empty() ? "" : ",") + std::string(cell);
-          if (++count > most_places)
-            throw usage_error("the list has more than {} numbers; expected fewer; divide the list", most_places);
+          require_room_for(++count);
         }
       }
     }
@@ -182,7 +185,9 @@ GroupedPlaces read_places(const PlaceColumn& column, const InputOptions& of_keys
   SamplingRequest request;
   if (const auto& rate = input.schema.time.frame_rate) request.frames.emplace(*rate);
   GroupedPlaces places;
+  std::uint64_t count = 0;
   while (const std::optional<KeyBlock> block = keys()) {
+    require_room_for(count += block->size());
     for (std::size_t key = 0; key < block->size(); ++key) {
       std::vector<std::string> group;
       for (std::size_t i = 0; i < input.schema.groups.size(); ++i) group.emplace_back(content(block->text(key, i)));

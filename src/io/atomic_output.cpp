@@ -231,9 +231,7 @@ void Output::send_spooled() {
   std::string bytes(write_size, '\0');
   for (std::ptrdiff_t count = 1; count != 0;) {
     count = system::read(spool, bytes.data(), bytes.size());
-    if (count < 0)
-      throw usage_error("the temporary file of this output cannot be read back: {}", system::error_text())
-          .in(shown_name());
+    if (count < 0) fail_to_write();
     if (count > 0) send_compressed({bytes.data(), static_cast<std::size_t>(count)});
   }
   spool_.reset();

@@ -517,6 +517,9 @@ TEST(Curve, takes_scalars_with_more_digits_and_exact_ones) {
   Rational q;
   exact->position(Rational(2) + Rational(75), {&q, 1});
   EXPECT_NEAR(static_cast<double>(q), .51171875, 1e-16);
+  const auto rootless = Curve<Rational>::build(keys_in(Rational()), {.equal_speed = true});
+  ASSERT_FALSE(rootless);
+  EXPECT_EQ(rootless.error().code, BuildErrorCode::scalar_without_roots);
 }
 
 }  // namespace
