@@ -159,8 +159,13 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.keys.input.keys.tcb_scale = named_row(tcb_scales, text).value; },
      names_in<tcb_scales>},
     {"--decimal", "", "MARK", input_group,
-     "The decimal mark of numbers, a point or a comma",
-     ".", other, recorded, [](Typed& to, Text text) { to.keys.input.delimited.marks.decimal = decimal_mark(text); }},
+     "The decimal mark of numbers, a point or a comma; by default a comma if the numbers of the first keys have one, "
+     "and no point",
+     "", other, recorded,
+     [](Typed& to, Text text) {
+       to.keys.input.delimited.marks.decimal = decimal_mark(text);
+       to.keys.input.delimited.has_decimal = true;
+     }},
     {"--thousands", "", "CHAR", input_group,
      "The mark between groups of three digits: a character, or comma, point, apostrophe, underscore or space",
      "", name, recorded,

@@ -14,12 +14,42 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// How a file is recognized: some bytes at a place, and texts somewhere in the first ones; or members of JSON.
+/// Whether the first line is a name with a colon, and the next one an item or a member of it.
+bool is_yaml(std::string_view text) {
+  const std::string_view line = text.substr(0, text.find('\n'));
+  const std::string_view next = text.substr(std::min(line.size() + 1, text.size()));
+  const bool is_inside =
+      next.starts_with("- ") || (next.starts_with(' ') && next.find_first_of("-:") < next.find('\n'));
+  return line.size() > 1 && line.ends_with(':') && line.find_first_of(" ,;\t\"") == std::string_view::npos && is_inside;
+}
+
+/// Whether the first line is a count, and the third one a word and three numbers, as in a geometry of atoms.
+bool is_xyz(std::string_view text) {
+  constexpr std::string_view digits = "0123456789";
+  const std::size_t count = text.find_first_not_of(digits), first = text.find('\n');
+  const std::size_t second = first == std::string_view::npos ? first : text.find('\n', first + 1);
+  if (count == 0 || second == std::string_view::npos || text.find_first_not_of(" \r", count) != first) return false;
+  const std::string_view row = text.substr(second + 1, text.find('\n', second + 1) - second - 1);
+  std::size_t words = 0, numbers = 0;
+  for (std::size_t at = row.find_first_not_of(" \t\r"); at < row.size(); at = row.find_first_not_of(" \t\r", at)) {
+    const std::string_view word = row.substr(at, row.find_first_of(" \t\r", at) - at);
+    if (word.find_first_of(digits) <= 1 && word.find_first_not_of("0123456789.+-eE") == std::string_view::npos)
+      ++numbers;
+    ++words;
+    at += word.size();
+  }
+  return words == 4 && numbers == 3;
+}
+
+bool has_curves_of_nuke(std::string_view text) { return text.find("{curve ") != std::string_view::npos; }
+
+/// How a file is recognized: some bytes at a place, and texts somewhere in the first ones; members of JSON; or a test.
 struct Signature {
   std::string_view bytes = {};
   std::size_t at = 0;
   std::array<std::string_view, 2> within = {};
   std::array<std::string_view, 3> members = {};
+  bool (*test)(std::string_view text) = nullptr;
 };
 
 /// A file of another product.
@@ -46,6 +76,28 @@ constexpr std::string_view
         "--parameter uniform",
     by_sqlite = "convert a table of it, as in sqlite3 -csv -header FILE 'SELECT * FROM TABLE' | tcbsample",
     by_tar = "take a file out of it, as in tar -xOf FILE NAME | tcbsample",
+    by_after_effects = "take the keys of a property, as in awk '!/^\\t/ {p = /Position/} p && /^\\t/' FILE | tcbsample",
+    by_anim =
+        "take the keys of its curves, as in awk '/^anim /{c = $3} /keys {/{k = 1; next} /}/{k = 0} k {print c, $1, "
+        "$2}' "
+        "FILE | tcbsample --columns group=1,time=2,position=3",
+    by_godot =
+        "take the keys of a track, as in perl -0777 -ne '($t) = /\"times\": \\w+\\(([^)]*)/; ($v) = /\"values\": "
+        "\\[(.*?)\\]/s; @t = split /, */, $t; @v = grep {defined} $v =~ /\\w+\\(([^)]*)\\)|(-?\\d[\\d.e-]*)/g; print "
+        "map {\"$t[$_],$v[$_]\\n\"} 0 .. $#t' FILE | tcbsample",
+    by_lammps =
+        "convert it, as in awk '/^ITEM: TIMESTEP/ {getline t; p = 0; next} /^ITEM: ATOMS/ {if (!n++) print \"time\" "
+        "substr($0, 12); p = 1; next} /^ITEM/ {p = 0} p {print t, $0}' FILE | tcbsample --group id",
+    by_nuke =
+        "take the keys of a curve, as in grep -oE '\\{curve[^}]*' FILE | sed -n 1p | awk '{for (i = 2; i <= NF; ++i) "
+        "if "
+        "($i ~ /^x/) f = substr($i, 2); else if ($i ~ /^[-0-9]/) print f++, $i}' | tcbsample",
+    by_srt =
+        "take its times and the numbers in brackets, as in awk '/-->/ {t = $1; sub(/,/, \".\", t)} /\\[/ "
+        "{gsub(/[^-+.0-9]+/, \" \"); print t, $0}' FILE | tcbsample",
+    by_xyz =
+        "convert it, as in awk 'BEGIN {print \"frame atom x y z\"} NF == 1 {++f; i = 0; getline; next} {print f - 1, "
+        "++i, $2, $3, $4}' FILE | tcbsample --group atom",
     by_yaml =
         "convert it, as in python3 -c 'import json, sys, yaml; json.dump(yaml.safe_load(open(sys.argv[1])), "
         "sys.stdout)' FILE | tcbsample",
@@ -124,6 +176,10 @@ constexpr OtherFile other_files[] = {
     {{}, {"FOR4"}, "a Maya scene (.mb)", by_maya},
     {{}, {"FOR8"}, "a Maya scene (.mb)", by_maya},
     {{}, {"LWO", 8}, "an object of LightWave, which has no keys", "give the scene (.lws) or a motion (.mot)"},
+    {{}, {"animVersion "}, "an animation of Maya (.anim)", by_anim},
+    {{}, {"Adobe After Effects"}, "a text of keyframes of After Effects", by_after_effects},
+    {{}, {.test = has_curves_of_nuke}, "a script of Nuke", by_nuke},
+    {{".srt"}, {"1", 0, {"\n00:", " --> "}}, "a text of subtitles (.srt)", by_srt},
     {{".blend"}, {"BLENDER"}, "a Blender file", export_keys},
     {{".abc"}, {"Ogawa"}, "an Alembic scene", export_keys},
     {{".dae"}, {"<", 0, {"<COLLADA"}}, "a COLLADA scene (.dae)", export_keys},
@@ -140,6 +196,10 @@ constexpr OtherFile other_files[] = {
      "a camera path of instant-ngp, whose keys have no times and whose curve, a B-spline, does not pass through them",
      "give WORD--parameter uniform --columns position=T --rotation 'quaternion=R[0]:R[1]:R[2]:R[3]' for a curve "
      "that does"},
+    {{},
+     {.members = {"Meta", "Curves", "Segments"}},
+     "a motion of Live2D, whose segments are a type and 2 or 6 numbers, of which the last 2 are a key",
+     "write an object of time and position for each key"},
     {{}, {.members = {"layers", "ip", "op"}}, "a Lottie animation", "export its keyframes as a table"},
     {{},
      {.members = {"tracks", "times", "values"}},
@@ -178,6 +238,8 @@ constexpr OtherFile other_files[] = {
      {"# Image list with two lines of data per image"},
      "a list of images of COLMAP",
      "take the lines of the poses, as in grep -v '^#' FILE | sed -n 'p;n' | tcbsample"},
+    {{}, {"ITEM: TIMESTEP"}, "a dump of LAMMPS", by_lammps},
+    {{}, {.test = is_xyz}, "a text of atoms (.xyz)", by_xyz},
     {{}, {"MThd"}, "a MIDI file", "convert it with midicsv FILE, and keep the lines of one kind of event"},
     // Others.
     {{".pdf"}, {"%PDF"}, "a PDF document", export_keys},
@@ -186,9 +248,10 @@ constexpr OtherFile other_files[] = {
     {{".gif"}, {"GIF8"}, "a GIF picture", export_keys},
     {{".mp4"}, {"ftyp", 4}, "a video", export_keys},
     {{}, {"%YAML", 0, {"tag:unity3d.com"}}, "a file of Unity", export_keys},
-    {{}, {"[gd_"}, "a scene of Godot", export_keys},
+    {{}, {"[gd_"}, "a scene of Godot", by_godot},
     {{".yaml", ".yml"}, {"%YAML"}, "a YAML document", by_yaml},
     {{}, {"---\n"}, "a YAML document", by_yaml},
+    {{}, {.test = is_yaml}, "a YAML document", by_yaml},
     {{}, {"G", 0, {"\nG", " X"}}, "a program of G-code", by_gcode},
     {{}, {"%", 0, {"\nG", "X"}}, "a program of G-code", by_gcode},
     {{}, {"N", 0, {" G", " X"}}, "a program of G-code", by_gcode},
@@ -205,18 +268,10 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-/// Whether the first line is a name with a colon, and the next one an item or a member of it.
-bool is_yaml(std::string_view text) {
-  const std::string_view line = text.substr(0, text.find('\n'));
-  const std::string_view next = text.substr(std::min(line.size() + 1, text.size()));
-  const bool is_inside =
-      next.starts_with("- ") || (next.starts_with(' ') && next.find_first_of("-:") < next.find('\n'));
-  return line.size() > 1 && line.ends_with(':') && line.find_first_of(" ,;\t\"") == std::string_view::npos && is_inside;
-}
-
 bool fits(const Signature& signature, std::string_view beginning) {
-  if (signature.bytes.empty()) return false;
   const std::string_view text = signature.at == 0 ? without_blanks(beginning) : beginning;
+  if (signature.test != nullptr) return signature.test(text);
+  if (signature.bytes.empty()) return false;
   if (text.size() < signature.at || !text.substr(signature.at).starts_with(signature.bytes)) return false;
   return std::ranges::all_of(signature.within, [&](auto inner) { return text.find(inner) != std::string_view::npos; });
 }
@@ -232,9 +287,6 @@ std::string remedy_with(std::string_view remedy, std::string_view word) {
 std::optional<Error> other_file(std::string_view beginning) {
   const auto* found =
       std::ranges::find_if(other_files, [&](const auto& row) { return fits(row.signature, beginning); });
-  if (found == std::ranges::end(other_files) && is_yaml(without_blanks(beginning))) {
-    found = std::ranges::find(other_files, by_yaml, &OtherFile::remedy);
-  }
   if (found == std::ranges::end(other_files)) return std::nullopt;
   return data_error("this is {}; expected text with a key in each row, or JSON; {}", found->name,
                     remedy_with(found->remedy, found->word));

@@ -347,10 +347,21 @@ Found times_as_names(const FoundColumns& found) {
   };
   const bool count = (times[0] == 0 || times[0] == 1) && all_steps([](double a, double b) { return b == a + 1; });
   if (count || !all_steps(std::less<>())) return std::nullopt;
+  const std::string reader = found.delimiter == '\t'  ? ", delimiter=\"\\t\""
+                             : found.delimiter == ',' ? ""
+                                                      : fmt::format(", delimiter=\"{}\"", found.delimiter);
+  const std::string transposed =
+      found.delimiter == 0 || found.delimiter == ' '
+          ? ""
+          : fmt::format(
+                ", as in python3 -c 'import csv, sys; csv.writer(sys.stdout).writerows(zip(*csv.reader(sys.stdin{})))' "
+                "<FILE | tcbsample --columns time=1",
+                reader);
   return error(
-      "the columns are called {}, as times are; expected a row for each time; transpose the table, or give --parameter "
+      "the columns are called {}, as times are; expected a row for each time; transpose the table{}, or give "
+      "--parameter "
       "uniform if the rows are keys without times",
-      listed(channels));
+      listed(channels), transposed);
 }
 
 Found time_in_two_numbers(const FoundColumns& found) {
@@ -483,22 +494,57 @@ Found slopes_by_name(const FoundColumns& found) {
   return std::nullopt;
 }
 
-/// Whether the numbers of a record without names are a matrix of three rows, each followed by one of the position.
-bool is_pose_matrix(const FoundColumns& found) {
-  if (found.rows.empty() || found.columns.cells.size() != 12) return false;
+/// Whether nine columns are a rotation matrix, row after row, in all of the first records.
+bool are_rotation_matrix(const FoundColumns& found, const std::array<std::size_t, 9>& cells) {
   constexpr double tolerance = 1e-3;
-  return std::ranges::all_of(found.rows, [&](const auto& row) {
+  return !found.rows.empty() && std::ranges::all_of(found.rows, [&](const auto& row) {
     const auto product = [&](std::size_t a, std::size_t b) {
       double sum = 0;
-      for (std::size_t i = 0; i < 3; ++i) sum += number_in(found, row, a + i) * number_in(found, row, b + i);
+      for (std::size_t i = 0; i < 3; ++i)
+        sum += number_in(found, row, cells[a + i]) * number_in(found, row, cells[b + i]);
       return sum;
     };
-    for (std::size_t at = 0; at < 12; at += 4) {
+    for (std::size_t at = 0; at < cells.size(); at += 3) {
       const bool is_unit = std::abs(std::sqrt(product(at, at)) - 1) <= tolerance;
-      if (!is_unit || !(std::abs(product(at, (at + 4) % 12)) <= tolerance)) return false;
+      if (!is_unit || !(std::abs(product(at, (at + 3) % cells.size())) <= tolerance)) return false;
     }
     return true;
   });
+}
+
+/// Whether the numbers of a record without names are a matrix of three rows, each followed by one of the position.
+bool is_pose_matrix(const FoundColumns& found) {
+  return found.columns.cells.size() == 12 && are_rotation_matrix(found, {0, 1, 2, 4, 5, 6, 8, 9, 10});
+}
+
+/// Sixteen neighbours that are a matrix of four rows or columns, of which the last is 0, 0, 0, 1.
+Found poses_as_matrices(const FoundColumns& found) {
+  constexpr std::size_t size = 16;
+  if (found.has_rotations || is_requested(found, Role::position)) return std::nullopt;
+  const std::vector<std::size_t> cells = cells_with(found, Role::position);
+  if (cells.size() < size || cells[size - 1] != cells[0] + size - 1) return std::nullopt;
+  for (const bool by_rows : {true, false}) {
+    const auto at = [&](std::size_t row, std::size_t column) {
+      return cells[0] + (by_rows ? 4 * row + column : 4 * column + row);
+    };
+    const bool ends = std::ranges::all_of(found.rows, [&](const auto& row) {
+      return number_in(found, row, at(3, 0)) == 0 && number_in(found, row, at(3, 1)) == 0 &&
+             number_in(found, row, at(3, 2)) == 0 && number_in(found, row, at(3, 3)) == 1;
+    });
+    std::array<std::size_t, 9> matrix{};
+    for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = at(i / 3, i % 3);
+    if (!ends || !are_rotation_matrix(found, matrix)) continue;
+    std::vector<std::string> names(found.names.begin(), found.names.end());
+    for (std::size_t i = 0; i < size && !found.array.empty(); ++i) {
+      names[cells[0] + i] = fmt::format("{}[{}]", found.array, i);
+    }
+    return note(
+        "columns {} to {} may be poses, matrices of 4 rows; --rotation {} --columns {} resamples them as such, "
+        "--rotation none leaves out this note",
+        shown(found, cells[0]), shown(found, cells[size - 1]), in_shell(requested_as("matrix", names, matrix)),
+        in_shell(requested_as("position", names, std::array{at(0, 3), at(1, 3), at(2, 3)})));
+  }
+  return std::nullopt;
 }
 
 Found rotation_vector_by_name(const FoundColumns& found) {
@@ -545,7 +591,9 @@ Found quaternion_by_norm(const FoundColumns& found) {
   if (found.has_rotations || !found.requested.roles.empty() || found.rows.size() < 2 || is_pose_matrix(found)) {
     return std::nullopt;
   }
-  const std::vector<std::size_t> cells = cells_with(found, Role::position);
+  std::vector<std::size_t> cells = cells_with(found, Role::position);
+  const bool may_be_first = found.columns.has_time_by_place;
+  if (may_be_first) cells.insert(cells.begin(), cells_with(found, Role::time)[0]);
   for (std::size_t i = 0; i + 4 <= cells.size(); ++i) {
     const std::array four{cells[i], cells[i + 1], cells[i + 2], cells[i + 3]};
     const auto is_whole = [&](const auto& row) {
@@ -555,8 +603,15 @@ Found quaternion_by_norm(const FoundColumns& found) {
       });
     };
     if (four[3] != four[0] + 3 || !are_units(found, four)) continue;
-    if (!found.names.empty() && (rotation_stem_of(found.names[four[0]]) || std::ranges::all_of(found.rows, is_whole))) {
-      continue;
+    const bool is_time = may_be_first && i == 0, is_named = !found.names.empty() && !may_be_first;
+    if ((is_time || is_named) && std::ranges::all_of(found.rows, is_whole)) continue;
+    if (is_named && rotation_stem_of(found.names[four[0]])) continue;
+    if (is_time) {
+      return error(
+          "the first column would be the time, but columns 1 to 4 have the norm 1, as quaternions do; expected times; "
+          "give --parameter uniform --rotation quaternion=1:2:3:4 for poses without times, or --columns time=1 if it "
+          "is "
+          "the time");
     }
     const std::array ordered = by_letters(found, four);
     const bool is_by_name = ordered != four && in_lower_case(found.names[four[0]]).find('q') != std::string::npos;
@@ -581,12 +636,25 @@ Found minutes_and_seconds(const FoundColumns& found) {
 }
 
 /// The list. The first error is the one that is shown.
-constexpr std::array about_columns{coefficients_of_pieces,    labels_of_curves,        time_in_array,
-                                   near_miss_of_role,         letters_that_are_data,   parameters_that_are_data,
-                                   column_numbers_above_rows, times_as_names,          times_without_role,
-                                   time_in_two_numbers,       date_in_three_numbers,   dates_as_numbers,
-                                   quaternion_called_wxyz,    rotation_vector_by_name, poses_without_names,
-                                   quaternion_by_norm,        minutes_and_seconds,     slopes_by_name};
+constexpr std::array about_columns{coefficients_of_pieces,
+                                   labels_of_curves,
+                                   time_in_array,
+                                   near_miss_of_role,
+                                   letters_that_are_data,
+                                   parameters_that_are_data,
+                                   column_numbers_above_rows,
+                                   times_as_names,
+                                   times_without_role,
+                                   time_in_two_numbers,
+                                   date_in_three_numbers,
+                                   dates_as_numbers,
+                                   quaternion_called_wxyz,
+                                   rotation_vector_by_name,
+                                   poses_without_names,
+                                   quaternion_by_norm,
+                                   poses_as_matrices,
+                                   minutes_and_seconds,
+                                   slopes_by_name};
 
 // The rows about a request.
 
@@ -654,6 +722,12 @@ Found seconds_of_unknown_times(const Schema& schema, const RequestNeeds& needs) 
   if (!needs.step || !needs.time_gap || schema.time.unit) return std::nullopt;
   const double rows = *needs.time_gap / *needs.step;
   const std::string column = schema.named ? in_quotes(schema.time.name) : "1";
+  if (rows * most < 1) {
+    return error(
+        "the unit of the times in column {} is unknown, and as seconds they give a row for each {:.0f} keys; expected "
+        "their unit; give --time-unit d, h or min if it is one of these, or --time-unit s if they are seconds",
+        column, 1 / rows);
+  }
   if (!(rows > many)) return std::nullopt;
   if (!(rows > most)) {
     return note(

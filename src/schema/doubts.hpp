@@ -25,6 +25,7 @@ struct FoundColumns {
   const Columns& columns;
   const ColumnOptions& requested;
   NumberMarks marks = {};
+  char delimiter = 0;                   ///< between cells of text; 0: there is none
   bool has_rotations = false;           ///< rotations are requested, or none
   bool has_tcb_scale = false;           ///< the scale of tension, continuity and bias is requested
   bool has_header = false;              ///< it is requested whether there is a header

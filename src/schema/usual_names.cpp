@@ -16,7 +16,8 @@ constexpr std::string_view time_names =
     "t time times timestamp timestamps stamp stamps ts tstamp timecode timeofday clock clocktime date datetime "
     "datestamp elapsed elapsedtime timeelapsed keytime keytimes keyframetime tick ticks tickcount unix unixtime "
     "unixtimestamp posixtime epoch epochtime utc utctime gpstime gmt localtime systime systemtime rostime simtime "
-    "simulationtime walltime walltimes sampletime eventtime capturetime recordtime relativetime reltime absolutetime "
+    "simulationtime walltime walltimes sampletime frametimestamps eventtime capturetime recordtime relativetime "
+    "reltime absolutetime "
     "abstime jd tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp frametime frametimestamp zeit "
     "uhrzeit datum zeitstempel zeitpunkt temps heure horodatage tiempo hora fecha tempo ora "
     "datahora dataora fechahora dateheure tijd tijdstip czas";
@@ -46,7 +47,8 @@ constexpr std::string_view frame_names =
 
 /// Names of arrays and objects that hold positions.
 constexpr std::string_view names_of_positions =
-    "position positions pos translation translate tvec location loc point coords coord coordinate coordinates xyz xy p "
+    "position positions pos latlng latlon translation translate tvec location loc point coords coord coordinate "
+    "coordinates xyz xy p "
     "vec vector value values transform pose";
 
 /// Names of columns that distinguish curves.
@@ -249,7 +251,7 @@ bool is_unit(std::string_view text) {
       "\u00B5v j kj wh "
       "kwh ah mah mg ug \u00B5g ppm ppb mol ohm kohm \u03A9 k\u03A9 us/cm \u00B5s/cm ms/cm mg/l ghz dbm gpa n/mm2 "
       "n/mm\u00B2 "
-      "inhg mmhg torr atm yd in/s g/cm3 g/cm\u00B3";
+      "inhg mmhg torr atm yd in/s g/cm3 g/cm\u00B3 m2 m\u00B2 cm2 cm\u00B2 mm2 mm\u00B2 um2 \u00B5m\u00B2 px2";
   return has(units, in_lower_case(without_brackets(text)));
 }
 

@@ -298,102 +298,6 @@ Source<std::string> without_lines(Source<std::string> bytes, std::uint64_t lines
   };
 }
 
-/// The most text in which a table is looked for below other lines.
-constexpr std::size_t most_of_preamble = 1UL << 16;
-
-/// Whether a line has this number of words with some delimiter, so that it may be the names of as many columns.
-bool has_words(std::string_view line, std::size_t count) {
-  return std::ranges::any_of(std::string_view("\t;, "), [&](char delimiter) {
-    const auto words = split(line, delimiter);
-    return words.size() - static_cast<std::size_t>(std::ranges::count(words, "")) == count;
-  });
-}
-
-/// Where a table seems to begin below other lines: two lines at least of the same number of cells that are mostly
-/// numbers, and the line of names directly above them. Nothing where that is the first line.
-struct LaterTable {
-  std::uint64_t line;  ///< from 1
-  std::size_t cells;   ///< in each of its lines
-  bool has_names;      ///< above them
-  std::string mark;    ///< with which all lines above it begin, and no other; empty: there is none
-  bool follows_text;   ///< a line above it, below the first one, has no number
-};
-std::optional<LaterTable> find_later_table(std::string_view text, const Dialect& dialect) {
-  const std::vector<std::string_view> lines = split(text, '\n');
-  for (const char delimiter : std::string_view("\t;, ")) {
-    if (text.find(delimiter) == std::string_view::npos) continue;
-    const auto cells_in = [&](std::string_view line) {
-      std::vector<std::string_view> cells;
-      for (std::size_t begin = 0, end = 0; begin <= line.size(); begin = end + 1) {
-        const bool is_quoted = begin < line.size() && line[begin] == '"';
-        const std::size_t quote = is_quoted ? line.find('"', begin + 1) : begin;
-        end = std::min(line.find(delimiter, std::min(quote, line.size())), line.size());
-        const std::string_view cell = trimmed(line.substr(begin, end - begin));
-        if (delimiter != ' ' || !cell.empty()) cells.push_back(cell);
-      }
-      return cells;
-    };
-    const auto is_number = [&](std::string_view cell) {
-      const std::string_view text = bare(cell);
-      return parse_number(text) || (delimiter != ',' && Decimals({','}).number(text)) ||
-             (delimiter != ' ' && find_notation(text));
-    };
-    const auto is_of_numbers = [&](const std::vector<std::string_view>& cells) {
-      const auto numbers = std::ranges::count_if(cells, is_number);
-      return cells.size() > 1 && 2 * static_cast<std::size_t>(numbers) > cells.size();
-    };
-    for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
-      const auto one = cells_in(lines[i]), two = cells_in(lines[i + 1]);
-      if (!is_of_numbers(one) || !is_of_numbers(two) || one.size() != two.size()) continue;
-      std::size_t head = i;  // the last line above that is not blank, if it names the columns
-      while (head > 0 && lines[head - 1].find_first_not_of(" \t\r") == std::string_view::npos) --head;
-      auto names = head > 0 ? cells_in(lines[head - 1]) : std::vector<std::string_view>{};
-      while (head > 1 && names.size() == one.size() && are_units(names)) names = cells_in(lines[--head - 1]);
-      const bool are_names = names.size() == one.size() && !is_of_numbers(names);
-      const std::size_t line = are_names ? head : i + 1;
-      const bool may_be_names = line == 2 && (cells_in(lines[0]).size() > 1 || has_words(lines[0], one.size()));
-      if (!are_names && may_be_names) return std::nullopt;  // the first line may be a header with a fault
-      const auto is_text = [&](std::string_view above) {
-        return above.find_first_not_of(" \t\r") != std::string_view::npos && !dialect.is_comment(above);
-      };
-      const auto begins_like_number = [](std::string_view cell) {
-        const std::size_t digit = bare(cell).find_first_of("0123456789");
-        return digit == 0 || (digit == 1 && std::string_view("+-.").find(bare(cell)[0]) != std::string_view::npos);
-      };
-      const bool follows_text =
-          std::any_of(lines.begin() + 1, lines.begin() + static_cast<std::ptrdiff_t>(i), [&](std::string_view above) {
-            return is_text(above) && std::ranges::none_of(cells_in(above), begins_like_number);
-          });
-      const bool has_preamble =
-          std::any_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(line - 1), is_text);
-      if (!has_preamble) return std::nullopt;
-      const char first = lines[0].empty() ? ' ' : lines[0][0];
-      const bool are_comments = std::string_view("%!;@*\\/$").find(first) != std::string_view::npos &&
-                                std::all_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(i),
-                                            [&](std::string_view above) { return above.starts_with(first); });
-      return LaterTable{line, one.size(), are_names, are_comments ? std::string(1, first) : "", follows_text};
-    }
-  }
-  return std::nullopt;
-}
-
-/// Throws: Error (data) where lines are drawn between the cells, as programs print tables for people.
-void require_no_drawing(std::string_view text) {
-  constexpr std::string_view corner = "\xE2\x94", double_corner = "\xE2\x95";  // of box-drawing characters
-  const std::vector<std::string_view> lines = split(text.substr(0, most_of_preamble), '\n');
-  const auto is_drawn = [&](std::string_view line) {
-    const bool is_rule = line.find("---") != std::string_view::npos &&
-                         line.find_first_of("|+") != std::string_view::npos &&
-                         line.find_first_not_of("-+|:= \r") == std::string_view::npos;
-    return is_rule || line.starts_with(corner) || line.starts_with(double_corner);
-  };
-  const auto first = lines.begin(), end = first + std::min<std::ptrdiff_t>(4, std::ssize(lines));
-  if (std::none_of(first, end, is_drawn)) return;
-  throw data_error(
-      "the table is drawn with lines between its cells; expected cells between delimiters; export it as CSV, as psql "
-      "--csv, mysql --batch, sqlite3 -csv, duckdb -csv and write_csv of polars do");
-}
-
 /// Throws: Error (data) for the first fault of the records above a line.
 void require_keys(const Chunk& data, std::uint64_t end, const DelimitedHead& head) {
   std::size_t size = 0;
@@ -453,13 +357,16 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
     throw data_error(
         "the comma is both the decimal mark and the delimiter; expected different characters; give another delimiter "
         "with --delimiter, or remove --decimal");
+  constexpr std::size_t most_of_preamble = 1UL << 16;
   const std::string first = beginning.text.substr(0, most_of_preamble);
+  const bool is_any = options.delimited.names.empty() && !options.columns.samples;
+  if (is_any) require_bare_numbers(first, dialect);
   const std::uint64_t first_line = beginning.line;
   Source<Chunk> chunks =
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
   std::vector<Chunk> rest;
   const auto find_table_below = [&](std::string_view text) {
-    return options.delimited.names.empty() && !options.columns.samples ? find_later_table(text, dialect) : std::nullopt;
+    return is_any ? find_later_table(text, dialect) : std::nullopt;
   };
   const auto head = std::make_shared<const DelimitedHead>([&] {
     try {
@@ -471,28 +378,17 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
       if (is_unlike) require_keys(rest.front(), first_line + table->line, found);
       return found;
     } catch (const Error& error) {
-      require_no_drawing(first);
       const auto table = find_table_below(first);
       if (!table || error.exit() != Exit::data) throw;
-      const std::uint64_t line = first_line + table->line - 1;
-      const std::string also =
-          delimiter ? "" : fmt::format(" ({})", error.message().substr(0, error.message().find(';')));
-      throw data_error(
-          "the lines above line {} are not part of the table that seems to begin there{}; expected a table from the "
-          "first line on; give {} {}",
-          line, also, table->mark.empty() ? "--skip-lines" : "--comment",
-          table->mark.empty()
-              ? fmt::format("{}{}", line - 1,
-                            table->has_names ? "" : ", with which columns have no names and the first is the time")
-              : in_shell(table->mark))
-          .at({"", first_line, 0});
+      const std::string_view reason = error.message();
+      throw unlike_table(*table, first_line, delimiter ? "" : reason.substr(0, reason.find(';')));
     }
   }());
   const bool crlf = has_crlf(rest.front().text);
   for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
   const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
   Records records{head->columns, head->units};
-  records.marks = {dialect.delimiter, options.delimited.marks.decimal, crlf};
+  records.marks = {dialect.delimiter, head->marks.decimal, crlf};
   records.time_unit = head->time_unit;
   records.facts = head->facts;
   records.facts.comment = dialect.comment;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "read/csv/tokenizer.hpp"
@@ -54,6 +55,26 @@ inline constexpr std::uint64_t last_line_of_roles = 1000;
 
 /// The keys of a chunk. A pure function. Errors are among its faults, at the position of the cell; at most ten.
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head);
+
+/// A table that seems to begin below other lines.
+struct LaterTable {
+  std::uint64_t line;  ///< from 1
+  std::uint64_t end;   ///< the last line, where others follow; 0: none does
+  std::size_t cells;   ///< in each of its lines
+  bool has_names;      ///< above them
+  std::string mark;    ///< with which all lines above it begin, and no other; empty: there is none
+  bool follows_text;   ///< a line above it, below the first one, has no number
+};
+
+/// Two lines at least of the same number of cells that are mostly numbers, and the line of names directly above them.
+/// Nothing where that is the first line.
+std::optional<LaterTable> find_later_table(std::string_view text, const Dialect& dialect);
+
+/// What to do about a table below line `first`. `reason`: why the text from there on is none; may be empty.
+Error unlike_table(const LaterTable& table, std::uint64_t first, std::string_view reason);
+
+/// Throws: Error (data) where the numbers of the first lines are within other text, or lines are drawn between cells.
+void require_bare_numbers(std::string_view text, const Dialect& dialect);
 
 /// Opens delimited text whose delimiter is given, or else detected in the first record.
 /// Requires: the bytes have no byte order mark. Throws: Error (data).

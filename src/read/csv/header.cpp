@@ -2,12 +2,14 @@
 #include "read/csv/csv_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "io/encoding.hpp"
@@ -50,13 +52,22 @@ std::vector<std::string> comment_names(std::string_view comment, const Dialect& 
   return texts(cells);
 }
 
-/// Whether a record describes the columns whose names are above it.
-bool describes_columns(const std::vector<std::string>& cells) {
-  return are_units(HeadCells(cells.begin(), cells.end()));
+bool are_units(const std::vector<std::string>& cells) { return tcb::are_units(HeadCells(cells.begin(), cells.end())); }
+
+bool begins_like_number(std::string_view cell) {
+  const std::size_t digit = cell.find_first_not_of("+-.,");
+  return digit < cell.size() && is_digit(cell[digit]);
 }
 
-/// The first three records of an input without up to two of units, or as many as there are: enough to find header and
-/// columns.
+bool is_text(std::string_view cell) { return !is_missing_sign(cell, {}) && !looks_numeric(cell); }
+
+/// Whether a record may describe the columns whose names are above it: by their units, or by texts without numbers.
+bool may_describe(const std::vector<std::string>& cells) {
+  return are_units(cells) || (std::ranges::none_of(cells, begins_like_number) && std::ranges::any_of(cells, is_text));
+}
+
+/// The first three records of an input without up to three that may describe the columns, or as many as there are:
+/// enough to find header and columns.
 class HeadRecords {
  public:
   struct Record {
@@ -88,8 +99,8 @@ class HeadRecords {
       if (!tokenizer.comment().empty()) comment_ = tokenizer.comment();
       records.push_back(
           {texts(cells), std::exchange(comment_, {}), chunks.size(), tokenizer.offset(), tokenizer.line()});
-      constexpr std::size_t most = 5;
-      if (records.size() + 1 == wanted_ && wanted_ < most && describes_columns(records.back().cells)) ++wanted_;
+      constexpr std::size_t most = 6;
+      if (records.size() + 1 == wanted_ && wanted_ < most && may_describe(records.back().cells)) ++wanted_;
     }
     if (!more && tokenizer.follows_blank()) comment_.clear();
     if (!more && !tokenizer.comment().empty()) comment_ = tokenizer.comment();
@@ -152,10 +163,25 @@ std::vector<bool> numeric_columns(const HeadRecords& first, std::size_t data, co
   for (std::size_t i = 0; i < one.size(); ++i) {
     const std::string_view below = i < two.size() ? std::string_view(two[i]) : "";
     head.begin_empty[i] = one[i].empty() && below.empty();
-    const bool nothing = head.begin_empty[i] && i < names.size() && names[i].empty();
+    const bool nothing = head.begin_empty[i] && (names.empty() ? i == 0 : names[i].empty());
     numeric[i] = !nothing && (may_be_number(one[i], head) || (i < two.size() && may_be_number(below, head)));
   }
   return numeric;
+}
+
+/// Whether the first keys have numbers with a comma that divides no thousands, and none with a point.
+bool has_decimal_commas(const HeadRecords& first, std::size_t data, const DelimitedHead& head) {
+  bool has_commas = false;
+  for (std::size_t i = data; i < first.records.size(); ++i) {
+    for (const std::string& cell : first.records[i].cells) {
+      const std::string_view number = head.strips_units ? without_unit_of_number(cell) : std::string_view(cell);
+      const bool is_of_words = number.find_first_of(",.") == std::string_view::npos || find_notation(number);
+      if (is_of_words) continue;
+      if (parse_number(number)) return false;
+      has_commas = has_commas || (Decimals({','}).number(number) && !has_thousands_separators(number));
+    }
+  }
+  return has_commas;
 }
 
 /// Converts names to UTF-8, as which they can be written to every format. Returns their encoding, if it is another
@@ -248,16 +274,43 @@ void require_numbers(const HeadRecords::Record& record, const std::vector<std::s
   if (std::ranges::count(numeric, true) > 1) return;
   for (std::size_t i = 0; i < record.cells.size(); ++i) {
     const std::string& cell = record.cells[i];
-    const std::size_t digit = cell.find_first_not_of("+-");
-    const bool begins_like_number = digit < cell.size() && cell[digit] >= '0' && cell[digit] <= '9';
-    if (numeric[i] || !begins_like_number || find_notation(cell)) continue;
+    if (numeric[i] || !begins_like_number(cell) || find_notation(cell)) continue;
     const std::string name = i < names.size() ? names[i] : fmt::format("column {}", i + 1);
     throw why_not_number(name, cell, head.marks).at({"", record.line, 0});
   }
 }
 
-/// Notes that there is a row of units, and takes that of the times.
-void take_units(DelimitedHead& head, const std::vector<std::string>& units, const UnitOptions& options) {
+/// The first record below the names that is a key, behind those that describe the columns. A text in a column of texts
+/// may be that of a key.
+std::size_t first_key(const std::vector<HeadRecords::Record>& records) {
+  std::size_t key = 1;
+  while (key < records.size() && may_describe(records[key].cells)) ++key;
+  for (std::size_t i = 1; i < key; ++i) {
+    const auto& cells = records[i].cells;
+    const auto& numbers = records[std::min(key, records.size() - 1)].cells;
+    bool describes = are_units(cells) && (key == records.size() || cells.size() != numbers.size());
+    for (std::size_t cell = 0; cell < std::min(cells.size(), numbers.size()); ++cell) {
+      describes = describes || (is_text(cells[cell]) && begins_like_number(numbers[cell]));
+    }
+    if (!describes) return i;
+  }
+  return key;
+}
+
+/// Notes the records between the names and the first key, and takes the unit of the times.
+void take_descriptions(DelimitedHead& head, std::span<const HeadRecords::Record> records, const UnitOptions& options) {
+  std::vector<std::string> units, lines;
+  for (const HeadRecords::Record& record : records) {
+    const bool has_units = are_units(record.cells);
+    if (has_units && units.empty()) units = record.cells;
+    if (!has_units) lines.push_back(fmt::format("{}", record.line));
+  }
+  if (!lines.empty()) {
+    head.columns.doubts.push_back(
+        fmt::format("below the names, what has no numbers is taken as a description of the columns: line {}",
+                    fmt::join(lines, ", ")));
+  }
+  if (units.empty()) return;
   head.columns.doubts.push_back(fmt::format("the line below the names is taken as units: {}", listed(units)));
   const std::size_t cell = cell_of(head.columns, Role::time);
   if (cell >= units.size() || options.time || unit_of_time(head.columns.time)) return;
@@ -430,18 +483,18 @@ class RolesByCells {
                                  shown(times[0]), shown(frames[0])));
   }
 
-  /// The only column of dates is the time, where no name says which is.
+  /// The only column of dates, or of times in words, is the time, where no name says which is.
   void take_dates() {
-    std::optional<std::size_t> dates;
+    std::vector<std::size_t> dates, others;
     for (std::size_t cell = 0; cell < names_.size(); ++cell) {
       if (is_time(cell)) return;
-      const bool has_dates = notation(cell) && is_date(*notation(cell));
-      if (has_dates && (dates || is_requested(cell))) return;
-      if (has_dates) dates = cell;
+      if (const auto found = notation(cell)) (is_date(*found) ? dates : others).push_back(cell);
     }
-    if (!dates) return;
-    request(Role::time, *dates);
-    notes_.push_back(fmt::format("the dates in column {} are taken as the times", shown(*dates)));
+    const std::vector<std::size_t>& times = dates.empty() ? others : dates;
+    if (times.size() != 1 || is_requested(times[0])) return;
+    request(Role::time, times[0]);
+    notes_.push_back(
+        fmt::format("the {} in column {} are taken as the times", dates.empty() ? "texts" : "dates", shown(times[0])));
   }
 
   /// Columns of words before the first number or time, where columns have no names, are the names of the rows. A text
@@ -454,7 +507,8 @@ class RolesByCells {
     for (std::size_t cell = 0; cell < numeric_.size() && is_label(cell); ++cell) {
       if (is_requested(cell)) continue;
       request(Role::unused, cell);
-      notes_.push_back(fmt::format("column {} is text, and is left out", cell + 1));
+      const bool is_empty = cell < rows_[0].size() && rows_[0][cell].empty();
+      notes_.push_back(fmt::format("column {} is {}, and is left out", cell + 1, is_empty ? "empty" : "text"));
     }
   }
 
@@ -553,6 +607,7 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, cons
         .columns = head.columns,
         .requested = options.columns,
         .marks = head.marks,
+        .delimiter = head.dialect.delimiter,
         .has_rotations = options.rotation.none || !options.rotation.requests.empty(),
         .has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown || options.has_shown_tcb_scale,
         .has_header = options.delimited.header.has_value()};
@@ -584,10 +639,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   TextPosition position{"", first.records[0].line, 0};  // of the names
   if (header && !options.delimited.header) require_clear_header(first.records[0], head, columns);
   const std::size_t below = data;
-  while (header && !columns.samples && data < first.records.size() && describes_columns(first.records[data].cells)) {
-    ++data;
-  }
-  const std::vector<std::string> units = below < data ? first.records[below].cells : std::vector<std::string>{};
+  if (header && !columns.samples) data = first_key(first.records);
   if (data == first.records.size()) refuse_header_alone(first.records[0]);
   if (!header && !options.delimited.header && !first.records[0].comment.empty()) {
     auto above = comment_names(first.records[0].comment, dialect);
@@ -597,6 +649,9 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     }
   }
   const auto& row = first.records[data];
+  const bool has_commas = !head.is_of_format && !columns.samples && !options.delimited.has_decimal &&
+                          head.marks == NumberMarks() && has_decimal_commas(first, data, head);
+  if (has_commas) head.marks.decimal = ',';
   if (head.is_of_format) {
     position = {};
     names = options.delimited.names;
@@ -622,7 +677,8 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     } else {
       find_key_columns(head, names, numeric, cells_of(rest[0], dialect), options, unread);
     }
-    if (!units.empty()) take_units(head, units, options.units);
+    take_descriptions(head, std::span(first.records).subspan(below, data - below), options.units);
+    if (has_commas) head.columns.doubts.emplace_back("the comma in numbers is taken as the decimal mark");
     head.units = units_of_keys(options.units, head.columns, first_time(row.cells, head.columns));
   });
   if (!columns.has(Role::position) && !columns.samples) require_text(rest[0], head, names, numeric);

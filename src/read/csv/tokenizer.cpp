@@ -246,12 +246,13 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
     if (has_point && Decimals({',', '.'}).number(cell)) {
       return data_error(
           "{}: {} has a decimal point; expected a decimal comma; correct the cell, give --thousands . if the point "
-          "divides thousands, or remove --decimal",
+          "divides thousands, or --decimal . if it is the decimal mark",
           column, in_quotes(cell));
     }
     return has_point
                ? data_error(
-                     "{}: {} has a decimal point; expected a decimal comma; correct the cell, or remove --decimal",
+                     "{}: {} has a decimal point; expected a decimal comma; correct the cell, or give --decimal . if "
+                     "the point is the decimal mark",
                      column, in_quotes(cell))
                : number_beyond_doubles(column, cell);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <span>
 #include <unordered_set>
 #include <utility>
 
@@ -484,6 +485,7 @@ class FirstKey {
       if (holds_tcb(members_[i].name) || is_rotation) continue;
       const bool is_position = members_[i].nested && !members_[i].array && members_[i].name == "position" &&
                                !requested_.has(Role::position) && !has_position_array && members_[i].deep_numbers;
+      const std::size_t first = members_.size();
       std::vector<FoundMember> inside;
       std::vector<std::string> rest;
       add_inside(inside, members_[i]);
@@ -508,7 +510,10 @@ class FirstKey {
         inner.is_of_whole = is_of_positions || inner.is_rotation;
         members_.push_back(std::move(inner));
       }
-      if (members_[i].is_spread) unused_.insert(unused_.end(), rest.begin(), rest.end());
+      if (!members_[i].is_spread) continue;
+      const auto of_this = std::span(members_).last(members_.size() - first);
+      for (FoundMember& inner : of_this) inner.is_of_whole = inner.is_of_whole && (rest.empty() || !inner.is_rotation);
+      unused_.insert(unused_.end(), rest.begin(), rest.end());
     }
   }
 

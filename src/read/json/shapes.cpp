@@ -309,6 +309,9 @@ Records open_tables(std::shared_ptr<const WholeJson> text, std::vector<JsonTable
                     JsonShape shape = JsonShape::any) {
   JsonColumns columns = find_members(tables[0], options, {});
   Records records = records_of(columns, shape);
+  if (tables[0].joins_arrays()) {
+    records.columns.doubts.emplace_back("the keys are the arrays that are as long as the one of times, a column each");
+  }
   if (!tables[0].others().empty()) {
     records.columns.doubts.push_back(fmt::format(
         "not used, as they are beside the columns: {}; options give settings, as in --preset NAME or --tcb T,C,B",
@@ -382,11 +385,13 @@ Records open_whole(JsonPart part, const InputOptions& options) {
       .at({"", 1, 1});
 }
 
-/// Whether the first element of a list is an object that holds a list of records.
+/// Whether the first element of a list is an object that holds a list of records, or values of one column.
 bool holds_table_in_first(const JsonPart& part) {
   try {
     const JsonTape tape(part);
-    return tape.size() > 1 && tape.kind(1) == Kind::object && holds_table(tape, 1);
+    if (tape.size() < 2 || tape.kind(1) != Kind::object) return false;
+    const auto values = tape.member(1, "data");
+    return holds_table(tape, 1) || (values && tape.kind(*values) == Kind::array && tape.member(1, "type"));
   } catch (const Error&) {
     return false;
   }
@@ -415,13 +420,16 @@ Records open_any_shape(Source<std::string> bytes, const InputOptions& options) {
   if (first->kind == JsonPart::Kind::whole) return open_whole(*std::move(first), options);
   SharedColumns columns;
   if (shape == JsonShape::list) {
+    std::optional<Error> fault;
     try {
       columns = std::make_shared<const JsonColumns>(columns_of(*first, false, options, {}));
-    } catch (const Error&) {
+    } catch (const Error& error) {
       refuse_other_json(JsonTape(*first), options.columns, "");
-      if (!holds_table_in_first(*first)) throw;
-      return open_whole(splitter->whole(*std::move(first)), options);
+      fault = error;
     }
+    const bool may_be_series = fault || (options.columns.roles.empty() && !columns->columns.has(Role::time));
+    if (may_be_series && holds_table_in_first(*first)) return open_whole(splitter->whole(*std::move(first)), options);
+    if (fault) throw Error(*fault);
   }
   Source<Task> source = tasks(*std::move(first), std::move(columns), splitter, options);
   const bool is_object = shape == JsonShape::object || shape == JsonShape::curves;
@@ -445,7 +453,10 @@ std::optional<int> fit_of_json(std::string_view beginning) {
   const bool is_stamp = beginning[at] == '[' && find_notation(beginning.substr(at + 1, end - at - 1));  // of a log
   const bool is_section = beginning[at] == '[' && next >= 'a' && next <= 'z' && next != 't' && next != 'f' &&
                           next != 'n' && next != 'i';  // of a text such as [Header], as no value begins so
-  return is_section || is_stamp ? 0 : 2;
+  const std::size_t blank = beginning.find_first_of(" \t:\"\n", at + 1);
+  const bool is_row = beginning[at] == '{' && next >= 'a' && next <= 'z' && blank != std::string_view::npos &&
+                      beginning[blank] == ' ';  // as {X 10.5, Y 2}
+  return is_section || is_stamp || is_row ? 0 : 2;
 }
 
 }  // namespace

@@ -144,6 +144,98 @@ bool JsonTable::find_layout(std::size_t table, bool is_root, bool is_timeless) {
   return false;
 }
 
+namespace {
+
+/// An array that may be the values of a column.
+struct ColumnArray {
+  std::size_t place, value;  ///< its name on the tape, and itself
+  std::size_t object;        ///< around it
+  std::string_view name;
+};
+
+/// The text that says what the values of an object are; empty: there is none.
+std::string_view label_of(const JsonTape& tape, std::size_t object) {
+  for (const std::string_view label : {"type", "name", "id", "key", "label"}) {
+    const auto value = tape.member(object, label);
+    if (value && tape.kind(*value) == Kind::string) return tape.text(*value);
+  }
+  return "";
+}
+
+/// Whether a value is an array of numbers, or of arrays of as many numbers.
+bool may_be_column(const JsonTape& tape, std::size_t value) {
+  if (tape.kind(value) != Kind::array || tape.count(value) < 2) return false;
+  const bool are_arrays = has_only(tape, value, Kind::array);
+  const std::size_t size = are_arrays ? tape.count(value + 1) : 0;
+  return std::ranges::all_of(tape.inside(value), [&](std::size_t inner) {
+    if (!are_arrays)
+      return is_number(tape, inner) || tape.kind(inner) == Kind::null ||
+             (tape.kind(inner) == Kind::string && find_notation(tape.text(inner)));
+    return tape.count(inner) == size && has_only(tape, inner, Kind::number);
+  });
+}
+
+/// Finds the arrays of columns. Values without a name of their own are called as the object says, or as it is called.
+void find_arrays(const JsonTape& tape, std::size_t object, std::string_view name, std::vector<ColumnArray>& found) {
+  for (const std::size_t inner : tape.inside(object)) {
+    const std::size_t value = tape.value_of(inner);
+    const bool is_member = tape.kind(inner) == Kind::name;
+    if (is_member && may_be_column(tape, value)) {
+      const std::string_view own = tape.text(inner), label = label_of(tape, object);
+      const bool is_nameless = own == "data" || own == "values";
+      found.push_back({inner, value, object, !is_nameless ? own : label.empty() ? name : label});
+    } else if (tape[value].is_nested()) {
+      find_arrays(tape, value, is_member ? tape.text(inner) : name, found);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<JsonTable> JsonTable::of_arrays(const JsonTape& tape) {
+  std::vector<ColumnArray> arrays;
+  find_arrays(tape, 0, "", arrays);
+  const auto is_time = [](const ColumnArray& array) { return is_usual_time(array.name); };
+  const auto time = std::ranges::find_if(arrays, is_time);
+  if (std::ranges::count_if(arrays, is_time) != 1) return std::nullopt;
+  JsonTable table(tape, {}, {}, "", 0);
+  table.own_names_ = std::make_shared<std::deque<std::string>>();
+  table.cells_.resize(table.size_ = tape.count(time->value));
+  std::unordered_set<std::string_view> names;
+  for (const ColumnArray& array : arrays) {
+    if (tape.count(array.value) != table.size_) {
+      table.others_.emplace_back(array.name);
+      continue;
+    }
+    if (!names.insert(array.name).second) return std::nullopt;
+    table.joins_arrays_ = table.joins_arrays_ || array.object != time->object;
+    table.add_columns(array.name, array.value);
+  }
+  return table.joins_arrays_ ? std::optional(std::move(table)) : std::nullopt;
+}
+
+/// Adds a column of the values in an array, or one for each number of those that are arrays.
+void JsonTable::add_columns(std::string_view name, std::size_t values) {
+  const JsonTape& tape = *tape_;
+  const bool are_arrays = tape.kind(values + 1) == Kind::array;
+  const std::size_t first = names_.size(), count = are_arrays ? tape.count(values + 1) : 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    names_.push_back(are_arrays ? fmt::format("{}[{}]", name, i) : std::string(name));
+    own_names_->push_back(names_.back());
+  }
+  std::size_t row = 0;
+  for (const std::size_t value : tape.inside(values)) {
+    std::size_t column = first;
+    const auto add = [&](std::size_t number) { cells_[row].push_back({(*own_names_)[column++], number, number}); };
+    if (are_arrays) {
+      std::ranges::for_each(tape.inside(value), add);
+    } else {
+      add(value);
+    }
+    ++row;
+  }
+}
+
 /// Rows that are arrays. Throws: Error (data) for one of another size.
 void JsonTable::read_rows() {
   are_rows_ = true;
@@ -369,8 +461,7 @@ Fit fit_of_object(const JsonTape& tape, std::size_t object) {
     const std::size_t count = tape.count(value);
     are_equal = are_equal && is_flat && count >= 2 && count == size.value_or(count);
     size = count;
-    has_lists = true;
-    has_times = has_times || is_usual_time(tape.text(name));
+    (is_usual_time(tape.text(name)) ? has_times : has_lists) = true;
   }
   const bool are_rows = has_only(tape, object, Kind::array) || has_only(tape, object, Kind::object);
   if (are_times && are_rows) return Fit::with_times;
@@ -501,6 +592,11 @@ std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& opt
   find_fits(tape, 0, current,
             [&](std::size_t value, Fit fit) { add(fit == Fit::with_times ? with_times : others, value); });
   const std::vector<Place>& fitting = with_times.empty() ? others : with_times;
+  const bool has_records =
+      std::ranges::any_of(with_times, [&](const Place& place) { return !has_only(tape, place.value, Kind::array); });
+  if (path.empty() && !has_records) {
+    if (auto table = JsonTable::of_arrays(tape)) return {*std::move(table)};
+  }
   if (!path.empty()) {
     follow(tape, 0, current, path, [&](std::size_t value) { add(requested, value); });
     if (requested.empty()) {

@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,13 +45,17 @@ class JsonTable {
   static std::optional<JsonTable> find(const JsonTape& tape, std::size_t value, std::string path, bool is_root,
                                        bool is_timeless);
 
+  /// Arrays as long as the only one of times, in other objects than it: a column each. Nothing where there are none.
+  static std::optional<JsonTable> of_arrays(const JsonTape& tape);
+
   const JsonTape& tape() const { return *tape_; }
   /// As in "trajectory.points"; empty for the whole text.
   const std::string& path() const { return path_; }
   std::size_t first() const { return first_; }  ///< the number of the first record
   std::size_t size() const { return size_; }
   bool has_times_in_index() const { return takes_index_; }
-  bool has_names() const { return has_names_; }  ///< the text names its columns
+  bool joins_arrays() const { return joins_arrays_; }  ///< its columns are in several objects
+  bool has_names() const { return has_names_; }        ///< the text names its columns
   /// The members beside the columns, which are not read.
   const std::vector<std::string>& others() const { return others_; }
 
@@ -73,6 +79,7 @@ class JsonTable {
   bool find_layout(std::size_t table, bool is_root, bool is_timeless);
   void read_rows();
   void add_other(std::size_t name);
+  void add_columns(std::string_view name, std::size_t values);
   void read_split(std::size_t table, std::size_t rows);
   void read_schema(std::size_t table);
   void read_lists(std::size_t table);
@@ -84,13 +91,15 @@ class JsonTable {
   std::string path_;
   std::size_t first_ = 0, size_ = 0;
   bool are_rows_ = false, has_names_ = true;
+  bool joins_arrays_ = false;      ///< as of_arrays() finds them
   bool takes_index_ = false;       ///< the index is the time
   bool has_index_member_ = false;  ///< the index is the member "index" of objects
   std::vector<std::string> others_;
   std::vector<std::string> names_;    ///< of columns; of objects, those that the first one does not have
   std::vector<std::uint32_t> rows_;   ///< objects, or arrays
   std::vector<std::uint32_t> index_;  ///< a name or a value for each record; empty: none
-  std::vector<JsonCells> cells_;      ///< of each record of a table of columns; empty: it has rows
+  std::shared_ptr<std::deque<std::string>> own_names_;  ///< of cells, where the text has none for each
+  std::vector<JsonCells> cells_;                        ///< of each record of a table of columns; empty: it has rows
 };
 
 /// The lists of records in a text that can be keys: those at the path that is requested, or all where none is. An

@@ -139,7 +139,7 @@ TEST(InvalidNumber, has_the_error_with_its_remedy) {
   expect("0,500", '.', "give --decimal , if this is a decimal comma");
   expect("1,234", '.', "give --thousands , if the comma divides thousands, or --decimal , if");
   expect("1234,567.8", '.', "correct the cell");
-  expect("1.5", ',', "or remove --decimal");
+  expect("1.5", ',', "or give --decimal .");
   expect("1,5e999", ',', "is not a finite double");
   expect("1 2", '.', "expected one number in each cell");
   expect("-1,234,567.8", '.', "or give --thousands ,");
