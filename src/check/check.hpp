@@ -1,44 +1,24 @@
-// Check: rows paired with curves, their distances from the computed numbers, and the limits for these.
+// Check: compares every number of given rows with the computed one, and the rows with those that are expected.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "check/compare_job.hpp"
+#include "check/distance.hpp"
 #include "check/inputs.hpp"
+#include "check/pairs.hpp"
 #include "tcb/spline/keys.hpp"
 
 namespace tcb {
 
 class CurvePipeline;
 class KeptCurve;
-
-/// The distance of a given number from the computed one; a missing number is NaN.
-struct Distance {
-  double abs = 0;         ///< |given - computed|; infinite beyond the range of doubles, or if one of them is missing
-  double rel = 0;         ///< abs / |computed|; infinite if only the computed number is 0
-  std::uint64_t ulp = 0;  ///< number of steps between neighbouring doubles; 0 and -0 are equal
-};
-
-/// Two missing numbers are equal.
-Distance distance(double given, double computed);
-
-/// Limits of a column: a number is accepted if it is within any of those given.
-struct Limits {
-  std::optional<double> abs, rel, ulp;
-
-  bool admit(const Distance& distance) const;
-};
-
-/// For each measure the column's own tolerance, else the one for all columns. Without any, only equal numbers are
-/// accepted.
-Limits limits_of(const Comparison& comparison, const std::string& column);
 
 /// A given number that differs from the computed one.
 struct Difference {
@@ -86,39 +66,8 @@ std::string text(const Check& check);
 std::string json(const Check& check);
 std::string in_short(const Check& check);
 
-/// A curve and its given rows.
-struct Pair {
-  const KeptKeys* curve;
-  SampleRows rows;
-};
-
-struct Pairs {
-  std::vector<Pair> pairs;
-  std::vector<std::string> problems;  ///< curves without rows, rows without a curve
-};
-
-/// Pairs curves and rows by their groups if both have them, else by their order; a single curve takes all rows.
-Pairs pair_up(const KeptInput& kept, SampleTable& table);
-
 /// The parts of a result that all comparisons have.
 ComparisonSummary summary(const ComparisonInputs& inputs, const Pairs& pairs);
-
-/// The places of rows on a curve.
-struct Places {
-  std::vector<std::size_t> rows;
-  std::vector<Time> places;              ///< of these rows
-  std::optional<std::string> off_curve;  ///< if other rows are not on the curve: how many, and the first of them
-};
-
-/// Where rows lie on a curve. A place before or after the curve, but within `limits` of its end, counts as that end.
-Places places_of(const SampleRows& rows, const SampleTable& table, const MatchedColumns& columns,
-                 const KeptCurve& curve, const Limits& limits);
-
-/// Calls `use` for each of the rows, in order, with its cells. They are aligned with the given row. Throws: Error
-/// (data) for a number beyond the range.
-void for_each_row(const SampleRows& given, const Places& places, const MatchedColumns& columns,
-                  const std::shared_ptr<const KeptCurve>& curve, spline::Side side, unsigned threads,
-                  const std::function<void(std::size_t row, std::span<const Cell> cells)>& use);
 
 /// A curve with the places of its samples, as it is compared.
 struct CheckedPair {

@@ -35,6 +35,13 @@ struct SampleRows {
     const std::size_t width = numbers.size() / size();
     return std::span(numbers).subspan(i * width, width);
   }
+  /// Appends a row of others.
+  void add(const SampleRows& from, std::size_t i) {
+    if (!from.times.empty()) times.push_back(from.times[i]);
+    const std::span<const double> row = from.row(i);
+    numbers.insert(numbers.end(), row.begin(), row.end());
+    lines.push_back(from.lines[i]);
+  }
 };
 
 /// The samples of a file.

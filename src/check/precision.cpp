@@ -35,13 +35,10 @@ Decimal decimal_of(double value) {
 }
 
 /// The numbers of one column, over all curves.
-std::vector<double> numbers_of(const std::vector<GivenSamples>& samples, const SampleTable& table,
-                               const MatchedColumn& column) {
+std::vector<double> numbers_of(const std::vector<GivenSamples>& samples, const MatchedColumn& column) {
   std::vector<double> numbers;
   for (const GivenSamples& sample : samples) {
-    for (std::size_t row = 0; row < sample.rows.size(); ++row) {
-      numbers.push_back(sample.rows.numbers[row * table.columns.size() + column.given]);
-    }
+    for (std::size_t row = 0; row < sample.rows.size(); ++row) numbers.push_back(sample.rows.row(row)[column.given]);
   }
   return numbers;
 }
@@ -62,16 +59,12 @@ double largest_position(const KeptInput& kept, const PositionCell& cell) {
 }
 
 /// Appends a row of samples to others of its curve.
-void append_row(GivenSamples& to, const GivenSamples& from, std::size_t row, const ComparisonInputs& inputs) {
-  const auto copy = [row](auto& target, const auto& source, std::size_t stride) {
-    const auto begin = source.begin() + static_cast<std::ptrdiff_t>(row * stride);
-    if (!source.empty()) target.insert(target.end(), begin, begin + static_cast<std::ptrdiff_t>(stride));
-  };
-  copy(to.rows.times, from.rows.times, 1);
-  copy(to.rows.numbers, from.rows.numbers, inputs.table.columns.size());
-  copy(to.rows.lines, from.rows.lines, 1);
-  copy(to.numbers, from.numbers, 1);
-  copy(to.allowances, from.allowances, inputs.columns.compared.size());
+void append_row(GivenSamples& to, const GivenSamples& from, std::size_t row) {
+  to.rows.add(from.rows, row);
+  to.numbers.push_back(from.numbers[row]);
+  const std::size_t width = from.allowances.size() / from.rows.size();
+  const std::span allowances = std::span(from.allowances).subspan(row * width, width);
+  to.allowances.insert(to.allowances.end(), allowances.begin(), allowances.end());
 }
 
 KeptKeys beginning_of(const KeptKeys& curve) {
@@ -94,23 +87,22 @@ spline::Time<double> time_from_end(const KeptKeys& curve, std::size_t number) {
 }
 
 /// The rows on the beginning of a curve, as far as later keys do not affect it.
-GivenSamples on_beginning(const GivenSamples& sample, const KeptKeys& beginning, const ComparisonInputs& inputs) {
+GivenSamples on_beginning(const GivenSamples& sample, const KeptKeys& beginning) {
   const spline::Time<double> end = time_from_end(beginning, 3);
   GivenSamples before{&beginning, {}, {}, {}};
   for (std::size_t row = 0; row < sample.rows.size(); ++row) {
-    if (!(sample.rows.times[row] > end)) append_row(before, sample, row, inputs);
+    if (!(sample.rows.times[row] > end)) append_row(before, sample, row);
   }
   return before;
 }
 
 /// Keeps `kept` of `rows` rows, evenly spread.
-void thin_out(std::vector<GivenSamples>& samples, std::uint64_t rows, std::uint64_t kept,
-              const ComparisonInputs& inputs) {
+void thin_out(std::vector<GivenSamples>& samples, std::uint64_t rows, std::uint64_t kept) {
   std::uint64_t number = 0;
   for (GivenSamples& sample : samples) {
     GivenSamples thin{sample.curve, {}, {}, {}};
     for (std::size_t row = 0; row < sample.rows.size(); ++row, ++number) {
-      if (number * kept / rows != (number + 1) * kept / rows) append_row(thin, sample, row, inputs);
+      if (number * kept / rows != (number + 1) * kept / rows) append_row(thin, sample, row);
     }
     sample = std::move(thin);
   }
@@ -161,8 +153,7 @@ std::vector<GivenSamples> samples_of(std::vector<Pair> pairs, const ComparisonIn
   }
   for (std::size_t i = 0; i < width; ++i) {
     const MatchedColumn& column = inputs.columns.compared[i];
-    const auto allowed =
-        allowances(numbers_of(samples, inputs.table, column), largest_position(inputs.kept, cells[column.computed]));
+    const auto allowed = allowances(numbers_of(samples, column), largest_position(inputs.kept, cells[column.computed]));
     std::size_t next = 0;
     for (GivenSamples& sample : samples) {
       for (std::size_t row = 0; row < sample.rows.size(); ++row) sample.allowances[row * width + i] = allowed[next++];
@@ -179,7 +170,7 @@ Subset subset_of(const std::vector<GivenSamples>& samples, const ComparisonInput
   subset.curves.reserve(samples.size());
   for (GivenSamples& sample : subset.samples) {
     if (!cuttable || sample.curve->key_count() <= most_keys) continue;
-    GivenSamples before = on_beginning(sample, subset.curves.emplace_back(beginning_of(*sample.curve)), inputs);
+    GivenSamples before = on_beginning(sample, subset.curves.emplace_back(beginning_of(*sample.curve)));
     if (before.rows.size() * 4 < most_keys) continue;
     sample = std::move(before);
     subset.all = false;
@@ -187,7 +178,7 @@ Subset subset_of(const std::vector<GivenSamples>& samples, const ComparisonInput
   const std::uint64_t rows = count_rows(subset.samples);
   const std::uint64_t most = most_rows / std::max<std::uint64_t>(parts.rotation_curves.size(), 1);
   if (rows > most) {
-    thin_out(subset.samples, rows, most, inputs);
+    thin_out(subset.samples, rows, most);
     subset.all = false;
   }
   return subset;

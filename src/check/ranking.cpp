@@ -61,7 +61,7 @@ class Comparer {
   Places places(const GivenSamples& sample, const KeptCurve& curve) const {
     Limits limits;
     if (inputs_.columns.by_length) limits.abs = std::numeric_limits<double>::infinity();
-    return places_of(sample.rows, inputs_.table, inputs_.columns, curve, limits);
+    return places_of(sample.rows, inputs_.columns, curve, limits);
   }
 
  private:
@@ -70,7 +70,7 @@ class Comparer {
     const auto& columns = inputs_.columns.compared;
     bool off = false;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      const double given = sample.rows.numbers[row * inputs_.table.columns.size() + columns[i].given];
+      const double given = sample.rows.row(row)[columns[i].given];
       if (std::isnan(given)) continue;
       const double computed = cells[columns[i].computed].hi;
       const Distance found = distance(given, computed);

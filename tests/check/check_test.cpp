@@ -57,7 +57,7 @@ class Line {
   }
 
   Places places(const Limits& limits = {}) const {
-    return places_of(inputs.table.curves.at(0), inputs.table, inputs.columns, *indexed, limits);
+    return places_of(inputs.table.curves.at(0), inputs.columns, *indexed, limits);
   }
 
   ComparisonInputs inputs;
