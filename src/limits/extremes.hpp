@@ -49,6 +49,9 @@ struct Corner {
   double jump = 0;                         ///< the root of the sum of squares over the channels
   std::vector<std::size_t> channels = {};  ///< that change
   std::vector<double> in = {}, out = {};   ///< the velocities before and after it, of all channels that are compared
+
+  /// Whether the velocity changes its direction in the channels `measured`. `compared`: those of all velocities.
+  bool turns(const std::vector<std::size_t>& compared, const std::vector<std::size_t>& measured) const;
 };
 
 struct Extremes {
@@ -56,11 +59,7 @@ struct Extremes {
   std::vector<Corner> corners;
 };
 
-/// The root of a sum of squares, which do not overflow.
-double root_of_squares(const std::vector<double>& numbers);
-
-/// The maxima, and the keys at which velocities of `channels` change by more than 2^-40 of their size, which is more
-/// than rounding.
+/// The maxima of the measures, and the corners in `channels`.
 Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measures,
                   const std::vector<std::size_t>& channels);
 

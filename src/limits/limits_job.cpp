@@ -5,22 +5,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <memory>
 #include <optional>
-#include <string_view>
-#include <tuple>
 #include <utility>
 
-#include "exact/exact_curve.hpp"
-#include "exact/exact_keys.hpp"
 #include "formats/formats.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
 #include "io/input_list.hpp"
 #include "keys/curves.hpp"
+#include "limits/exact_segments.hpp"
+#include "limits/factor.hpp"
 #include "limits/report.hpp"
+#include "limits/wanted.hpp"
 #include "picture/scene.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
@@ -30,231 +27,10 @@
 #include "run/progress.hpp"
 #include "schema/texts.hpp"
 #include "stream/ordered_map.hpp"
-#include "text/suggest.hpp"
-#include "text/utf8.hpp"
 
 namespace tcb {
 namespace limits {
 namespace {
-
-/// Measures of a channel, such as velocity_x, and those over the metric channels.
-struct Quantity {
-  std::string_view name;
-  int derivative;
-};
-constexpr std::array of_channels{Quantity{"position", 0}, Quantity{"velocity", 1}, Quantity{"acceleration", 2},
-                                 Quantity{"jerk", 3}};
-constexpr std::array norms{Quantity{"speed", 1}, Quantity{"acceleration", 2}, Quantity{"jerk", 3}};
-
-/// All measures of a curve with channels of these names, as sizes.
-std::vector<Measure> known_measures(const CurveSpec& spec, const std::vector<std::string>& names) {
-  const auto& [rotations, angles] = std::tie(spec.rules.rotations, spec.rules.angles);
-  std::vector<std::size_t> metric = spline::metric_of(spec.rules, names.size());
-  if (spline::is_turn(metric)) metric.clear();
-  if (metric.empty() && rotations.empty() && angles.empty()) {
-    for (std::size_t i = 0; i < names.size(); ++i) metric.push_back(i);
-  }
-  std::vector<Measure> known;
-  for (const Quantity& norm : norms) {
-    if (!metric.empty()) known.push_back({std::string(norm.name), Measure::Kind::size, norm.derivative, metric});
-  }
-  if (metric.size() > 1) known.push_back({"curvature", Measure::Kind::curvature, 0, metric});
-  for (std::size_t i = 0; i < rotations.size(); ++i) {
-    Measure one{rotations.size() == 1 ? "angular_speed" : fmt::format("angular_speed{}", i + 1),
-                Measure::Kind::size,
-                1,
-                {names.size() + i}};
-    one.is_of_rotation = true;
-    const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
-    if (curve == spline::RotationCurve::components) {
-      one.kind = Measure::Kind::angular_speed;
-      one.channels.assign(rotations[i].channels.begin(), rotations[i].channels.end());
-    } else if (curve != spline::RotationCurve::slerp) {
-      continue;  // no bound is proved
-    }
-    known.push_back(std::move(one));
-  }
-  for (const auto& [name, derivative] : of_channels) {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const bool has_it = derivative > 0 ? !spline::is_in_rotation(rotations, i)
-                                         : spline::is_plain(spec.rules, i);  // angles have no range
-      if (has_it) known.push_back({fmt::format("{}_{}", name, names[i]), Measure::Kind::size, derivative, {i}, true});
-    }
-  }
-  return known;
-}
-
-/// What is asked for, with its limits; without any names all measures. Throws: Error (usage) for a limit of something
-/// that the curve does not have.
-std::vector<LimitResult> wanted_of(const LimitOptions& options, const CurveSpec& spec,
-                                   const std::vector<std::string>& channels, const std::vector<std::string>& title) {
-  const std::vector<Measure> known = known_measures(spec, channels);
-  std::vector<std::string> names;
-  for (const Measure& one : known) names.push_back(one.name);
-  std::vector<Limit> limits = options.limits;
-  if (limits.empty()) {
-    for (const std::string& name : names) limits.push_back({name, {}, {}});
-  }
-  std::vector<LimitResult> wanted;
-  for (const Limit& limit : limits) {
-    const auto known_one = std::ranges::find(known, limit.name, &Measure::name);
-    if (known_one == known.end()) {
-      const bool is_unproved = limit.name.starts_with("angular_speed") && !spec.rules.rotations.empty();
-      const std::string reason =
-          is_unproved ? "it has a proved maximum with --rotation-curve slerp or components; " : "";
-      throw usage_error("nothing is measured as {}; {}expected one of {}{}", in_quotes(limit.name), reason,
-                        listed(names), did_you_mean(limit.name, names))
-          .about("--limits");
-    }
-    Measure measure = *known_one;
-    if (limit.least && !measure.is_signed) {
-      throw usage_error("{} is never below 0; expected {}=LIMIT; give its largest value", limit.name, limit.name)
-          .about("--limits");
-    }
-    const bool is_position = measure.derivative == 0 && measure.is_signed;
-    if (!limit.least && (limit.most || !is_position)) {
-      wanted.push_back({title, std::move(measure), {}, limit.most});
-      continue;
-    }
-    measure.kind = Measure::Kind::smallest;
-    wanted.push_back({title, measure, {}, limit.least});
-    measure.kind = Measure::Kind::largest;
-    wanted.push_back({title, std::move(measure), {}, limit.most});
-  }
-  return wanted;
-}
-
-/// A segment of floats of many digits as rationals.
-spline::Segments<Rational> rational(const spline::Segments<RealBall>& from) {
-  const auto exact = [](const RealBall& x) { return x.middle().rational(); };
-  spline::Segments<Rational> to{from.channels, {exact(from.times[0]), exact(from.times[1])}, {}, {}};
-  for (const auto& x : from.cubics) {
-    const Rational out = exact(x.out), in = exact(x.in), c = exact(x.c) + exact(x.c_low);
-    const Rational d = (in - out - 2 * c) / 3;  // so that a rest at the end is one
-    to.cubics.push_back({exact(x.p0), out, c, 0, exact(x.p1), in, exact(x.e), exact(x.e_low), d});
-  }
-  for (const auto& warp : from.warps) {
-    if (warp.is_cubic()) {
-      to.warps.push_back(spline::Warp<Rational>::cubic(exact(warp.first_derivative(RealBall(0.0), {})),
-                                                       exact(warp.first_derivative(RealBall(1.0), {}))));
-    } else if (warp.has_ease()) {
-      const Rational first = exact(warp.end_of_first_part()), last = exact(warp.start_of_last_part());
-      const Rational k = Rational(1) + (first - last) / 2;
-      to.warps.emplace_back(first / k, (Rational(1) - last) / k);
-    } else {
-      to.warps.emplace_back();
-    }
-  }
-  return to;
-}
-
-/// Segments with a further channel for each rotation: the angle that it turns at a constant rate.
-template <class S>
-void add_angles(spline::Segments<S>& segments) {
-  if (segments.size() == 0) return;
-  const spline::Segments<S> before = segments;
-  const std::size_t rotations = segments.rotations.size() / segments.size();
-  segments.channels += rotations;
-  segments.cubics.clear();
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    segments.cubics.insert(segments.cubics.end(), before[i].begin(), before[i].end());
-    for (const spline::RotationSegment<S>& rotation : before.rotations_of(i)) {
-      using std::sqrt;
-      const auto [x, y, z] = rotation.rate({S(0), S(-1)});
-      const S zero(0), rate = sqrt(x * x + (y * y + z * z));
-      segments.cubics.push_back({zero, rate, zero, zero, rate, rate, zero, zero, zero});
-    }
-  }
-}
-
-/// The segments of a curve as exact numbers, one by one. Where these are irrational, they have 400 bits, and for
-/// directions so many that those which are equal are known to be so.
-class ExactSegments {
- public:
-  /// `turns`: also the numbers of its rotations, and their angles as further channels.
-  ExactSegments(const ExactCurve& exact, bool turns) : rotations_(exact.rules.rotations) {
-    ExactCurve plain = exact;
-    plain.rules.rotations.clear();
-    if (exact.keys.size() == 1) {
-      resting_ = spline::constant_segment(plain.keys, plain.rules);
-      resting_->channels += rotations_.size();
-      resting_->cubics.resize(resting_->channels);
-      return;
-    }
-    if (plain.is_rational()) {
-      rational_ = curve_at<Rational>(plain);
-    } else {
-      const RealPrecision precision(most_bits, true);
-      irrational_ = curve_at<RealBall>(plain);
-    }
-    if (turns) {
-      const RealPrecision precision(usual_bits, true);
-      turning_ = curve_at<RealBall>(exact);
-    }
-    of_balls_ = turns ? exact : std::move(plain);
-  }
-
-  /// Throws: Undecided where balls do not decide it.
-  spline::Segments<Ball> in_balls(std::size_t number) {
-    if (resting_) throw Undecided();
-    if (!balls_) balls_ = curve_at<Ball>(of_balls_);
-    auto segment = balls_->segments(number, number + 1);
-    if (!segment.rotations.empty()) add_angles(segment);
-    return segment;
-  }
-
-  spline::Segments<Rational> operator()(std::size_t number, bool directions) const {
-    if (resting_) return *resting_;
-    const spline::Segments<Rational> plain = rational_
-                                                 ? rational_->segments(number, number + 1)
-                                                 : rounded(*irrational_, number, directions ? most_bits : usual_bits);
-    if (!turning_) return plain;
-    spline::Segments<Rational> all = rounded(*turning_, number, usual_bits);
-    all.times = plain.times;
-    all.warps = plain.warps;
-    for (std::size_t i = 0; i < plain.channels; ++i) {
-      if (!spline::is_in_rotation(rotations_, i)) all.cubics[i] = plain.cubics[i];
-    }
-    return all;
-  }
-
- private:
-  static constexpr int usual_bits = 400, most_bits = 2400;
-
-  static spline::Segments<Rational> rounded(const spline::CurveKeys<RealBall>& curve, std::size_t number, int bits) {
-    const RealPrecision precision(bits, true);
-    auto segment = curve.segments(number, number + 1);
-    if (!segment.rotations.empty()) add_angles(segment);
-    return rational(segment);
-  }
-
-  std::vector<spline::KeyRotation> rotations_;
-  std::optional<spline::Segments<Rational>> resting_;
-  ExactCurve of_balls_;
-  std::shared_ptr<const spline::CurveKeys<Ball>> balls_;  ///< nothing: not needed before
-  std::shared_ptr<const spline::CurveKeys<Rational>> rational_;
-  std::shared_ptr<const spline::CurveKeys<RealBall>> irrational_, turning_;
-};
-
-/// The limit in the form of an Extreme.
-Rational as_measured(const Measure& measure, const Rational& limit) {
-  if (measure.is_size()) return limit * limit;
-  return measure.kind == Measure::Kind::smallest ? -limit : limit;
-}
-
-/// Whether the velocity changes its direction in some of the channels. `compared`: those of the corner.
-bool turns(const Corner& corner, const std::vector<std::size_t>& compared, const std::vector<std::size_t>& measured) {
-  std::vector<double> in, out, change;
-  for (std::size_t i = 0; i < compared.size(); ++i) {
-    if (std::ranges::count(measured, compared[i]) == 0) continue;
-    in.push_back(corner.in[i]);
-    out.push_back(corner.out[i]);
-  }
-  const double in_size = root_of_squares(in), out_size = root_of_squares(out);
-  if (in_size == 0 || out_size == 0) return false;
-  for (std::size_t i = 0; i < in.size(); ++i) change.push_back(in[i] / in_size - out[i] / out_size);
-  return root_of_squares(change) > 0x1p-40;
-}
 
 /// Adds what is asked for of a curve to the report, and its corners.
 void measure(const MeasuredCurve& curve, const std::vector<std::size_t>& compared,
@@ -262,7 +38,7 @@ void measure(const MeasuredCurve& curve, const std::vector<std::size_t>& compare
   std::vector<Measure> measures;
   for (const LimitResult& one : wanted) {
     measures.push_back(one.measure);
-    if (one.limit) measures.back().limit = as_measured(one.measure, *one.limit);
+    if (one.limit) measures.back().limit = one.measure.as_measured(*one.limit);
   }
   Extremes found = extremes(curve, measures, compared);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -276,7 +52,7 @@ void measure(const MeasuredCurve& curve, const std::vector<std::size_t>& compare
                          one.name);
       }
       result.is_broken = std::ranges::any_of(found.corners, [&](const Corner& corner) {
-        if (one.kind == Measure::Kind::curvature) return turns(corner, compared, one.channels);
+        if (one.kind == Measure::Kind::curvature) return corner.turns(compared, one.channels);
         return one.derivative > 1 && std::ranges::any_of(corner.channels, [&](std::size_t channel) {
                  return std::ranges::count(one.channels, channel) > 0;
                });
@@ -374,70 +150,6 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
         .about(job.part.from ? "--from" : "--to");
   }
   return report;
-}
-
-/// The smallest number of 14 digits whose power is at least x. Requires: x > 0.
-Rational root_above(const Rational& x, int power) {
-  Rational unit = 1, root = 0;
-  while (power_of(unit, power) <= x) unit *= 10;
-  while (power_of(unit / 10, power) > x) unit /= 10;
-  for (int digit = 0; digit < 14; ++digit) {
-    unit /= 10;
-    while (power_of(root + unit, power) < x) root += unit;
-  }
-  return root + unit;
-}
-
-/// The smallest factor of 14 digits by which all limits hold, with a margin for the rounding of times.
-Rational factor_within(const LimitsReport& report, bool fits) {
-  if (report.passed() && !fits) return 1;
-  struct Pace {
-    Rational ratio;  ///< of the maximum to its limit
-    int power;       ///< of the factor, by which the maximum becomes smaller
-    std::string name;
-  };
-  std::vector<Pace> least, most;  // what the factor has to reach, and what it cannot exceed
-  const auto refuse = [](const std::string& name, std::string_view reason) {
-    return data_error("no factor of the times meets the limit of {}: {}; give another limit", name, reason)
-        .about("--limits");
-  };
-  for (const LimitResult& result : report.results) {
-    if (!result.limit || !result.extreme) continue;
-    const Measure& measure = result.measure;
-    if (result.is_broken) throw refuse(measure.name, "the velocity jumps");
-    if (measure.derivative == 0 && !result.passed) throw refuse(measure.name, "it does not depend on time");
-    if (measure.derivative == 0) continue;
-    const Rational limit = as_measured(measure, *result.limit), &high = result.extreme->high;
-    const int power = measure.derivative * (measure.is_size() ? 2 : 1);
-    if (limit < 0) {  // slower is farther from it
-      if (!result.passed) throw refuse(measure.name, "the curve is too slow");
-      most.push_back({high / limit, power, measure.name});
-    } else if (high > 0) {
-      if (limit == 0) throw refuse(measure.name, "only rest would meet it");
-      least.push_back({high / limit, power, measure.name});
-    }
-  }
-  if (least.empty()) {
-    throw data_error("no limit depends on the pace; expected one of a speed, acceleration or jerk; add one")
-        .about("--limits");
-  }
-  Rational factor = fits ? 0 : 1;
-  for (const Pace& pace : least) {
-    const double ratio = nearest_double(pace.ratio);
-    if (!std::isfinite(ratio) || ratio < 1e-300) throw refuse(pace.name, "it is too far from the maximum");
-    const Rational margin = power_of(Rational(1 + 0x1p-44), pace.power);
-    factor = std::max(factor, root_above(pace.ratio * margin, pace.power));
-  }
-  for (const Pace& pace : most) {
-    if (power_of(factor, pace.power) > pace.ratio) throw refuse(pace.name, "slower times break it");
-  }
-  if (factor != 1 && report.has_ends_by_seconds) {
-    throw usage_error(
-        "the end rule lightwave depends on 1/3600 of a second, so that other times make another curve; name another "
-        "end rule with --ends")
-        .about("--retime");
-  }
-  return factor;
 }
 
 }  // namespace

@@ -35,6 +35,11 @@ struct Measure {
   std::optional<Rational> limit = {};  ///< of its maximum in the form of an Extreme, which is to be decided
 
   bool is_size() const { return kind != Kind::largest && kind != Kind::smallest; }
+  /// A limit in the form of an Extreme.
+  Rational as_measured(const Rational& bound) const {
+    if (is_size()) return bound * bound;
+    return kind == Kind::smallest ? -bound : bound;
+  }
   bool is_of_direction() const { return kind == Kind::curvature || kind == Kind::angular_speed; }
 };
 

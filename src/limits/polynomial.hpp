@@ -120,18 +120,6 @@ Polynomial<S> bernstein(const Polynomial<S>& a, std::size_t degree) {
   return result;
 }
 
-/// From Bernstein's form to rising powers.
-template <class S>
-Polynomial<S> from_bernstein(Polynomial<S> b) {
-  S binomial(1);
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    for (std::size_t j = b.size() - 1; j > i; --j) b[j] = b[j] - b[j - 1];
-    b[i] = b[i] * binomial;
-    binomial = binomial * S(static_cast<int>(b.size() - 1 - i)) / S(static_cast<int>(i + 1));
-  }
-  return b;
-}
-
 /// The coefficients of Bernstein's form times the binomials. Their products are those of the product.
 template <class S>
 Polynomial<S> with_binomials(Polynomial<S> b) {
@@ -141,6 +129,15 @@ Polynomial<S> with_binomials(Polynomial<S> b) {
     binomial = binomial * S(static_cast<int>(b.size() - 1 - i)) / S(static_cast<int>(i + 1));
   }
   return b;
+}
+
+/// From Bernstein's form to rising powers.
+template <class S>
+Polynomial<S> from_bernstein(Polynomial<S> b) {
+  for (std::size_t i = 0; i < b.size(); ++i) {
+    for (std::size_t j = b.size() - 1; j > i; --j) b[j] = b[j] - b[j - 1];
+  }
+  return with_binomials(b);
 }
 
 /// Bernstein's forms on [0, at] and [at, 1].
