@@ -1,4 +1,8 @@
 // Exact rows: every number of a row as exact arithmetic gives it, rounded once.
+//
+// Balls of double-doubles decide nearly all cells of a row. Those that they leave open are computed as rationals where
+// they are rational; are 0 or empty where they are so all along the segment; or are computed in balls of floats with
+// more and more digits (Level), until each is decided.
 #include "exact/exact_rows.hpp"
 
 #include <algorithm>
@@ -158,8 +162,6 @@ class ExactRows::Evaluation {
     if (levels_.empty()) levels_ = levels_of(rows_, notation_);
     return levels_;
   }
-
-  /// The last precision.
   Level& last() { return *std::ranges::max_element(levels(), {}, &Level::bits); }
 
   static bool is_set(const RowCell& cell) { return cell.printed.has_value(); }

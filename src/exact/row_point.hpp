@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "exact/axis_angle.hpp"
 #include "exact/ball_length.hpp"
 #include "exact/exact_curve.hpp"
 #include "exact/exact_keys.hpp"
