@@ -27,7 +27,6 @@ Exit write(const CompareJob& job, const std::string& report, bool agrees) {
   return agrees ? Exit::done : Exit::data;
 }
 
-/// Draws curves that are compared.
 class ComparisonPicture {
  public:
   explicit ComparisonPicture(const CompareJob& job)

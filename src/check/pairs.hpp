@@ -17,7 +17,6 @@ namespace tcb {
 
 class KeptCurve;
 
-/// A curve and its given rows.
 struct Pair {
   const KeptKeys* curve;
   SampleRows rows;

@@ -58,7 +58,6 @@ double largest_position(const KeptInput& kept, const PositionCell& cell) {
   return largest;
 }
 
-/// Appends a row of samples to others of its curve.
 void append_row(GivenSamples& to, const GivenSamples& from, std::size_t row) {
   to.rows.add(from.rows, row);
   to.numbers.push_back(from.numbers[row]);

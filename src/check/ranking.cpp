@@ -145,7 +145,6 @@ void find_rows(const Comparer& comparer, const std::vector<GivenSamples>& sample
   }
 }
 
-/// Compares all conventions with samples, on all threads.
 std::vector<Candidate> compared_conventions(const Comparer& comparer, const std::vector<Convention>& conventions,
                                             const std::vector<GivenSamples>& samples, unsigned threads,
                                             FileProgress* progress) {

@@ -50,7 +50,6 @@ Rational stored_bound(Typed& typed, Text text, bool InSeconds::*member) {
   return *seconds;
 }
 
-/// Sets the rate of the samples, which the text gives.
 void set_rate(SamplingRequest& sampling, const Rational& rate, Text text) {
   sampling.mode = Mode::step;
   sampling.is_rate = sampling.in_seconds.step = true;

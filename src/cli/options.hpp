@@ -60,11 +60,9 @@ struct TypedOptions {
   ColorWhen color = ColorWhen::by_terminal;
   std::optional<std::size_t> form = {};  ///< the field with the cubics of pieces
 
-  /// Whether an option is given.
   bool has(std::string_view option) const { return find(option) != nullptr; }
   /// The value of an option as messages and provenance show it; "" of a flag, and where it is not given.
   std::string value(std::string_view option) const;
-  /// Notes that an option is given, or has another value.
   void give(std::string_view option, std::string value = {});
 
   /// Whether a text is printed, so that no other value is read.
@@ -137,7 +135,6 @@ std::span<const OptionRow> option_table();
 
 const OptionRow& row_of(std::string_view name);
 
-/// The options that place the samples.
 inline constexpr std::initializer_list<const char*> sampling_options{
     "--step",     "--rate",      "--fps",    "--count",     "--segments", "--per-segment", "--at",
     "--arc-step", "--arc-count", "--arc-at", "--tolerance", "--emit",     "--fit"};

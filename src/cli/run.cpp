@@ -29,7 +29,6 @@ Exit print(const PrintText& job) {
   return Exit::done;
 }
 
-/// Runs a job by the entry of its product.
 struct Run {
   Exit operator()(const PrintText& job) const { return print(job); }
   Exit operator()(const ResampleJob& job) const { return resample(job); }

@@ -21,7 +21,6 @@ class BallArc {
   void assign(std::span<const spline::Cubic<B>> segment, std::span<const std::size_t> metric);
 
   const B& total() const { return total_; }
-  /// From the start to a place.
   B to(const spline::LocalParameter<B>& place) const;
   /// Where a length from the start is reached.
   spline::LocalParameter<B> place(const B& length) const;

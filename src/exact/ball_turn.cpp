@@ -79,7 +79,6 @@ std::function<double(double)> polynomial_through(const std::vector<double>& spee
 
 }  // namespace
 
-/// The rates of all rotations at a distance from a center.
 template <class M>
 std::vector<BallOf<M>> BallTurn<M>::rates(const Center& center, const B& distance) const {
   std::vector<B> rates;
@@ -104,7 +103,6 @@ typename BallTurn<M>::Distance BallTurn<M>::distance(const Panel& panel, const B
   return {B(4.0) * scale * (B(1.0) + B(3.0) * z) / left, B(60.0) * scale / (left * left)};
 }
 
-/// The speed by z.
 template <class M>
 typename BallTurn<M>::B BallTurn<M>::speed(const Panel& panel, const B& z) const {
   const auto [value, slope] = distance(panel, z);

@@ -262,7 +262,6 @@ void convert_rotation(const ExactRotation& exact, spline::Keys<S>& keys) {
   }
 }
 
-/// The keys of a curve at a scalar.
 template <class S>
 spline::Keys<S> exact_keys(const ExactCurve& exact, std::vector<S> times) {
   spline::Keys<S> keys;

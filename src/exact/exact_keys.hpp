@@ -16,7 +16,6 @@
 
 namespace tcb {
 
-/// The rules with exact numbers.
 spline::CurveRules<Rational> exact_rules(const spline::CurveRules<double>& rules, bool decimal);
 
 /// A rotation whose quaternions are converted from exact numbers at each scalar.

@@ -133,7 +133,6 @@ class Real {
 
   Rational rational() const;  ///< exactly
 
-  /// Bounds on its size.
   ErrorBound most() const { return is_zero() ? ErrorBound() : ldexp(ErrorBound(std::abs(leading_) + 0x1p-52), size_); }
   ErrorBound least() const { return ldexp(ErrorBound(std::abs(leading_)), size_); }
 

@@ -155,7 +155,6 @@ std::vector<ComparedSample> compared_samples(const Samples& samples, const std::
   return compared;
 }
 
-/// Fits the recordings of an input, and adds them to a picture.
 FitReport add_fits(DifferencePicture& picture, const FitJob& job) {
   const std::string& path = job.files.files[0];
   const Input input = open_input(path, read_file(path), job.keys.input);

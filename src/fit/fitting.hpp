@@ -28,7 +28,6 @@ struct FittedChannels {
 /// rotations that are not there, and for a channel without a limit; Error (usage) for a metric that does not exist.
 FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules, const FitOptions& options);
 
-/// The samples of one recording.
 struct Samples {
   std::vector<std::string> group;
   Recording recording;

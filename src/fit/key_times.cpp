@@ -67,7 +67,6 @@ class KeyList {
   std::size_t size() const { return before_.size() + after_.size(); }
   const FitKey& operator[](std::size_t i) const { return i < before_.size() ? before_[i] : after_[size() - 1 - i]; }
 
-  /// Keys [first, last).
   std::vector<FitKey> range(std::size_t first, std::size_t last) const {
     std::vector<FitKey> keys;
     for (std::size_t i = first; i < last; ++i) keys.push_back((*this)[i]);
@@ -88,7 +87,6 @@ class KeyList {
     return first;
   }
 
-  /// Replaces keys [first, last).
   void replace(std::size_t first, std::size_t last, std::vector<FitKey> keys) {
     const auto move_last = [](std::vector<FitKey>& from, std::vector<FitKey>& onto) {
       onto.push_back(std::move(from.back()));

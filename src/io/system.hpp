@@ -79,7 +79,6 @@ void keep_standard_streams();
 /// A file without a name, in a folder; -1 where the system has none. Permissions are as far as the umask grants them.
 int create_unnamed(const std::string& folder, unsigned permissions);
 bool give_name(int descriptor, const std::string& name);
-/// A file with a new name.
 int create(const std::string& name, unsigned permissions);
 /// A file without a name, for reading and writing, in the folder of temporary files.
 int create_temporary();

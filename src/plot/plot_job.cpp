@@ -115,7 +115,6 @@ std::string short_rules(const CurveSpec& spec) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// One picture of the curves of one file or of several.
 class Drawing {
  public:
   /// The options outlive this.

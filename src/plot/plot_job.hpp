@@ -7,7 +7,6 @@
 
 namespace tcb {
 
-/// Pictures of the curves of files.
 struct PlotJob : FilesJob {
   SampleOptions samples;  ///< those that are shown on the curves
   PictureOptions picture;

@@ -85,7 +85,6 @@ Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Repo
 
 namespace {
 
-/// Removes the temporary files that an ended program left beside the outputs.
 void remove_left_temporaries(const Inputs& inputs, const OutputPaths& paths) {
   std::set<std::string> folders;
   for (const InputFile& file : inputs.files) folders.insert(folder_of(output_path(file, paths)));

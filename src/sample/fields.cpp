@@ -9,7 +9,6 @@
 namespace tcb {
 namespace {
 
-/// The cell of a channel that has one.
 PositionCell cell_of_channel(std::size_t channel, std::span<const RotationColumns> rotations) {
   PositionCell cell{channel};
   for (std::size_t i = 0; i < rotations.size(); ++i) {
@@ -177,7 +176,6 @@ std::string column_suffix(const Field& field, std::size_t column) {
   return std::string(column % 2 == 0 ? field.suffix : field.odd_suffix) + std::to_string(column / 2);
 }
 
-/// The names of the cells of a position.
 std::vector<std::string> position_names(const Schema& schema) {
   std::vector<std::string> names;
   for (const PositionCell& cell : position_cells(schema.channels.size(), rotation_columns(schema))) {

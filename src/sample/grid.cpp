@@ -30,7 +30,6 @@ std::uint64_t rows_within_doubles(const Rational& first, const Rational& increme
 /// The least common multiple of two positive whole numbers.
 Rational least_common_multiple(const Rational& a, const Rational& b) { return a * numerator(b / a); }
 
-/// A rational as a double-double.
 Time nearest_double_double(const Rational& value) {
   const double high = nearest_double(value);
   return {high, nearest_double(value - Rational(high))};

@@ -48,7 +48,6 @@ std::vector<Time> grid_times(const SamplingRequest& request, const Extent& exten
   return times;
 }
 
-/// The exact times of that grid.
 std::vector<Rational> exact_grid_times(const SamplingRequest& request, const Extent& extent) {
   const Spacing on = spacing(request, extent);
   if (on.rows == 0) return {};

@@ -46,7 +46,6 @@ struct ExactTimes {
   std::optional<Rational> time = {}, end_time = {};
 };
 
-/// The exact times of the keys of a segment.
 struct ExactKeyTimes {
   Rational start, end;
 };

@@ -41,7 +41,6 @@ struct PositionCell {
   std::size_t number = 0;       ///< among those of the rotation
 };
 
-/// The cells of a position in order.
 std::vector<PositionCell> position_cells(std::size_t channels, std::span<const RotationColumns> rotations);
 
 /// A quantity that a row can show; fields.hpp has the table of them.

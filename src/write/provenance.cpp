@@ -33,7 +33,6 @@ Facts results_of(const Provenance& provenance, std::size_t input) {
   return input < provenance.results.size() ? provenance.results[input] : Facts{};
 }
 
-/// The member "meta" of a JSON object.
 std::string json_member(const Provenance& provenance) {
   std::string out = "\"meta\":{" + member("program", provenance.program), options, inputs;
   for (const auto& [name, value] : provenance.rules) out += "," + member(name, value);

@@ -61,7 +61,6 @@ class ProvenanceRecorder {
   /// Sets the results of the current input, in words.
   void set_results(Facts results);
 
-  /// Ends the current curve, or input.
   void end_curve();
   void end_input();
 

@@ -63,7 +63,6 @@ class Writer {
   /// The text of some rows; from any thread until the next begin_curve().
   std::string print(const Table& table, bool first) const;
 
-  /// The text of rows with labels.
   std::string print(const LabelledBlock& block, const Evaluate& evaluate) const;
 
   /// The text after a row with these labels, each a text as in schema/texts.hpp.

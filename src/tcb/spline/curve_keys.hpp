@@ -248,7 +248,6 @@ class CurveKeys {
   const std::vector<Time<S>>& times() const { return times_; }
   bool is_closed() const { return period_.has_value(); }
 
-  /// Segments [first, to).
   Segments<S> segments(std::size_t first, std::size_t to) const {
     std::vector<Time<S>> times(times_.begin() + static_cast<std::ptrdiff_t>(first),
                                times_.begin() + static_cast<std::ptrdiff_t>(to) + 1);

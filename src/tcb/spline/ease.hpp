@@ -31,7 +31,6 @@ class Warp {
  public:
   using W = working_t<S>;
 
-  /// The identity.
   Warp() = default;
   /// That of ease; the identity where both are 0. Requires: ease_out and ease_in in [0, 1].
   Warp(const S& ease_out, const S& ease_in) : first_(ease_out), last_(ease_in) {

@@ -52,7 +52,6 @@ struct Keys {
     const std::size_t i = key * channels + channel;
     return missing.empty() ? positions[i] != positions[i] : missing[i];
   }
-  /// Whether any position is missing.
   bool is_sparse() const {
     return missing.empty() ? std::ranges::any_of(positions, [](const S& position) { return position != position; })
                            : std::ranges::count(missing, true) > 0;

@@ -30,7 +30,6 @@ class SegmentLength {
 
   const Length<S>& total() const { return is_turn_ ? turn_.total() : arc_.total(); }
 
-  /// From the start to a place.
   Length<S> to(const LocalParameter<S>& place) const { return is_turn_ ? turn_.to(place) : arc_.to(place); }
 
   /// The places of lengths, where the whole curve has the lengths `start` and `end` at the ends of the segment.
