@@ -72,9 +72,9 @@ void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::str
 bool may_name(const std::string& word, const OptionRow& row) {
   const auto is_name = [&word](std::string_view name) {
     if (name.starts_with("--")) return word.starts_with(name);
-    return !name.empty() && word.starts_with('-') && !word.starts_with("--") && word.find(name[1]) != std::string::npos;
+    return !name.empty() && !word.starts_with("--") && word.find(name[1]) != std::string::npos;
   };
-  return is_name(row.name) || is_name(row.other_name);
+  return word.starts_with('-') && (is_name(row.name) || is_name(row.other_name));
 }
 
 /// Those about the program come first, so that an option for a text, such as --help, is stored before all others, and
