@@ -5,9 +5,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "formats/formats.hpp"
 #include "io/atomic_output.hpp"
@@ -15,9 +22,8 @@
 #include "io/input_list.hpp"
 #include "keys/curves.hpp"
 #include "limits/exact_segments.hpp"
-#include "limits/factor.hpp"
+#include "limits/polynomial.hpp"
 #include "limits/report.hpp"
-#include "limits/wanted.hpp"
 #include "picture/scene.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
@@ -27,10 +33,103 @@
 #include "run/progress.hpp"
 #include "schema/texts.hpp"
 #include "stream/ordered_map.hpp"
+#include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace limits {
 namespace {
+
+// What is asked for: the measures by name.
+
+/// Measures of a channel, such as velocity_x, and those over the metric channels.
+struct Quantity {
+  std::string_view name;
+  int derivative;
+};
+constexpr std::array of_channels{Quantity{"position", 0}, Quantity{"velocity", 1}, Quantity{"acceleration", 2},
+                                 Quantity{"jerk", 3}};
+constexpr std::array norms{Quantity{"speed", 1}, Quantity{"acceleration", 2}, Quantity{"jerk", 3}};
+
+/// All measures of a curve with channels of these names, as sizes.
+std::vector<Measure> known_measures(const CurveSpec& spec, const std::vector<std::string>& names) {
+  const auto& [rotations, angles] = std::tie(spec.rules.rotations, spec.rules.angles);
+  std::vector<std::size_t> metric = spline::metric_of(spec.rules, names.size());
+  if (spline::is_turn(metric)) metric.clear();
+  if (metric.empty() && rotations.empty() && angles.empty()) {
+    for (std::size_t i = 0; i < names.size(); ++i) metric.push_back(i);
+  }
+  std::vector<Measure> known;
+  for (const Quantity& norm : norms) {
+    if (!metric.empty()) known.push_back({std::string(norm.name), Measure::Kind::size, norm.derivative, metric});
+  }
+  if (metric.size() > 1) known.push_back({"curvature", Measure::Kind::curvature, 0, metric});
+  for (std::size_t i = 0; i < rotations.size(); ++i) {
+    Measure one{rotations.size() == 1 ? "angular_speed" : fmt::format("angular_speed{}", i + 1),
+                Measure::Kind::size,
+                1,
+                {names.size() + i}};
+    one.is_of_rotation = true;
+    const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
+    if (curve == spline::RotationCurve::components) {
+      one.kind = Measure::Kind::angular_speed;
+      one.channels.assign(rotations[i].channels.begin(), rotations[i].channels.end());
+    } else if (curve != spline::RotationCurve::slerp) {
+      continue;  // no bound is proved
+    }
+    known.push_back(std::move(one));
+  }
+  for (const auto& [name, derivative] : of_channels) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const bool has_it = derivative > 0 ? !spline::is_in_rotation(rotations, i)
+                                         : spline::is_plain(spec.rules, i);  // angles have no range
+      if (has_it) known.push_back({fmt::format("{}_{}", name, names[i]), Measure::Kind::size, derivative, {i}, true});
+    }
+  }
+  return known;
+}
+
+/// What is asked for, with its limits; without any names all measures. Throws: Error (usage) for a limit of something
+/// that the curve does not have.
+std::vector<LimitResult> wanted_of(const LimitOptions& options, const CurveSpec& spec,
+                                   const std::vector<std::string>& channels, const std::vector<std::string>& title) {
+  const std::vector<Measure> known = known_measures(spec, channels);
+  std::vector<std::string> names;
+  for (const Measure& one : known) names.push_back(one.name);
+  std::vector<Limit> limits = options.limits;
+  if (limits.empty()) {
+    for (const std::string& name : names) limits.push_back({name, {}, {}});
+  }
+  std::vector<LimitResult> wanted;
+  for (const Limit& limit : limits) {
+    const auto known_one = std::ranges::find(known, limit.name, &Measure::name);
+    if (known_one == known.end()) {
+      const bool is_unproved = limit.name.starts_with("angular_speed") && !spec.rules.rotations.empty();
+      const std::string reason =
+          is_unproved ? "it has a proved maximum with --rotation-curve slerp or components; " : "";
+      throw usage_error("nothing is measured as {}; {}expected one of {}{}", in_quotes(limit.name), reason,
+                        listed(names), did_you_mean(limit.name, names))
+          .about("--limits");
+    }
+    Measure measure = *known_one;
+    if (limit.least && !measure.is_signed) {
+      throw usage_error("{} is never below 0; expected {}=LIMIT; give its largest value", limit.name, limit.name)
+          .about("--limits");
+    }
+    const bool is_position = measure.derivative == 0 && measure.is_signed;
+    if (!limit.least && (limit.most || !is_position)) {
+      wanted.push_back({title, std::move(measure), {}, limit.most});
+      continue;
+    }
+    measure.kind = Measure::Kind::smallest;
+    wanted.push_back({title, measure, {}, limit.least});
+    measure.kind = Measure::Kind::largest;
+    wanted.push_back({title, std::move(measure), {}, limit.most});
+  }
+  return wanted;
+}
+
+// Measuring.
 
 /// Adds what is asked for of a curve to the report, and its corners.
 void measure(const MeasuredCurve& curve, const std::vector<std::size_t>& compared,
@@ -150,6 +249,73 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
         .about(job.part.from ? "--from" : "--to");
   }
   return report;
+}
+
+// The factor of the times by which all limits hold.
+
+/// The smallest number of 14 digits whose power is at least x. Requires: x > 0.
+Rational root_above(const Rational& x, int power) {
+  Rational unit = 1, root = 0;
+  while (power_of(unit, power) <= x) unit *= 10;
+  while (power_of(unit / 10, power) > x) unit /= 10;
+  for (int digit = 0; digit < 14; ++digit) {
+    unit /= 10;
+    while (power_of(root + unit, power) < x) root += unit;
+  }
+  return root + unit;
+}
+
+/// The smallest factor of 14 digits by which all limits hold, with a margin for the rounding of times;
+/// at least 1 unless it `fits`. Throws: Error for limits that no factor meets.
+Rational factor_within(const LimitsReport& report, bool fits) {
+  if (report.passed() && !fits) return 1;
+  struct Pace {
+    Rational ratio;  ///< of the maximum to its limit
+    int power;       ///< of the factor, by which the maximum becomes smaller
+    std::string name;
+  };
+  std::vector<Pace> least, most;  // what the factor has to reach, and what it cannot exceed
+  const auto refuse = [](const std::string& name, std::string_view reason) {
+    return data_error("no factor of the times meets the limit of {}: {}; give another limit", name, reason)
+        .about("--limits");
+  };
+  for (const LimitResult& result : report.results) {
+    if (!result.limit || !result.extreme) continue;
+    const Measure& measure = result.measure;
+    if (result.is_broken) throw refuse(measure.name, "the velocity jumps");
+    if (measure.derivative == 0 && !result.passed) throw refuse(measure.name, "it does not depend on time");
+    if (measure.derivative == 0) continue;
+    const Rational limit = measure.as_measured(*result.limit), &high = result.extreme->high;
+    const int power = measure.derivative * (measure.is_size() ? 2 : 1);
+    if (limit < 0) {  // slower is farther from it
+      if (!result.passed) throw refuse(measure.name, "the curve is too slow");
+      most.push_back({high / limit, power, measure.name});
+    } else if (high > 0) {
+      if (limit == 0) throw refuse(measure.name, "only rest would meet it");
+      least.push_back({high / limit, power, measure.name});
+    }
+  }
+  if (least.empty()) {
+    throw data_error("no limit depends on the pace; expected one of a speed, acceleration or jerk; add one")
+        .about("--limits");
+  }
+  Rational factor = fits ? 0 : 1;
+  for (const Pace& pace : least) {
+    const double ratio = nearest_double(pace.ratio);
+    if (!std::isfinite(ratio) || ratio < 1e-300) throw refuse(pace.name, "it is too far from the maximum");
+    const Rational margin = power_of(Rational(1 + 0x1p-44), pace.power);
+    factor = std::max(factor, root_above(pace.ratio * margin, pace.power));
+  }
+  for (const Pace& pace : most) {
+    if (power_of(factor, pace.power) > pace.ratio) throw refuse(pace.name, "slower times break it");
+  }
+  if (factor != 1 && report.has_ends_by_seconds) {
+    throw usage_error(
+        "the end rule lightwave depends on 1/3600 of a second, so that other times make another curve; name another "
+        "end rule with --ends")
+        .about("--retime");
+  }
+  return factor;
 }
 
 }  // namespace
