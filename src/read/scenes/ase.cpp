@@ -133,10 +133,7 @@ class AseExport {
     track_->is_recording = is_sample;
     track_->settings.preset = spline::Preset::max3ds;
     if (kind.name != "rotation") return;
-    track_->rotation = GivenRotation{.notation = {.form = spline::RotationForm::axis_angle},
-                                     .relative = true,
-                                     .columns = {kind.channels.begin(), kind.channels.end()},
-                                     .in_parent = true};
+    track_->rotation = turns_around_axes(kind.channels);
     if (!is_tcb_) track_->settings.rotation_curve = spline::RotationCurve::slerp;
   }
 
@@ -165,16 +162,11 @@ class AseExport {
   std::vector<Track> tracks_;
 };
 
-/// The file is kept while it is read.
-Records open_ase(const Format&, Source<std::string> bytes, InputOptions options) {
-  MemoryUse memory(options.max_memory);
-  const std::string text = whole_file(bytes, memory);
-  return records_of_tracks(AseExport(text, memory).read(), "t", options);
-}
+constexpr SceneFormat ase{[](std::string_view file, MemoryUse& memory) { return AseExport(file, memory).read(); }};
 
 }  // namespace
 
 extern const InputFormat ase_input =
-    format_of_scenes(open_ase, [](std::string_view beginning) { return beginning.starts_with("*3DSMA"); });
+    input_of_scenes<ase>([](std::string_view beginning) { return beginning.starts_with("*3DSMA"); });
 
 }  // namespace tcb

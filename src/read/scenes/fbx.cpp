@@ -427,10 +427,7 @@ void name_apart(std::vector<OpenTrack>& tracks) {
   }
 }
 
-/// The file is kept while it is read.
-Records open_fbx(const Format&, Source<std::string> bytes, InputOptions options) {
-  MemoryUse memory(options.max_memory);
-  const std::string text = whole_file(bytes, memory);
+std::vector<Track> read_tracks(std::string_view text, MemoryUse& memory) {
   const FbxNode file = parse_fbx(text, memory);
   const FbxHead head = read_head(file);
   constexpr std::int64_t first_with_connections = 7000;
@@ -441,12 +438,14 @@ Records open_fbx(const Format&, Source<std::string> bytes, InputOptions options)
   name_apart(found);
   std::vector<Track> tracks;
   for (OpenTrack& track : found) tracks.push_back(track.finish());
-  return records_of_tracks(std::move(tracks), "t", options, true);
+  return tracks;
 }
+
+constexpr SceneFormat fbx{read_tracks, false, true};
 
 }  // namespace
 
 extern const InputFormat fbx_input =
-    format_of_scenes(open_fbx, [](std::string_view beginning) { return beginning.starts_with("; FBX"); });
+    input_of_scenes<fbx>([](std::string_view beginning) { return beginning.starts_with("; FBX"); });
 
 }  // namespace tcb

@@ -335,17 +335,11 @@ class Motions {
   std::vector<Track> tracks_;
 };
 
-/// The file is kept while it is read.
-Records open_lightwave(const Format&, Source<std::string> bytes, InputOptions options) {
-  MemoryUse memory(options.max_memory);
-  const std::string text = whole_file(bytes, memory);
-  return records_of_tracks(Motions(text, memory).read(), "t", options);
-}
+constexpr SceneFormat lightwave{[](std::string_view file, MemoryUse& memory) { return Motions(file, memory).read(); }};
 
 }  // namespace
 
-extern const InputFormat lightwave_input = format_of_scenes(open_lightwave, [](std::string_view beginning) {
-  return beginning.starts_with("LWSC") || beginning.starts_with("LWMO");
-});
+extern const InputFormat lightwave_input = input_of_scenes<lightwave>(
+    [](std::string_view beginning) { return beginning.starts_with("LWSC") || beginning.starts_with("LWMO"); });
 
 }  // namespace tcb

@@ -162,12 +162,7 @@ class Nodes {
     Track track{object, std::string(name)};
     for (const std::string_view channel : kind.channels) track.channels.push_back({std::string(channel)});
     const bool is_rotation = kind.name == "rotation";
-    if (is_rotation) {
-      track.rotation = GivenRotation{.notation = {.form = spline::RotationForm::axis_angle},
-                                     .relative = true,
-                                     .columns = {"axis_x", "axis_y", "axis_z", "angle"},
-                                     .in_parent = true};
-    }
+    if (is_rotation) track.rotation = turns_around_axes({"axis_x", "axis_y", "axis_z", "angle"});
     for (std::uint32_t i = 0; i < count; ++i) {
       memory_.add(memory_of_key * track.channels.size());
       add_key(track, bytes, is_rotation);
@@ -208,12 +203,8 @@ class Nodes {
   std::vector<Track> tracks_;
 };
 
-/// The file is kept while it is read.
-Records open_3ds(const Format&, Source<std::string> bytes, InputOptions options) {
-  MemoryUse memory(options.max_memory);
-  const std::string file = whole_file(bytes, memory);
-  return records_of_tracks(Nodes(memory).read(file), "frame", options);
-}
+constexpr SceneFormat studio_3ds{[](std::string_view file, MemoryUse& memory) { return Nodes(memory).read(file); },
+                                 true};
 
 bool begins_3ds(std::string_view beginning) {
   constexpr std::size_t high_byte_of_size = 5;  // 0 below 16 MiB
@@ -222,6 +213,6 @@ bool begins_3ds(std::string_view beginning) {
 
 }  // namespace
 
-extern const InputFormat studio_3ds_input = format_of_scenes(open_3ds, begins_3ds, options_of_frames);
+extern const InputFormat studio_3ds_input = input_of_scenes<studio_3ds>(begins_3ds);
 
 }  // namespace tcb

@@ -280,26 +280,13 @@ class TrackKeys {
     keys_.begin_key();
     std::uint64_t line = 0;
     for (const Columns::Column& column : columns_.cells) {
-      switch (column.role) {
-        case Role::time: add_number(column, first.time, first); break;
-        case Role::group: keys_.set_text(column, '"' + text_of(column)); break;
-        case Role::ease_in: add_number(column, first.ease_in, first); break;
-        case Role::ease_out: add_number(column, first.ease_out, first); break;
-        case Role::position:
-        case Role::channel_tension:
-        case Role::channel_continuity:
-        case Role::channel_bias:
-        case Role::velocity_in:
-        case Role::velocity_out: {
-          const TrackKey* const key = key_at(column, first);
-          if (key != nullptr && line == 0) line = key->line;
-          const WrittenNumber* const number = key == nullptr ? nullptr : number_of(*key, column.role);
-          if (number != nullptr) add_number(column, *number, *key);
-          if (number == nullptr) keys_.miss(column);  // is allowed, as options_of_frames() skips cells at least
-          break;
-        }
-        default: break;
-      }
+      if (column.role == Role::group) keys_.set_text(column, '"' + text_of(column));
+      const bool is_of_one = column.role == Role::position || is_of_channel(column.role);
+      const TrackKey* const key = is_of_one ? key_at(column, first) : &first;
+      if (is_of_one && key != nullptr && line == 0) line = key->line;
+      const WrittenNumber* const number = key == nullptr ? nullptr : number_of(*key, column.role);
+      if (number != nullptr) add_number(column, *number, *key);
+      if (is_of_one && number == nullptr) keys_.miss(column);  // is allowed, as options_of_scene() skips cells at least
     }
     for (std::size_t i = 0; i < next_.size(); ++i) {
       const TrackKey* const key = key_of(i);
@@ -333,12 +320,16 @@ class TrackKeys {
 
   static const WrittenNumber* number_of(const TrackKey& key, Role role) {
     switch (role) {
+      case Role::time: return &key.time;
+      case Role::ease_in: return &key.ease_in;
+      case Role::ease_out: return &key.ease_out;
       case Role::position: return &key.value;
       case Role::channel_tension: return &key.tension;
       case Role::channel_continuity: return &key.continuity;
       case Role::channel_bias: return &key.bias;
       case Role::velocity_in: return key.velocity_in ? &*key.velocity_in : nullptr;
-      default: return key.velocity_out ? &*key.velocity_out : nullptr;
+      case Role::velocity_out: return key.velocity_out ? &*key.velocity_out : nullptr;
+      default: return nullptr;
     }
   }
 
@@ -348,6 +339,23 @@ class TrackKeys {
   std::vector<std::size_t> next_;      ///< the number of the next key of each channel
   std::vector<std::size_t> channels_;  ///< the channel of the track for each channel of the columns
 };
+
+/// All bytes of a file. Throws: Error (data) for an empty file, and for one that needs too much memory.
+std::string whole_file(const Source<std::string>& bytes, MemoryUse& memory) {
+  std::deque<std::string> parts;
+  std::size_t size = 0;
+  while (std::optional<std::string> part = bytes()) {
+    part->shrink_to_fit();
+    memory.add(part->size());
+    size += part->size();
+    parts.push_back(std::move(*part));
+  }
+  if (size == 0) throw data_error("the file is empty; expected an object with keys; copy the file again");
+  std::string file;
+  file.reserve(size);
+  for (; !parts.empty(); parts.pop_front()) file += parts.front();
+  return file;
+}
 
 }  // namespace
 
@@ -396,22 +404,6 @@ void set_spans(TrackChannel& channel, const std::vector<TrackSpan>& spans) {
   }
 }
 
-std::string whole_file(const Source<std::string>& bytes, MemoryUse& memory) {
-  std::deque<std::string> parts;
-  std::size_t size = 0;
-  while (std::optional<std::string> part = bytes()) {
-    part->shrink_to_fit();
-    memory.add(part->size());
-    size += part->size();
-    parts.push_back(std::move(*part));
-  }
-  if (size == 0) throw data_error("the file is empty; expected an object with keys; copy the file again");
-  std::string file;
-  file.reserve(size);
-  for (; !parts.empty(); parts.pop_front()) file += parts.front();
-  return file;
-}
-
 bool Track::is_constant() const {
   const auto has_one_key = [](const TrackChannel& channel) { return channel.keys.size() < 2; };
   return !failure && std::ranges::all_of(channels, has_one_key);
@@ -427,27 +419,32 @@ bool Track::changes() const {
   });
 }
 
-InputOptions options_of_frames(const Format&, Source<std::string>&, InputOptions options) {
+GivenRotation turns_around_axes(const std::vector<std::string_view>& columns) {
+  return {.notation = {.form = spline::RotationForm::axis_angle},
+          .relative = true,
+          .columns = {columns.begin(), columns.end()},
+          .in_parent = true};
+}
+
+InputOptions options_of_scene(const SceneFormat& format, InputOptions options) {
+  if (!format.has_frames && !options.units.time && !options.units.frame_rate) options.units.time = TimeUnit::s;
   if (options.keys.missing == Missing::error) options.keys.missing = Missing::skip_cell;
   return options;
 }
 
-InputOptions options_of_tracks(const Format& format, Source<std::string>& bytes, InputOptions options) {
-  if (!options.units.time && !options.units.frame_rate) options.units.time = TimeUnit::s;
-  return options_of_frames(format, bytes, std::move(options));
-}
-
-Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options,
-                          bool first_object) {
+Records open_scene(const SceneFormat& format, const Source<std::string>& bytes, const InputOptions& options) {
+  MemoryUse memory(options.max_memory);
+  const std::string file = whole_file(bytes, memory);
+  std::vector<Track> tracks = format.read(file, memory);
   Records records;
   make_utf8(tracks, records.facts);
-  choose(tracks, options.only, first_object, records.facts);
+  choose(tracks, options.only, format.first_object, records.facts);
   std::deque<KeyBlock> blocks;
   for (Track& track : tracks) {
     const Extrapolations rules{extrapolation_of(track, &TrackChannel::before),
                                extrapolation_of(track, &TrackChannel::after)};
     if (rules.extend_curve()) track.settings.extrapolate = rules;
-    TrackKeys keys(track, time, options);
+    TrackKeys keys(track, format.has_frames ? "frame" : "t", options);
     if (blocks.empty()) records.columns = keys.columns();
     blocks.push_back(keys.build());
     blocks.back().curve_info = std::make_shared<const CurveInfo>(CurveInfo{track.settings});

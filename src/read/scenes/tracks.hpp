@@ -41,33 +41,41 @@ struct Track {
 /// The memory that a key of a channel takes at most while a file is read, besides the text of its numbers.
 inline constexpr std::uint64_t memory_of_key = 2 * sizeof(TrackKey);
 
-/// All bytes of a file, as a scene is kept while it is read. Throws: Error (data) for an empty file, and for one that
-/// needs too much memory.
-std::string whole_file(const Source<std::string>& bytes, MemoryUse& memory);
+/// The rotation of a track of 3D Studio and 3ds Max: an axis in the frame of the parent, and the angle from the key
+/// before.
+GivenRotation turns_around_axes(const std::vector<std::string_view>& columns);
+
+/// How the format of a scene is read.
+struct SceneFormat {
+  /// The tracks of a file, which is kept while they are read.
+  std::vector<Track> (*read)(std::string_view file, MemoryUse& memory);
+  bool has_frames = false;    ///< times are frames, else seconds
+  bool first_object = false;  ///< without a choice, only what moves the first object that moves is read
+};
+
+/// The tracks that are chosen, as keys. Those that are constant are left out unless all are; without a choice also
+/// those with other channels than the first, and with `first_object` all but the position, rotation and scale of the
+/// first object that one of them moves. Before and after its keys, a track has the extrapolation of all channels that
+/// change, if they have the same one. Throws: Error (data) for an empty file and one that needs too much memory, where
+/// no track is left, where one of them is not read, where chosen ones differ in their channels, and where two keys of a
+/// channel have the same time.
+Records open_scene(const SceneFormat& format, const Source<std::string>& bytes, const InputOptions& options);
 
 /// The options that tracks are read with: a channel runs through its own keys, and times are seconds or frames, unless
 /// something else is requested.
-InputOptions options_of_tracks(const Format& format, Source<std::string>& bytes, InputOptions options);
-InputOptions options_of_frames(const Format& format, Source<std::string>& bytes, InputOptions options);
+InputOptions options_of_scene(const SceneFormat& format, InputOptions options);
 
-/// A format of files with several objects. `begins` and `options` are those of InputFormat.
-constexpr InputFormat format_of_scenes(decltype(InputFormat::open) open, decltype(InputFormat::begins) begins,
-                                       decltype(InputFormat::options) options = options_of_tracks) {
-  return {.open = open,
-          .options = options,
+/// The input half of a format. `begins` is as in InputFormat.
+template <const SceneFormat& format>
+constexpr InputFormat input_of_scenes(decltype(InputFormat::begins) begins) {
+  return {.open = [](const Format&, Source<std::string> bytes,
+                     InputOptions options) { return open_scene(format, bytes, options); },
+          .options = [](const Format&, Source<std::string>&,
+                        InputOptions options) { return options_of_scene(format, std::move(options)); },
           .begins = begins,
           .has_tracks = true,
           .takes_delimiters = false,
           .has_own_columns = true};
 }
-
-/// The tracks that are chosen, as keys. Those that are constant are left out unless all are; without a choice also
-/// those with other channels than the first, and with `first_object` all but the position, rotation and scale of the
-/// first object that one of them moves. `time` is the name of the times. Before and after its keys, a track has the
-/// extrapolation of all channels that change, if they have the same one. Throws: Error (data) where no track is left,
-/// where one of them is not read, where chosen ones differ in their channels, and where two keys of a channel have the
-/// same time.
-Records records_of_tracks(std::vector<Track> tracks, const std::string& time, const InputOptions& options,
-                          bool first_object = false);
 
 }  // namespace tcb
