@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <span>
 #include <unordered_set>
 #include <utility>
@@ -27,17 +28,13 @@ using Member = JsonColumns::Member;
 struct FoundMember {
   std::string name;
   std::vector<std::string> route;         ///< the names of the members that lead to it; "[2]" for an element
-  bool array = false;                     ///< it is an array of numbers
-  bool text = false;                      ///< it is one text, or true or false
-  bool nested = false;                    ///< it is an object, or an array with arrays or objects,
-  bool deep_numbers = false;              ///< with numbers in them
-  bool empty = true;                      ///< it is [] or {}
-  std::size_t numbers = 0;                ///< the count of its numbers, also missing ones
-  std::string value = "";                 ///< the text, if it is a number or a time in words
-  std::string path = "";                  ///< as in "keys[0].x"
+  std::string path;                       ///< as in "keys[0].x"
   std::size_t node = JsonCell::missing;   ///< its value
   std::size_t place = JsonCell::missing;  ///< of its name on the tape
-  bool is_spread = false;                 ///< its numbers are columns of their own
+  bool array = false;                     ///< it is an array with numbers
+  bool text = false;                      ///< it is one text, or true or false
+  bool nested = false;                    ///< it is an object, or an array with arrays or objects
+  std::size_t numbers = 0;                ///< the count of its numbers, also missing ones
   bool is_of_whole = false;               ///< all numbers around it are columns
   bool is_position = false;               ///< it is an array of positions,
   bool is_rotation = false;               ///< or a quaternion or a number of one
@@ -68,8 +65,7 @@ constexpr std::array quaternion_members{std::pair{"rotation.x", "qx"}, std::pair
 /// Whether the members of rotations are the four numbers of a quaternion: an array, or an object of x, y, z and w.
 bool has_quaternion(const std::vector<FoundMember>& members) {
   const auto is_array = [](const FoundMember& member) {
-    return member.name == "rotation" && member.is_number_array() && !member.is_spread &&
-           member.numbers == quaternion_members.size();
+    return member.name == "rotation" && member.is_number_array() && member.numbers == quaternion_members.size();
   };
   const auto is_number = [&](const auto& number) {
     return std::ranges::any_of(members, [&](const FoundMember& member) {
@@ -81,23 +77,182 @@ bool has_quaternion(const std::vector<FoundMember>& members) {
           std::ranges::count_if(members, is_of_rotation) == std::ssize(quaternion_members));
 }
 
-/// Finds what the first record holds.
-class FirstRecord {
+/// The arrays of velocities next to an array of positions, and the ends of the names of their numbers.
+struct VelocityArray {
+  std::string_view name, ending;
+};
+constexpr std::array velocity_arrays{VelocityArray{"velocity", "_v"}, VelocityArray{"velocity_in", "_vin"},
+                                     VelocityArray{"velocity_out", "_vout"}};
+
+bool has_time_name(const FoundMember& member) {
+  return role_of_name(member.name) == Role::time || is_usual_time(member.name);
+}
+
+/// Whether a member may be a position by its place: one number without another role.
+bool is_plain_number(const FoundMember& member) {
+  return member.numbers == 1 && !member.array && !member.text && !member.nested && !member.is_rotation &&
+         !has_role(member.name) && !is_usual_time(member.name) && !is_usual_counter(member.name) &&
+         !time_part_of(member.name);
+}
+
+bool is_object_of_positions(const FoundMember& member) { return member.is_of_whole && member.route[0] == "position"; }
+
+Error channel_count(std::size_t names, std::size_t numbers) {
+  return data_error("\"channels\" has {}; expected {}, one for each number of \"position\"; correct it",
+                    how_many(names, "name"), numbers);
+}
+
+/// Tension, continuity and bias may be in any key, even if the first has none, each alone or in "tcb", unless the
+/// velocities of all channels are given.
+void add_optional_members(JsonColumns& columns) {
+  constexpr std::array roles{std::pair{"tension", Role::tension}, std::pair{"continuity", Role::continuity},
+                             std::pair{"bias", Role::bias}};
+  const auto is_there = [&](std::string_view name) {
+    return std::ranges::any_of(columns.key.inner,
+                               [&](const Member& member) { return member.name == name && !member.is_nested(); });
+  };
+  const auto& given = columns.columns.cells;
+  const auto is_given = [&](std::size_t channel) {
+    return std::ranges::any_of(given, [&](const auto& cell) {
+      return cell.channel == channel && (cell.role == Role::velocity || cell.role == Role::velocity_in);
+    });
+  };
+  std::size_t channel = columns.columns.are_segments ? columns.columns.channels.size() : 0;
+  while (channel < columns.columns.channels.size() && is_given(channel)) ++channel;
+  if (channel == columns.columns.channels.size()) return;  // no tangent depends on them
+  const bool tcb = is_there("tcb");
+  const std::size_t first = columns.columns.cells.size();
+  const auto add = [&](const char* name, bool array, std::size_t cell, std::size_t cells) {
+    columns.key.add({.name = name, .title = name, .array = array, .cell = cell, .cells = cells});
+  };
+  for (const auto& [name, role] : roles) {
+    if (tcb || !columns.columns.has(role)) add(name, false, columns.columns.cells.size(), 1);
+    columns.columns.cells.push_back({role, 0});
+  }
+  if (!tcb) add("tcb", true, first, roles.size());
+}
+
+/// Adds a member at the end of its route.
+void add_member(Member& key, const FoundMember& found) {
+  Member* outer = &key;
+  for (std::size_t step = 0; step + 1 < found.route.size(); ++step) {
+    const auto next = std::ranges::find_if(
+        outer->inner, [&](const Member& member) { return member.name == found.route[step] && member.is_nested(); });
+    Member& member = next == outer->inner.end() ? outer->add({.name = found.route[step]}) : *next;
+    member.is_whole = member.is_whole || found.is_of_whole || is_spread_always(found.route[0]);
+    outer = &member;
+  }
+  outer->add({.name = found.route.back(),
+              .title = found.name,
+              .array = found.array,
+              .cell = found.cell,
+              .cells = found.columns.size()});
+}
+
+/// Numbers the members of one, and finds which of them keys need.
+void complete(JsonColumns& columns, Member& outer) {
+  const auto is_required = [&](const Columns::Column& column) {
+    const Role role = column.role;
+    return (columns.columns.are_segments && role != Role::ignored) || role == Role::time || role == Role::position ||
+           role == Role::group;
+  };
+  for (Member& member : outer.inner) {
+    member.number = columns.all_members++;
+    const auto cells = std::span(columns.columns.cells).subspan(member.cell, member.cells);
+    member.required = std::ranges::any_of(cells, is_required);
+    complete(columns, member);
+  }
+}
+
+/// Takes a member of a record, and what is in it, as texts in a row of cells.
+void take_cells(std::vector<std::string_view>& row, const JsonTape& tape, const Member& outer, std::string_view name,
+                std::size_t value) {
+  const Member* const member = value == JsonCell::missing ? nullptr : outer.find(name, tape.kind(value));
+  if (member == nullptr) return;
+  const auto text = [&](std::size_t scalar) {
+    const Kind kind = tape.kind(scalar);
+    return kind == Kind::null ? "" : tape.shown(scalar);
+  };
+  std::size_t index = 0;
+  if (!tape[value].is_nested() && member->cells > 0) row[member->cell] = text(value);
+  for (const std::size_t inner : tape.inside(value)) {
+    if (tape.kind(inner) == Kind::name) {
+      take_cells(row, tape, *member, tape.text(inner), inner + 1);
+    } else if (member->is_nested()) {
+      take_cells(row, tape, *member, fmt::format("[{}]", index++), inner);
+    } else if (index < member->cells && !tape[inner].is_nested()) {
+      row[member->cell + index++] = text(inner);
+    }
+  }
+}
+
+/// Finds the columns of the members of the first key.
+class FirstKey {
  public:
-  FirstRecord(const JsonTable& records, const InputOptions& options)
-      : tape_(records.tape()), records_(records), signs_(options.keys.signs) {
-    for (const RoleRequest& role : options.columns.roles) {
+  FirstKey(const JsonTable& records, const InputOptions& options, const std::vector<std::string>& channels)
+      : records_(records),
+        tape_(records.tape()),
+        options_(options),
+        requested_(options.columns),
+        signs_(options.keys.signs),
+        channels_(channels) {
+    read();
+  }
+
+  JsonColumns find() {
+    if (!requested_.samples) spread();
+    name_columns();
+    JsonColumns result;
+    std::vector<std::string> header;
+    std::vector<bool> numeric;
+    for (FoundMember& member : members_) {
+      member.cell = header.size();
+      header.insert(header.end(), member.columns.begin(), member.columns.end());
+      numeric.insert(numeric.end(), member.columns.size(), !member.text);
+      add_member(result.key, member);
+      if (member.columns.empty() && !is_empty(member)) unused_.push_back(member.name);
+    }
+    if (requested_.samples) {
+      result.columns = find_sample_columns(header, numeric, *requested_.samples, requested_.timeless);
+    } else {
+      if (!options_.rotation.none && !requested_.has(Role::position)) require_quaternion();
+      require_no_lost_arrays();
+      result.columns = find_columns(header, numeric, requests(), requested_.timeless);
+      result.columns.has_time_by_place = !records_.has_names() && !requested_.has(Role::time) && !requested_.timeless;
+      std::ranges::for_each(members_, [&](const FoundMember& member) { require_shape(member); });
+    }
+    const bool has_array = has_any(&FoundMember::is_of_positions);
+    if (has_array) result.columns.likely_time.clear();
+    const bool lacks_time = !result.columns.has(Role::time) && !requested_.timeless && !requested_.samples;
+    if (has_array && lacks_time) require_no_lost_time(result.columns);
+    result.columns.ignored.insert(result.columns.ignored.end(), unused_.begin(), unused_.end());
+    result.found = result.columns.cells.size();
+    if (!requested_.samples) find_doubts(result, header, numeric);
+    if (!requested_.samples) find_unused_rotation(result.columns.doubts);
+    add_optional_members(result);
+    complete(result, result.key);
+    result.rules = options_.keys;
+    result.max_memory = options_.max_memory;
+    const auto time = std::ranges::find_if(members_, [&](const FoundMember& member) {
+      return member.columns.size() == 1 && result.columns.cells[member.cell].role == Role::time;
+    });
+    const bool has_text = time != members_.end() && time->node != JsonCell::missing && !tape_[time->node].is_nested();
+    result.units = units_of_keys(options_.units, result.columns, has_text ? tape_.shown(time->node) : "");
+    return result;
+  }
+
+ private:
+  /// Finds what the first record holds.
+  void read() {
+    for (const RoleRequest& role : requested_.roles) {
       if (role.role == Role::position) positions_.insert(role.columns.begin(), role.columns.end());
       if (role.role == Role::group || role.role == Role::carry || role.role == Role::unused) {
         texts_.insert(role.columns.begin(), role.columns.end());
       }
     }
-    for (const GivenRotation& rotation : options.rotation.requests) {
+    for (const GivenRotation& rotation : options_.rotation.requests) {
       positions_.insert(rotation.columns.begin(), rotation.columns.end());
     }
-  }
-
-  std::vector<FoundMember> read() {
     for (const JsonCell& cell : records_.first_cells()) {
       const bool is_object = cell.value != JsonCell::missing && tape_.kind(cell.value) == Kind::object;
       if (!is_object || !is_spread_always(cell.name)) {
@@ -110,95 +265,62 @@ class FirstRecord {
       }
     }
     find_missing_numbers();
-    return std::move(members_);
-  }
-
- private:
-  /// `error` at a value of a member, which may be outside of the record in a table of columns.
-  Error at(const FoundMember& member, std::size_t value, const Error& error) const {
-    const std::size_t first = records_.place(0);
-    const bool is_inside = first < value && value < tape_[first].next;
-    return error.about(is_inside ? records_.first_path() + tape_.path(first, value) : member.path)
-        .at(tape_.position(value));
   }
 
   void add(std::string name, std::vector<std::string> route, const JsonCell& cell) {
     FoundMember& member = members_.emplace_back();
+    member.path = fmt::format("{}.{}", records_.first_path(), name);
     member.name = std::move(name);
     member.route = std::move(route);
-    member.path = fmt::format("{}.{}", records_.first_path(), member.name);
     member.node = cell.value;
     member.place = cell.place == JsonCell::missing ? records_.place(0) : cell.place;
-    if (!names_.insert(member.name).second) {
-      throw twice_in("key").about(member.path).at(tape_.position(member.place));
+    if (!names_.insert(member.name).second) throw at(member, twice_in("key"));
+    if (cell.value == JsonCell::missing) {
+      member.numbers = 1;
+    } else if (tape_.kind(cell.value) != Kind::array) {
+      add_value(member, cell.value, false);
+    } else {
+      for (const std::size_t element : tape_.inside(cell.value)) add_value(member, element, true);
     }
-    if (cell.value == JsonCell::missing) return count(member, false);
-    if (tape_.kind(cell.value) != Kind::array) return add_value(member, cell.value, false);
-    for (const std::size_t element : tape_.inside(cell.value)) add_value(member, element, true);
   }
 
   void add_value(FoundMember& member, std::size_t value, bool in_array) {
-    if (tape_[value].is_nested()) {
-      add_nested(member, value, in_array);
-    } else {
-      add_scalar(member, value, in_array);
+    const bool is_nested = tape_[value].is_nested();
+    const Role role = role_of_name(member.name);
+    if (is_nested && !in_array && role != Role::position && role != Role::time && !texts_.contains(member.name)) {
+      throw at_value(member, data_error("this is not a number; expected one; correct it"));
     }
+    const bool is_number = !is_nested && (in_array ? is_element(member, value) : is_one_number(member, value));
+    const bool is_refused_later = in_array && (member.name == "position" || holds_tcb(member.name));
+    member.nested = member.nested || is_nested;
+    member.text = !is_number && !is_nested && !in_array;
+    if (!is_number && !is_refused_later) return;
+    member.array = in_array;
+    ++member.numbers;
   }
 
-  void add_nested(FoundMember& member, std::size_t value, bool in_array) {
-    const Role role = in_array ? Role::position : role_of_name(member.name);
-    if (role != Role::position && role != Role::time && !texts_.contains(member.name)) {
-      throw at(member, value, data_error("this is not a number; expected one; correct it"));
-    }
-    member.nested = true;
-    member.empty = member.empty && !in_array && tape_[value].next == value + 1;
-    for (std::size_t at = value + 1; at < tape_[value].next; ++at) {
-      member.deep_numbers = member.deep_numbers || tape_.kind(at) == Kind::number;
-    }
-    note(member, false, in_array);
-  }
-
-  void add_scalar(FoundMember& member, std::size_t value, bool in_array) {
+  /// Whether an element of an array is a number, or a missing one.
+  bool is_element(const FoundMember& member, std::size_t value) const {
     const Kind kind = tape_.kind(value);
-    const bool is_requested_text = texts_.contains(member.name);
-    if (kind == Kind::number && !in_array) member.value = tape_.written(value);
-    if (kind == Kind::number || kind == Kind::null) return count(member, in_array);
-    member.empty = false;
+    if (kind == Kind::number || kind == Kind::null) return true;
+    return positions_.contains(member.name) && is_number(tape_, value) && !is_missing_sign(tape_.text(value), signs_);
+  }
+
+  /// Whether a member is a number, a missing one, or a time in words. Throws: Error (data) for a text where a number is
+  /// expected.
+  bool is_one_number(const FoundMember& member, std::size_t value) const {
+    const Kind kind = tape_.kind(value);
+    if (kind == Kind::number || kind == Kind::null) return true;
     const bool is_quoted = kind != Kind::boolean;
     const std::string_view text = tape_.shown(value);
-    const Role role = in_array ? Role::position : role_of_name(member.name);
-    const bool is_sign = is_quoted && is_missing_sign(text, signs_);
-    if (!in_array && is_quoted && find_notation(text)) {
-      member.value = text;
-      if (role == Role::time) return count(member, in_array);
-    }
-    const bool is_number = is_quoted && !is_sign && parse_number(text);
-    if (is_number && (in_array ? positions_.contains(member.name) : !is_requested_text)) {
-      if (!in_array) member.value = text;
-      return count(member, in_array);
-    }
-    if (role != Role::position && is_sign && !in_array && !is_requested_text) return count(member, in_array);
-    const bool needs_number = role != Role::position || (!is_sign && looks_numeric(text));
-    if (!in_array && !is_requested_text && needs_number) {
-      throw at(member, value,
-               data_error("{} is not a number; expected a number; correct it, or give --columns {}", in_quotes(text),
-                          in_shell("ignore=" + member.name)));
-    }
-    note(member, true, in_array);
-  }
-
-  /// A value that is not a number.
-  void note(FoundMember& member, bool text, bool in_array) {
-    if (in_array && (member.name == "position" || holds_tcb(member.name))) {
-      return count(member, in_array);  // refused later too
-    }
-    member.text = text && !in_array;
-  }
-
-  void count(FoundMember& member, bool in_array) {
-    member.array = in_array;
-    member.empty = false;
-    ++member.numbers;
+    const Role role = role_of_name(member.name);
+    if (is_quoted && role == Role::time && find_notation(text)) return true;
+    if (texts_.contains(member.name)) return false;
+    if (is_quoted && is_missing_sign(text, signs_)) return role != Role::position;
+    if (is_quoted && parse_number(text)) return true;
+    if (role == Role::position && !looks_numeric(text)) return false;
+    throw at_value(member, data_error("{} is not a number; expected a number; correct it, or give --columns {}",
+                                      in_quotes(text), in_shell("ignore=" + member.name)));
   }
 
   /// Members that are texts in the first key may hold numbers.
@@ -226,184 +348,20 @@ class FirstRecord {
     }
   }
 
-  const JsonTape& tape_;
-  const JsonTable& records_;
-  const std::vector<std::string>& signs_;
-  std::unordered_set<std::string> texts_;                  ///< members that are requested as texts
-  std::unordered_set<std::string> positions_{"position"};  ///< those that may be arrays of positions
-  std::unordered_set<std::string> names_;
-  std::vector<FoundMember> members_;
-};
-
-/// The arrays of velocities next to an array of positions, and the ends of the names of their numbers.
-struct VelocityArray {
-  std::string_view name, ending;
-};
-constexpr std::array velocity_arrays{VelocityArray{"velocity", "_v"}, VelocityArray{"velocity_in", "_vin"},
-                                     VelocityArray{"velocity_out", "_vout"}};
-
-bool has_time_name(const FoundMember& member) {
-  return role_of_name(member.name) == Role::time || is_usual_time(member.name);
-}
-
-/// Whether a member may be a position by its place: one number without another role.
-bool is_plain_number(const FoundMember& member) {
-  return member.numbers == 1 && !member.array && !member.text && !member.nested && !member.is_rotation &&
-         !has_role(member.name) && !is_usual_time(member.name) && !is_usual_counter(member.name) &&
-         !time_part_of(member.name);
-}
-
-bool is_object_of_positions(const FoundMember& member) { return member.is_of_whole && member.route[0] == "position"; }
-
-Error channel_count(std::size_t names, std::size_t numbers) {
-  return data_error("\"channels\" has {}; expected {}, one for each number of \"position\"; correct it",
-                    how_many(names, "name"), numbers);
-}
-
-bool is_required(const JsonColumns& columns, std::size_t cell) {
-  const Role role = columns.columns.cells[cell].role;
-  if (columns.columns.are_segments && role != Role::ignored) return true;
-  return role == Role::time || role == Role::position || role == Role::group;
-}
-
-/// Tension, continuity and bias may be in any key, even if the first has none, each alone or in "tcb", unless the
-/// velocities of all channels are given.
-void add_optional_members(JsonColumns& columns) {
-  constexpr std::array roles{std::pair{"tension", Role::tension}, std::pair{"continuity", Role::continuity},
-                             std::pair{"bias", Role::bias}};
-  const auto is_there = [&](std::string_view name) {
-    return std::ranges::any_of(columns.members,
-                               [&](const Member& member) { return member.name == name && !member.is_nested(); });
-  };
-  const auto& given = columns.columns.cells;
-  const auto is_given = [&](std::size_t channel) {
-    return std::ranges::any_of(given, [&](const auto& cell) {
-      return cell.channel == channel && (cell.role == Role::velocity || cell.role == Role::velocity_in);
-    });
-  };
-  std::size_t channel = columns.columns.are_segments ? columns.columns.channels.size() : 0;
-  while (channel < columns.columns.channels.size() && is_given(channel)) ++channel;
-  if (channel == columns.columns.channels.size()) return;  // no tangent depends on them
-  const bool tcb = is_there("tcb");
-  const std::size_t first = columns.columns.cells.size();
-  const auto add = [&](const char* name, bool array, std::size_t cell, std::size_t cells) {
-    columns.members.push_back({.name = name, .title = name, .array = array, .cell = cell, .cells = cells});
-  };
-  for (const auto& [name, role] : roles) {
-    if (tcb || !columns.columns.has(role)) add(name, false, columns.columns.cells.size(), 1);
-    columns.columns.cells.push_back({role, 0});
+  /// Whether a member is [] or {}.
+  bool is_empty(const FoundMember& member) const {
+    return member.node != JsonCell::missing && tape_[member.node].is_nested() &&
+           tape_[member.node].next == member.node + 1;
   }
-  if (!tcb) add("tcb", true, first, roles.size());
-}
-
-/// Adds a member at the end of its route.
-void add_member(std::vector<Member>& members, const FoundMember& found) {
-  std::vector<Member>* level = &members;
-  for (std::size_t step = 0; step + 1 < found.route.size(); ++step) {
-    auto outer = std::ranges::find_if(
-        *level, [&](const Member& member) { return member.name == found.route[step] && member.is_nested(); });
-    if (outer == level->end()) {
-      level->push_back({.name = found.route[step]});
-      outer = level->end() - 1;
-    }
-    outer->is_whole = outer->is_whole || found.is_of_whole || is_spread_always(found.route[0]);
-    level = &outer->inner;
-  }
-  level->push_back({.name = found.route.back(),
-                    .title = found.name,
-                    .array = found.array,
-                    .cell = found.cell,
-                    .cells = found.columns.size()});
-}
-
-void complete(const JsonColumns& columns, std::vector<Member>& members, std::size_t& count) {
-  for (Member& member : members) {
-    member.number = count++;
-    for (std::size_t i = 0; i < member.cells; ++i) {
-      member.required = member.required || is_required(columns, member.cell + i);
-    }
-    complete(columns, member.inner, count);
-  }
-}
-
-/// Takes a member of a record, and what is in it, as texts in a row of cells.
-void take_cells(std::vector<std::string_view>& row, const JsonTape& tape, MemberFinder& finder,
-                const std::vector<Member>& members, std::string_view name, std::size_t value, std::size_t& expected) {
-  if (value == JsonCell::missing) return;
-  const Member* const member = finder.find(members, name, tape.kind(value), expected);
-  if (member == nullptr) return;
-  const auto text = [&](std::size_t scalar) {
-    const Kind kind = tape.kind(scalar);
-    return kind == Kind::null ? "" : tape.shown(scalar);
-  };
-  std::size_t index = 0, expected_inside = 0;
-  if (!tape[value].is_nested() && member->cells > 0) row[member->cell] = text(value);
-  for (const std::size_t inner : tape.inside(value)) {
-    if (tape.kind(inner) == Kind::name) {
-      take_cells(row, tape, finder, member->inner, tape.text(inner), inner + 1, expected_inside);
-    } else if (member->is_nested()) {
-      take_cells(row, tape, finder, member->inner, fmt::format("[{}]", index++), inner, expected_inside);
-    } else if (index < member->cells && !tape[inner].is_nested()) {
-      row[member->cell + index++] = text(inner);
-    }
-  }
-}
-
-/// Finds the columns of the members of the first key.
-class FirstKey {
- public:
-  FirstKey(const JsonTable& records, const InputOptions& options, const std::vector<std::string>& channels)
-      : records_(records),
-        tape_(records.tape()),
-        options_(options),
-        requested_(options.columns),
-        channels_(channels),
-        members_(FirstRecord(records, options).read()) {}
-
-  JsonColumns find() {
-    if (!requested_.samples) spread();
-    name_columns();
-    JsonColumns result;
-    std::vector<std::string> header;
-    for (FoundMember& member : members_) {
-      member.cell = header.size();
-      header.insert(header.end(), member.columns.begin(), member.columns.end());
-      if (member.is_spread) continue;
-      add_member(result.members, member);
-      if (member.columns.empty() && !member.empty) unused_.push_back(member.name);
-    }
-    std::vector<bool> numeric;
-    for (const FoundMember& member : members_) numeric.insert(numeric.end(), member.columns.size(), !member.text);
-    if (requested_.samples) {
-      result.columns = find_sample_columns(header, numeric, *requested_.samples, requested_.timeless);
-    } else {
-      if (!options_.rotation.none && !requested_.has(Role::position)) require_quaternion();
-      require_no_lost_arrays();
-      result.columns = find_columns(header, numeric, requests(), requested_.timeless);
-      result.columns.has_time_by_place = !records_.has_names() && !requested_.has(Role::time) && !requested_.timeless;
-      std::ranges::for_each(members_, [&](const FoundMember& member) { require_shape(member); });
-    }
-    const bool has_array = has_any(&FoundMember::is_of_positions);
-    if (has_array) result.columns.likely_time.clear();
-    const bool lacks_time = !result.columns.has(Role::time) && !requested_.timeless && !requested_.samples;
-    if (has_array && lacks_time) require_no_lost_time(result.columns);
-    result.columns.ignored.insert(result.columns.ignored.end(), unused_.begin(), unused_.end());
-    result.found = result.columns.cells.size();
-    if (!requested_.samples) find_doubts(result, header, numeric);
-    if (!requested_.samples) find_unused_rotation(result.columns.doubts);
-    add_optional_members(result);
-    complete(result, result.members, result.all_members);
-    result.rules = options_.keys;
-    result.max_memory = options_.max_memory;
-    const auto time = std::ranges::find_if(members_, [&](const FoundMember& member) {
-      return member.columns.size() == 1 && !member.value.empty() &&
-             result.columns.cells[member.cell].role == Role::time;
-    });
-    result.units = units_of_keys(options_.units, result.columns, time == members_.end() ? "" : time->value);
-    return result;
+  /// Whether numbers are in an object, or in the objects and arrays of an array.
+  bool holds_numbers(const FoundMember& member) const {
+    const auto holds_one = [&](std::size_t inner) {
+      const std::size_t value = tape_.value_of(inner);
+      return (value != inner || tape_[value].is_nested()) && tape_.holds(value, Kind::number);
+    };
+    return member.nested && std::ranges::any_of(tape_.inside(member.node), holds_one);
   }
 
- private:
   template <class F>
   bool has_any(const F& f) const {
     return std::ranges::any_of(members_, [&](const FoundMember& member) { return std::invoke(f, member); });
@@ -437,6 +395,13 @@ class FirstKey {
   Error at(const FoundMember& member, const Error& error) const {
     return error.about(member.path).at(tape_.position(member.place));
   }
+  /// An error at the value of a member, which is outside of the record in a table of columns.
+  Error at_value(const FoundMember& member, const Error& error) const {
+    const std::size_t first = records_.place(0);
+    const bool is_inside = first < member.node && member.node < tape_[first].next;
+    return error.about(is_inside ? records_.first_path() + tape_.path(first, member.node) : member.path)
+        .at(tape_.position(member.node));
+  }
 
   /// Adds the numbers, times and texts in an object or an array, whose names are their paths.
   void add_inside(std::vector<FoundMember>& members, const FoundMember& outer) {
@@ -456,10 +421,9 @@ class FirstKey {
         continue;
       }
       const bool is_string = tape_.kind(value) == Kind::string;
-      inner.value = is_string ? tape_.text(value) : tape_.written(value);
-      inner.empty = false;
+      const std::string_view text = tape_.shown(value);
       inner.text = tape_.kind(value) == Kind::boolean ||
-                   (is_string && !parse_number(inner.value) && !(find_notation(inner.value) && has_time_name(inner)));
+                   (is_string && !parse_number(text) && !(find_notation(text) && has_time_name(inner)));
       inner.numbers = inner.text ? 0 : 1;
       members.push_back(std::move(inner));
     }
@@ -478,43 +442,57 @@ class FirstKey {
     const bool has_position_object = has_any([](const FoundMember& m) { return m.name == "position" && m.nested; });
     const bool has_request = !requested_.roles.empty() || !options_.rotation.requests.empty();
     if (!has_request && !lacks_position && !lacks_time && !has_position_object) return;
-    const std::size_t count = members_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      if ((!members_[i].nested && !members_[i].array) || members_[i].node == JsonCell::missing) continue;
-      const bool is_rotation = is_of_rotation(members_[i]) && !has_rotation(members_[i].name);
-      if (holds_tcb(members_[i].name) || is_rotation) continue;
-      const bool is_position = members_[i].nested && !members_[i].array && members_[i].name == "position" &&
-                               !requested_.has(Role::position) && !has_position_array && members_[i].deep_numbers;
-      const std::size_t first = members_.size();
-      std::vector<FoundMember> inside;
+    std::vector<FoundMember> kept, deeper;
+    for (FoundMember& outer : members_) {
       std::vector<std::string> rest;
-      add_inside(inside, members_[i]);
-      const bool is_position_array = members_[i].name == "position" &&
-                                     std::ranges::any_of(inside, [&](const auto& one) { return is_requested(one); });
-      for (FoundMember& inner : inside) {
-        const auto is_element = [](const std::string& step) { return step.starts_with('['); };
-        const auto elements = std::ranges::count_if(inner.route, is_element);
-        const bool in_vector = elements == 1 && !is_element(inner.route[1]) && is_element(inner.route.back());
-        const bool may_be_position = lacks_position && (elements == 0 || in_vector);
-        const bool is_time = !inner.text && (has_time_name(inner) || time_part_of(inner.name));
-        const bool may_be_time = lacks_time && elements == 0 && is_time;
-        const bool is_of_positions = is_position || is_position_array || may_be_position;
-        inner.is_rotation = is_in_rotation(inner.name);
-        if (!is_of_positions && !may_be_time && !inner.is_rotation && !is_requested(inner)) {
-          std::string whole = inner.name.substr(0, inner.name.find('[', members_[i].name.size()));
-          if (rest.empty() || rest.back() != whole) rest.push_back(std::move(whole));
-          continue;
-        }
-        if (is_position && inner.route.size() == 2) inner.name = inner.route[1];
-        members_[i].is_spread = true;
-        inner.is_of_whole = is_of_positions || inner.is_rotation;
-        members_.push_back(std::move(inner));
+      if (!add_spread(outer, lacks_position, lacks_time, has_position_array, deeper, rest)) {
+        kept.push_back(std::move(outer));
+      } else {
+        unused_.insert(unused_.end(), rest.begin(), rest.end());
       }
-      if (!members_[i].is_spread) continue;
-      const auto of_this = std::span(members_).last(members_.size() - first);
-      for (FoundMember& inner : of_this) inner.is_of_whole = inner.is_of_whole && (rest.empty() || !inner.is_rotation);
-      unused_.insert(unused_.end(), rest.begin(), rest.end());
     }
+    for (const FoundMember& member : deeper) names_.insert(member.name);
+    members_ = std::move(kept);
+    std::ranges::move(deeper, std::back_inserter(members_));
+  }
+
+  /// Adds those of the numbers in a member that are members of their own, and what else it holds to `rest`. Returns
+  /// whether there are any.
+  bool add_spread(const FoundMember& outer, bool lacks_position, bool lacks_time, bool has_position_array,
+                  std::vector<FoundMember>& members, std::vector<std::string>& rest) {
+    const bool is_rotation = is_of_rotation(outer) && !has_rotation(outer.name);
+    const bool is_nested = (outer.nested || outer.array) && outer.node != JsonCell::missing;
+    if (!is_nested || holds_tcb(outer.name) || is_rotation) return false;
+    const bool is_position = outer.nested && !outer.array && outer.name == "position" &&
+                             !requested_.has(Role::position) && !has_position_array && holds_numbers(outer);
+    std::vector<FoundMember> inside;
+    add_inside(inside, outer);
+    const bool is_position_array =
+        outer.name == "position" && std::ranges::any_of(inside, [&](const auto& one) { return is_requested(one); });
+    const std::size_t before = members.size();
+    for (FoundMember& inner : inside) {
+      const auto is_element = [](const std::string& step) { return step.starts_with('['); };
+      const auto elements = std::ranges::count_if(inner.route, is_element);
+      const bool in_vector = elements == 1 && !is_element(inner.route[1]) && is_element(inner.route.back());
+      const bool may_be_position = lacks_position && (elements == 0 || in_vector);
+      const bool is_time = !inner.text && (has_time_name(inner) || time_part_of(inner.name));
+      const bool may_be_time = lacks_time && elements == 0 && is_time;
+      const bool is_of_positions = is_position || is_position_array || may_be_position;
+      inner.is_rotation = is_in_rotation(inner.name);
+      if (!is_of_positions && !may_be_time && !inner.is_rotation && !is_requested(inner)) {
+        std::string whole = inner.name.substr(0, inner.name.find('[', outer.name.size()));
+        if (rest.empty() || rest.back() != whole) rest.push_back(std::move(whole));
+        continue;
+      }
+      if (is_position && inner.route.size() == 2) inner.name = inner.route[1];
+      inner.is_of_whole = is_of_positions || inner.is_rotation;
+      members.push_back(std::move(inner));
+    }
+    // An object is whole where no number in it is left out, or all are positions.
+    for (FoundMember& inner : std::span(members).subspan(before)) {
+      inner.is_of_whole = inner.is_of_whole && (rest.empty() || !inner.is_rotation);
+    }
+    return members.size() > before;
   }
 
   /// The name of the array of positions that nothing names: the only array, or the only one with a usual name.
@@ -523,8 +501,7 @@ class FirstKey {
     for (const FoundMember& member : members_) {
       if (is_plain_number(member)) return "";
       const bool is_velocity = std::ranges::count(velocity_arrays, member.name, &VelocityArray::name) > 0;
-      const bool is_rotation = member.is_spread || is_of_rotation(member);
-      if (!member.is_number_array() || has_role(member.name) || is_rotation || is_velocity) continue;
+      if (!member.is_number_array() || has_role(member.name) || is_of_rotation(member) || is_velocity) continue;
       all.push_back(member.name);
       std::string_view one = member.name;
       if (one.ends_with('s')) one.remove_suffix(1);
@@ -540,26 +517,24 @@ class FirstKey {
     for (const RoleRequest& request : requested_.roles) {
       if (request.role != Role::position) continue;
       for (const std::string& name : request.columns) {
-        const auto array = std::ranges::find_if(members_, [&](const FoundMember& member) {
-          return member.array && !member.is_spread && same_in_any_case(member.name, name);
-        });
+        const auto array = std::ranges::find_if(
+            members_, [&](const FoundMember& member) { return member.array && same_in_any_case(member.name, name); });
         if (array != members_.end()) arrays.push_back(array->name);
       }
     }
     bool has_quaternions = false;
     if (arrays.empty()) {
       const auto position = std::ranges::find(members_, "position", &FoundMember::name);
-      const bool has_position = position != members_.end() && position->is_number_array() && !position->is_spread;
+      const bool has_position = position != members_.end() && position->is_number_array();
       const bool is_known = requested_.has(Role::position) || has_position || requested_.samples;
       const std::string lone = is_known ? "" : lone_array();
       arrays = {lone.empty() ? "position" : lone};
       has_quaternions = !options_.rotation.none && !has_rotation("rotation") && has_quaternion(members_);
     }
     for (FoundMember& member : members_) {
-      const bool is_array = member.array && !member.nested && !member.is_spread;
+      const bool is_array = member.array && !member.nested;
       const bool is_number = !member.array && member.numbers == 1;
-      const bool is_whole = !member.is_spread && is_of_rotation(member) &&
-                            (has_quaternions || (is_number && is_in_rotation(member.name)));
+      const bool is_whole = is_of_rotation(member) && (has_quaternions || (is_number && is_in_rotation(member.name)));
       member.is_rotation = member.is_rotation || is_whole;
       member.is_position = !member.is_rotation && is_array && std::ranges::count(arrays, member.name) > 0;
     }
@@ -569,16 +544,12 @@ class FirstKey {
   /// Names the cells of members. Throws: Error (data) where an array has another number of them.
   void name_columns() {
     const bool is_alone = find_arrays().size() == 1;
-    std::unordered_set<std::string_view> names;
-    for (const FoundMember& member : members_) names.insert(member.name);
     for (FoundMember& member : members_) {
-      if (member.is_position) member.columns = position_columns(member, is_alone, names);
+      if (member.is_position) member.columns = position_columns(member, is_alone);
     }
     const auto positions = std::ranges::find_if(members_, &FoundMember::is_position);
     for (FoundMember& member : members_) {
-      if (member.is_spread) {
-        member.columns.clear();
-      } else if (member.text) {
+      if (member.text) {
         member.columns = {member.name};
       } else if (member.is_rotation && is_of_rotation(member) && !is_in_rotation(member.name)) {
         for (const auto& [name, column] : quaternion_members) {
@@ -601,11 +572,10 @@ class FirstKey {
   }
 
   /// The names of the numbers in an array, which are those of other members in front of none.
-  std::vector<std::string> position_columns(const FoundMember& array, bool is_alone,
-                                            const std::unordered_set<std::string_view>& names) const {
+  std::vector<std::string> position_columns(const FoundMember& array, bool is_alone) const {
     if (is_alone && !channels_.empty()) return channels_;
     std::vector<std::string> columns = default_channel_names(array.numbers);
-    const bool is_free = std::ranges::none_of(columns, [&](const auto& column) { return names.contains(column); });
+    const bool is_free = std::ranges::none_of(columns, [&](const auto& column) { return names_.contains(column); });
     if (array.name == "position" || (is_alone && is_free)) return columns;
     for (std::string& column : columns) column.insert(0, array.name + "_");
     return columns;
@@ -660,11 +630,16 @@ class FirstKey {
     return requests;
   }
 
-  /// Throws: Error (data) for members of rotations that are something else than a quaternion, but for arrays of one or
-  /// two numbers.
+  /// Throws: Error (data) for members of rotations that are something else than a quaternion and are not requested, but
+  /// for arrays of one or two numbers.
   void require_quaternion() const {
-    const auto first = std::ranges::find_if(members_, is_of_rotation);
-    if (first == members_.end() || first->is_spread || has_quaternion(members_)) return;
+    const auto is_named = [&](const FoundMember& m) {
+      return is_any_in_rotations([&](std::string_view name) { return name == m.name; });
+    };
+    const auto first =
+        std::ranges::find_if(members_, [&](const FoundMember& m) { return is_of_rotation(m) && !is_named(m); });
+    const auto is_deeper = [](const FoundMember& m) { return is_of_rotation(m) && m.route.size() > 2; };
+    if (first == members_.end() || has_any(is_deeper) || has_quaternion(members_)) return;
     const bool is_array = first->array && !first->nested;
     if (is_array && first->numbers < 3) return;  // too few for a rotation in any form
     throw at(*first,
@@ -681,7 +656,7 @@ class FirstKey {
   /// requested.
   void require_shape(const FoundMember& member) const {
     const bool is_array = holds_tcb(member.name);
-    if (member.is_spread || !has_role(member.name) || (is_array == member.array && !member.text)) return;
+    if (!has_role(member.name) || (is_array == member.array && !member.text)) return;
     const bool is_named = requested_.has(member.name);
     if (is_named || (!is_array && member.numbers == 1 && !member.array)) return;  // it may be null
     throw at(member, is_array ? data_error("this is not an array; expected [T,C,B]; correct it")
@@ -698,8 +673,8 @@ class FirstKey {
     for (const FoundMember& member : members_) {
       const bool is_array = member.array && !member.nested;
       const bool is_used = member.is_of_positions() || (is_array && !member.columns.empty());
-      if (member.is_spread || is_used || may_be_rotation(member) || has_role(member.name)) continue;
-      if (!is_array && !member.deep_numbers && (!lacks_numbers || path_of_number(member) == member.name)) continue;
+      if (is_used || may_be_rotation(member) || has_role(member.name)) continue;
+      if (!is_array && !holds_numbers(member) && (!lacks_numbers || path_of_number(member) == member.name)) continue;
       const bool is_position = !has_position && (is_array || lacks_numbers || is_usual_position(member.name));
       if (!is_position && (has_time || !is_usual_time(member.name))) continue;
       throw at(member,
@@ -752,7 +727,7 @@ class FirstKey {
   void find_unused_rotation(std::vector<std::string>& notes) const {
     if (options_.rotation.none || !options_.rotation.requests.empty() || requested_.has(Role::position)) return;
     for (const FoundMember& member : members_) {
-      if (!member.columns.empty() || member.is_spread || !may_be_rotation(member)) continue;
+      if (!member.columns.empty() || !may_be_rotation(member)) continue;
       const bool is_vector = member.numbers == 3;
       notes.push_back(
           fmt::format("the numbers of {} may be a rotation; --rotation {} resamples them as one{}, "
@@ -769,14 +744,10 @@ class FirstKey {
     constexpr std::size_t most = 50;
     std::vector<std::vector<std::string_view>> rows(std::min(records_.size(), most));
     JsonCells cells;
-    MemberFinder finder;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       rows[i].resize(header.size());
       records_.get_cells(i, cells);
-      std::size_t expected = 0;
-      for (const JsonCell& cell : cells) {
-        take_cells(rows[i], tape_, finder, columns.members, cell.name, cell.value, expected);
-      }
+      for (const JsonCell& cell : cells) take_cells(rows[i], tape_, columns.key, cell.name, cell.value);
     }
     std::vector<std::string> meant, arrays;
     for (const FoundMember& member : members_) {
@@ -802,13 +773,30 @@ class FirstKey {
   const JsonTape& tape_;
   const InputOptions& options_;
   const ColumnOptions& requested_;
+  const std::vector<std::string>& signs_;
   const std::vector<std::string>& channels_;
+  std::unordered_set<std::string> texts_;                  ///< members that are requested as texts
+  std::unordered_set<std::string> positions_{"position"};  ///< those that may be arrays of positions
+  std::unordered_set<std::string> names_;                  ///< of members
   MemoryUse paths_{options_.max_memory};
   std::vector<FoundMember> members_;
   std::vector<std::string> unused_;  ///< members, and what is in others of which a part is used
 };
 
 }  // namespace
+
+Member& Member::add(Member member) {
+  places.emplace(member.name, inner.size());
+  return inner.emplace_back(std::move(member));
+}
+
+const Member* Member::find(std::string_view name, Kind kind) const {
+  const auto [first, last] = places.equal_range(name);
+  const auto has_kind = [&](const auto& place) { return inner[place.second].is_nested() == (kind == Kind::object); };
+  const auto found = std::find_if(first, last, has_kind);
+  if (first == last) return nullptr;
+  return &inner[(found == last ? first : found)->second];
+}
 
 JsonColumns find_members(const JsonTable& records, const InputOptions& options,
                          const std::vector<std::string>& channels) {
@@ -820,8 +808,8 @@ void name_channels(JsonColumns& columns, const std::vector<std::string>& channel
   const auto is_array = [&](const Member& m) {
     return m.array && m.cells > 0 && columns.columns.cells[m.cell].role == Role::position;
   };
-  const auto member = std::ranges::find_if(columns.members, is_array);
-  if (member == columns.members.end() || channels.empty()) return;
+  const auto member = std::ranges::find_if(columns.key.inner, is_array);
+  if (member == columns.key.inner.end() || channels.empty()) return;
   if (channels.size() != member->cells) throw channel_count(channels.size(), member->cells);
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const Columns::Column column = columns.columns.cells[member->cell + i];

@@ -5,12 +5,12 @@
 // path, as in pose.orientation.x and values[0].
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "read/input_options.hpp"
@@ -33,45 +33,21 @@ struct JsonColumns {
     std::size_t number = 0;          ///< among all members
     bool is_whole = false;           ///< all numbers in it have cells
     std::vector<Member> inner = {};  ///< the members of an object, or the elements of an array, that have cells
+    std::multimap<std::string, std::size_t, std::less<>> places = {};  ///< of the inner ones, by their names
 
     bool is_nested() const { return !inner.empty(); }
+    /// The inner member with a name, of the kind of a value if there are two; null: there is none.
+    const Member* find(std::string_view name, JsonNode::Kind kind) const;
+    Member& add(Member inner_one);
   };
   Columns columns;
-  std::vector<Member> members;
+  Member key;                               ///< whose inner ones are the members of a key
   std::size_t all_members = 0;              ///< also the inner ones
   std::vector<std::string> row_names = {};  ///< of the cells of records that are arrays
   std::size_t found = 0;                    ///< the number of cells of the first key; others may come in any key
   KeyRules rules;
   KeyUnits units;
   std::uint64_t max_memory = default_max_memory;  ///< of numbers that are missing, in bytes
-};
-
-/// Finds members by their names. Requires: they do not change.
-class MemberFinder {
- public:
-  using Member = JsonColumns::Member;
-
-  /// The member with a name, of the kind of a value. `expected`: its place, if all keys have the same order.
-  const Member* find(const std::vector<Member>& members, std::string_view name, JsonNode::Kind kind,
-                     std::size_t& expected) {
-    const auto is_it = [&](const Member& member) {
-      return member.name == name && member.is_nested() == (kind == JsonNode::Kind::object);
-    };
-    if (expected < members.size() && is_it(members[expected])) return &members[expected++];
-    auto& by_name = by_name_[&members];
-    if (by_name.empty()) {
-      for (const Member& member : members) by_name.emplace(member.name, &member);
-    }
-    const auto [first, last] = by_name.equal_range(name);
-    if (first == last) return nullptr;
-    const auto found = std::find_if(first, last, [&](const auto& named) { return is_it(*named.second); });
-    const Member* const member = (found == last ? first : found)->second;
-    expected = static_cast<std::size_t>(member - members.data()) + 1;
-    return member;
-  }
-
- private:
-  std::unordered_map<const std::vector<Member>*, std::unordered_multimap<std::string_view, const Member*>> by_name_;
 };
 
 /// The memory of a number that a record does not have, where it is skipped and all keys are kept.

@@ -16,7 +16,6 @@ namespace {
 using Column = Columns::Column;
 using Kind = JsonNode::Kind;
 using Member = JsonColumns::Member;
-using Members = std::vector<Member>;
 
 bool is_text(const Column& column) { return column.role == Role::group || column.role == Role::carry; }
 
@@ -32,7 +31,7 @@ class KeyReader {
         path_(std::move(path)),
         number_(number),
         seen_(columns.all_members) {
-    find_required(columns.members);
+    find_required(columns.key);
   }
 
   bool is_full() const { return keys_.is_full(); }
@@ -58,9 +57,8 @@ class KeyReader {
     }
     begin_key();
     const LinePosition position = lines.to(tape_.part().chunk.text, tape_[place].begin);
-    std::size_t expected = 0;
     table.get_cells(row, cells_);
-    for (const JsonCell& cell : cells_) read_member(cell, expected);
+    for (const JsonCell& cell : cells_) read_member(cell);
     if (const std::size_t cells = table.columns(); cells > 0 && tape_.count(place) != cells) {
       add_fault(row_of_other_size(number_, tape_.count(place), cells).at(tape_.position(place)));
     }
@@ -88,17 +86,17 @@ class KeyReader {
     keys_.set_position(position.line, position.column);
   }
 
-  void find_required(const Members& members) {
-    for (const Member& member : members) {
+  void find_required(const Member& outer) {
+    for (const Member& member : outer.inner) {
       if (member.required) required_.push_back(&member);
-      find_required(member.inner);
+      find_required(member);
     }
   }
 
-  void read_member(const JsonCell& cell, std::size_t& expected) {
+  void read_member(const JsonCell& cell) {
     cell_ = &cell;
     is_provenance_ = is_provenance_ || cell.name == "meta";
-    const Member* const member = finder_.find(columns_.members, cell.name, tape_.kind(cell.value), expected);
+    const Member* const member = columns_.key.find(cell.name, tape_.kind(cell.value));
     const bool is_spread = (cell.name == "tcb" || cell.name == "rotation") && tape_.kind(cell.value) == Kind::object;
     if (member != nullptr && (!is_spread || member->is_nested())) return read_value(*member, cell.value);
     if (!is_spread) return refuse_unknown(cell.value);
@@ -158,12 +156,11 @@ class KeyReader {
     if (!is_object && (kind != Kind::array || !member.inner[0].name.starts_with('['))) {
       return refuse_unknown(value);  // what a key needs is missing
     }
-    std::size_t expected = 0, index = 0;
+    std::size_t index = 0;
     for (const std::size_t inner : tape_.inside(value)) {
       const std::string step = is_object ? "" : fmt::format("[{}]", index++);
       const std::size_t of_inner = tape_.value_of(inner);
-      const Member* const found =
-          finder_.find(member.inner, is_object ? tape_.text(inner) : step, tape_.kind(of_inner), expected);
+      const Member* const found = member.find(is_object ? tape_.text(inner) : step, tape_.kind(of_inner));
       if (found != nullptr) {
         read_value(*found, of_inner);
       } else if (member.is_whole) {
@@ -296,7 +293,6 @@ class KeyReader {
   std::uint64_t number_;             ///< of the current or the next record
   std::vector<unsigned char> seen_;  ///< 1 for the members of the current key; bits would take longer
   std::vector<const Member*> required_;
-  MemberFinder finder_;
   JsonCells cells_;                 ///< of the current key
   const JsonCell* cell_ = nullptr;  ///< the current member
   bool is_provenance_ = false;      ///< the object has "meta", and is no key if it has no member of a key

@@ -60,8 +60,7 @@ class SettingsReader {
   void read_other(std::size_t value) {
     const std::string nearest = nearest_name(member_, known_members);
     if (!nearest.empty()) throw at(name_, data_error("there is no such setting; did you mean {}?", nearest));
-    bool has_number = false;
-    for (std::size_t i = value; i < tape_[value].next; ++i) has_number = has_number || tape_.kind(i) == Kind::number;
+    const bool has_number = tape_.holds(value, Kind::number);
     if (has_number && member_ != "meta" && others_.insert(member_).second) found.unused.emplace_back(member_);
   }
 

@@ -241,7 +241,7 @@ Records open_objects(Source<Task> source, JsonShape shape, const InputOptions& o
   Source<Parsed> parts = ordered_map(std::move(source), parse_part, options.threads);
   std::optional<Curve> curve = read_curve(parts, options.max_memory);
   if (!curve) throw no_text();
-  if (curve->columns.members.empty()) throw no_keys(curve->members);
+  if (curve->columns.key.inner.empty()) throw no_keys(curve->members);
   Records records = records_of(curve->columns, shape);
   std::vector<std::string>& ignored = records.columns.ignored;
   ignored.insert(ignored.end(), curve->members.unused.begin(), curve->members.unused.end());

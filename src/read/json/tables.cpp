@@ -22,13 +22,6 @@ using Kind = JsonNode::Kind;
 /// Whether a name may be an index of rows: a number, or a time in words.
 bool is_index(std::string_view name) { return parse_number(name) || find_notation(name); }
 
-bool holds_kind(const JsonTape& tape, std::size_t value, Kind kind) {
-  for (std::size_t at = value; at < tape[value].next; ++at) {
-    if (tape.kind(at) == kind) return true;
-  }
-  return false;
-}
-
 /// Whether an array or object is not empty, and its values are all of a kind.
 bool has_only(const JsonTape& tape, std::size_t value, Kind kind) {
   const auto all = tape.inside(value);
@@ -39,7 +32,7 @@ bool has_only(const JsonTape& tape, std::size_t value, Kind kind) {
 /// The array of rows of an object that has the names of their columns beside it, as pandas and InfluxDB write tables.
 std::optional<std::size_t> rows_beside_columns(const JsonTape& tape, std::size_t object) {
   const auto columns = tape.member(object, "columns");
-  if (!columns || tape.kind(*columns) != Kind::array || holds_kind(tape, *columns, Kind::object)) return std::nullopt;
+  if (!columns || tape.kind(*columns) != Kind::array || tape.holds(*columns, Kind::object)) return std::nullopt;
   for (const std::string_view name : {"data", "values", "rows"}) {
     const auto rows = tape.member(object, name);
     if (rows && has_only(tape, *rows, Kind::array)) return rows;
@@ -136,7 +129,7 @@ bool JsonTable::find_layout(std::size_t table, bool is_root, bool is_timeless) {
     const bool begins_with_object = value + 1 < tape[value].next && tape.kind(value + 1) == Kind::object;
     if (tape.kind(value) == Kind::array && !begins_with_object) {
       if (is_usual_time(text) || !is_root) return read_lists(table), true;
-      if (is_root && holds_kind(tape, value, Kind::object)) return false;
+      if (is_root && tape.holds(value, Kind::object)) return false;
     } else if (is_root) {
       return false;
     }
@@ -249,12 +242,8 @@ void JsonTable::read_rows() {
 
 /// Adds a member beside the columns, unless it holds nothing.
 void JsonTable::add_other(std::size_t name) {
-  for (std::size_t node = name + 1; node < (*tape_)[name + 1].next; ++node) {
-    const Kind kind = tape_->kind(node);
-    if (kind != Kind::number && kind != Kind::string && kind != Kind::boolean) continue;
-    others_.emplace_back(tape_->text(name));
-    return;
-  }
+  const auto holds = [&](Kind kind) { return tape_->holds(name + 1, kind); };
+  if (holds(Kind::number) || holds(Kind::string) || holds(Kind::boolean)) others_.emplace_back(tape_->text(name));
 }
 
 void JsonTable::read_split(std::size_t table, std::size_t rows) {
@@ -457,7 +446,7 @@ Fit fit_of_object(const JsonTape& tape, std::size_t object) {
     const std::size_t value = name + 1;
     are_times = are_times && is_index(tape.text(name)) && tape[value].is_nested() && tape[value].next > value + 1;
     if (tape.kind(value) != Kind::array) continue;
-    const bool is_flat = !holds_kind(tape, value, Kind::object);
+    const bool is_flat = !tape.holds(value, Kind::object);
     const std::size_t count = tape.count(value);
     are_equal = are_equal && is_flat && count >= 2 && count == size.value_or(count);
     size = count;

@@ -3,6 +3,7 @@
 // Source: RFC 8259. nlohmann-json parses the text through its events.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -92,6 +93,12 @@ class JsonTape {
   }
   /// The value of the member with a name; nothing if there is none. Throws: Error (data) if there are two.
   std::optional<std::size_t> member(std::size_t object, std::string_view name) const;
+
+  /// Whether a value is one of a kind, or holds one.
+  bool holds(std::size_t value, Kind wanted) const {
+    return std::any_of(nodes_.begin() + static_cast<std::ptrdiff_t>(value), nodes_.begin() + nodes_[value].next,
+                       [&](const JsonNode& node) { return node.kind == wanted; });
+  }
 
   /// The text of a value as it is written.
   std::string_view written(std::size_t value) const {

@@ -129,6 +129,15 @@ TEST(JsonMembers, numbers_in_objects_are_columns_with_their_paths) {
       testing::AllOf(HasSubstr("keys[1].a.y: the first key has no such number"), HasSubstr("no member \"a.x\"")));
 }
 
+TEST(JsonMembers, numbers_of_a_rotation_in_any_form_may_be_named) {
+  InputOptions options;
+  options.rotation.requests = {
+      {.notation = {.form = spline::RotationForm::euler}, .columns = {"rotation.x", "rotation.y", "rotation.z"}}};
+  const std::string keys = R"([{"t":0,"v":1,"rotation":{"x":2,"y":3,"z":4}}])";
+  EXPECT_THAT(read(keys, options), testing::EndsWith("\n1: 0 1 2 3 4\n"));
+  EXPECT_THAT(read(keys), HasSubstr("keys[0].rotation.x: \"rotation\" has members other than x, y, z and w"));
+}
+
 TEST(JsonMembers, an_object_or_the_only_array_is_the_position) {
   EXPECT_EQ(read(R"([{"time":0,"position":{"x":0,"y":1}},{"time":10,"position":{"x":1,"y":2}}])"),
             "time x y\n1: 0 0 1\n1: 10 1 2\n");

@@ -32,6 +32,9 @@ TEST(JsonKeys, whole_numbers_are_exact_times_and_rounded_positions) {
 TEST(JsonKeys, members_may_come_in_another_order_in_every_key) {
   EXPECT_EQ(read(R"([{"t":0,"x":1,"y":2},{"y":4,"t":1,"x":3},{"x":5,"y":6,"t":2}])"),
             "t x y\n1: 0 1 2\n1: 1 3 4\n1: 2 5 6\n");
+  EXPECT_EQ(read(R"([{"t":0,"tension":1,"x":2},{"x":4,"t":1,"tension":3}])", with_columns("position=tension:x")),
+            "t tension x\n1: 0 1 2\n1: 1 3 4\n")
+      << "in their requested role";
 }
 
 TEST(JsonKeys, a_value_that_is_not_a_number_is_an_error) {
