@@ -634,7 +634,7 @@ class FirstKey {
   /// for arrays of one or two numbers.
   void require_quaternion() const {
     const auto is_named = [&](const FoundMember& m) {
-      return is_any_in_rotations([&](std::string_view name) { return name == m.name; });
+      return m.is_rotation && is_any_in_rotations([&](std::string_view name) { return name == m.name; });
     };
     const auto first =
         std::ranges::find_if(members_, [&](const FoundMember& m) { return is_of_rotation(m) && !is_named(m); });

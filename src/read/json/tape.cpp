@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -20,61 +19,30 @@ constexpr std::size_t most_levels = 100;
 
 bool is_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c) || c == '_'; }
 
-bool is_plain(char c) { return c >= ' ' && static_cast<unsigned char>(c) < 0x80 && c != '"' && c != '\\'; }
+/// Where the string that begins at `at` ends, after its closing quote, or the end of the text.
+std::size_t end_of_string(std::string_view text, std::size_t at) {
+  for (++at; at < text.size() && text[at] != '"'; ++at) at += text[at] == '\\' ? 1 : 0;
+  return std::min(at + 1, text.size());
+}
 
-/// The characters of a text as nlohmann-json gets them, which takes a long time for each. It would convert each number,
-/// but numbers are converted where they are used, and a zero in the place of digits has their syntax. A string of
-/// printable ASCII without escapes is an empty one, as its text is as it is written. Blanks after a comma or a colon
-/// are left out. NaN, which JSON does not have, is a zero, too. The NUL after the text ends it.
-class Characters {
- public:
-  using iterator_category = std::forward_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = char;
-
-  /// `read`: the place of the character that was read last.
-  Characters(const char* at, const char*& read) : at_(at), read_(&read) {}
-
-  char operator*() const { return begins_digits() || is_nan() ? '0' : *at_; }
-  Characters& operator++() {
-    *read_ = at_;
-    if (in_string_) {
-      in_string_ = *at_ != '"' || is_escaped_;
-      is_escaped_ = *at_ == '\\' && !is_escaped_;
-    } else if (*at_ == '"') {
-      in_string_ = true;
-      const char* end = at_ + 1;
-      while (is_plain(*end)) ++end;
-      if (*end == '"') at_ = end - 1;
-    } else if (*at_ == ',' || *at_ == ':') {
-      while (is_json_blank(at_[1])) ++at_;
-    } else if (begins_digits()) {
-      while (is_digit(at_[1])) ++at_;
-    } else if (is_nan()) {
-      at_ += 2;
+/// The text with a zero in the place of each NaN outside of strings, which JSON does not have; empty: there is none.
+std::string without_nan(std::string_view text) {
+  constexpr std::string_view nan = "NaN";
+  std::string zeros;
+  for (std::size_t at = text.find(nan) < text.size() ? 0 : text.size(); at < text.size(); ++at) {
+    const char before = at == 0 ? ' ' : text[at - 1];
+    if (text[at] == '"') {
+      at = end_of_string(text, at) - 1;
+    } else if (text[at] == 'N' && text.substr(at).starts_with(nan) &&
+               (before == ',' || before == ':' || before == '[' || is_json_blank(before))) {
+      const std::size_t end = at + nan.size();
+      if (end < text.size() && is_word(text[end])) continue;
+      if (zeros.empty()) zeros = text;
+      zeros.replace(at, nan.size(), "0.0");
     }
-    before_ = *at_++;
-    return *this;
   }
-  bool operator==(const Characters& other) const { return at_ == other.at_; }
-
-  const char* place() const { return at_; }
-  /// A zero is given by itself, as another digit may not follow one that begins a number.
-  bool begins_digits() const { return *at_ >= '1' && *at_ <= '9' && !in_string_; }
-
- private:
-  bool is_nan() const {
-    return *at_ == 'N' && !in_string_ && std::strncmp(at_, "NaN", 3) == 0 && !is_word(at_[3]) &&
-           (before_ == ',' || before_ == ':' || before_ == '[' || is_json_blank(before_));
-  }
-
-  const char* at_;
-  const char** read_;
-  char before_ = ' ';
-  bool in_string_ = false, is_escaped_ = false;
-};
+  return zeros;
+}
 
 /// Where the value that begins at `at` ends, by its strings and brackets, or the end of the text.
 std::size_t end_of_value(std::string_view text, std::size_t at) {
@@ -82,7 +50,7 @@ std::size_t end_of_value(std::string_view text, std::size_t at) {
   for (; at < text.size(); ++at) {
     const char c = text[at];
     if (c == '"') {
-      for (++at; at < text.size() && text[at] != '"'; ++at) at += text[at] == '\\' ? 1 : 0;
+      at = end_of_string(text, at) - 1;
     } else if (c == '{' || c == '[') {
       ++depth;
     } else if (c == '}' || c == ']') {
@@ -97,8 +65,7 @@ std::size_t end_of_value(std::string_view text, std::size_t at) {
 
 }  // namespace
 
-/// Receives the events of nlohmann-json, with its names. An event follows the last character of its text, but that of a
-/// number the character after it. One that returns false ends the parsing.
+/// Receives the events of nlohmann-json, with its names, and finds the place of each value in the text.
 class JsonTape::Events {
  public:
   using Json = nlohmann::json;
@@ -106,14 +73,15 @@ class JsonTape::Events {
   Events(JsonTape& tape, std::size_t begin)
       : tape_(tape),
         text_(tape.part_.chunk.text),
-        now_(text_.data() + begin),
+        first_(begin),
+        now_(begin),
         is_list_(tape.part_.kind == JsonPart::Kind::list) {}
 
-  bool null() { return add(Kind::null); }
-  bool boolean(bool) { return add(Kind::boolean); }
-  bool number_integer(Json::number_integer_t) { return add_number(false); }
-  bool number_unsigned(Json::number_unsigned_t) { return add_number(false); }
-  bool number_float(Json::number_float_t, const std::string&) { return add_number(true); }
+  bool null() { return add(Kind::null, begin() + 4); }
+  bool boolean(bool value) { return add(Kind::boolean, begin() + (value ? 4 : 5)); }
+  bool number_integer(Json::number_integer_t) { return add_number(); }
+  bool number_unsigned(Json::number_unsigned_t) { return add_number(); }
+  bool number_float(Json::number_float_t, const std::string&) { return add_number(); }
   bool string(const std::string& text) { return add_text(Kind::string, text); }
   bool key(const std::string& text) { return add_text(Kind::name, text); }
   bool binary(const Json::binary_t&) { return false; }
@@ -121,51 +89,64 @@ class JsonTape::Events {
   bool start_array(std::size_t) { return open(Kind::array); }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
-  bool parse_error(std::size_t count, const std::string&, const Json::exception&) { refuse_syntax(count); }
+  bool parse_error(std::size_t count, const std::string&, const Json::exception& error) {
+    constexpr int overflow = 406;
+    if (error.id == overflow)
+      throw too_large(text_.substr(begin(), end_of_number() - begin())).at(tape_.position_at(begin()));
+    refuse_syntax(count);
+  }
 
-  const char*& read() { return read_; }
-  const char* now() const { return now_; }
+  std::size_t now() const { return now_; }
 
  private:
   /// What was read last.
   enum class Last { nothing, opening, name, value };
 
-  std::uint32_t place(const char* at) const { return static_cast<std::uint32_t>(at - text_.data()); }
-
   /// The first character of the next token.
-  const char* begin() {
-    while (is_json_blank(*now_) || *now_ == ',' || *now_ == ':') ++now_;
+  std::size_t begin() {
+    while (is_json_blank(text_[now_]) || text_[now_] == ',' || text_[now_] == ':') ++now_;
     return now_;
   }
+  std::size_t end_of_number() {
+    std::size_t at = begin();
+    const auto skip = [&](std::string_view any) {
+      const bool is_one = at < text_.size() && any.find(text_[at]) != std::string_view::npos;
+      if (is_one) ++at;
+      return is_one;
+    };
+    const auto skip_digits = [&] {
+      while (at < text_.size() && is_digit(text_[at])) ++at;
+    };
+    skip("-");
+    if (!skip("0")) skip_digits();
+    if (skip(".")) skip_digits();
+    if (skip("eE")) {
+      skip("+-");
+      skip_digits();
+    }
+    return at;
+  }
 
-  bool add(Kind kind) { return add(kind, read_ + 1); }
-  bool add(Kind kind, const char* end) {
-    const std::uint32_t first = place(begin());
+  bool add(Kind kind, std::size_t end) {
+    const auto first = static_cast<std::uint32_t>(begin());
     now_ = end;
     if (tape_.nodes_.size() == tape_.nodes_.capacity()) tape_.require_memory();
-    tape_.nodes_.push_back({first, place(end), static_cast<std::uint32_t>(tape_.nodes_.size() + 1), kind});
+    tape_.nodes_.push_back(
+        {first, static_cast<std::uint32_t>(end), static_cast<std::uint32_t>(tape_.size() + 1), kind});
     last_ = Last::value;
     return true;
   }
 
-  bool add_number(bool may_have_exponent) {
-    if (*begin() == 'N') return add(Kind::null, read_);
-    add(Kind::number, read_);
-    constexpr std::size_t longest = 308;  // of a number that is no double only by its exponent
-    const std::string_view number = tape_.written(tape_.size() - 1);
-    const bool has_exponent =
-        may_have_exponent && (number.find('e') < number.size() || number.find('E') < number.size());
-    if ((has_exponent || number.size() > longest) && !parse_number(number)) {
-      throw too_large(number).at(tape_.position(tape_.size() - 1));
-    }
-    return true;
+  bool add_number() {
+    const bool is_nan = text_[begin()] == 'N';
+    return is_nan ? add(Kind::null, begin() + 3) : add(Kind::number, end_of_number());
   }
 
-  /// A text without escapes is as it is written; `text` is empty for one that is plain.
+  /// A text without escapes is as it is written.
   bool add_text(Kind kind, const std::string& text) {
-    add(kind);
+    add(kind, end_of_string(text_, begin()));
     JsonNode& node = tape_.nodes_.back();
-    node.has_escapes = !text.empty() && tape_.text(tape_.size() - 1) != text;
+    node.has_escapes = tape_.written(tape_.size() - 1).find('\\') != std::string_view::npos;
     if (node.has_escapes) tape_.unescaped_.emplace(node.begin, text);
     if (kind == Kind::name) last_ = Last::name;
     return true;
@@ -174,10 +155,10 @@ class JsonTape::Events {
   bool open(Kind kind) {
     if (open_.size() == most_levels) {
       throw data_error("this is nested deeper than {} brackets; expected fewer; remove it", most_levels)
-          .at(tape_.position_at(place(begin())));
+          .at(tape_.position_at(begin()));
     }
     open_.push_back(tape_.nodes_.size());
-    add(kind);
+    add(kind, begin() + 1);
     last_ = Last::opening;
     return true;
   }
@@ -185,8 +166,8 @@ class JsonTape::Events {
   bool close() {
     JsonNode& node = tape_.nodes_[open_.back()];
     open_.pop_back();
-    now_ = read_ + 1;
-    node.end = place(now_);
+    now_ = begin() + 1;
+    node.end = static_cast<std::uint32_t>(now_);
     node.next = static_cast<std::uint32_t>(tape_.nodes_.size());
     last_ = Last::value;
     return true;
@@ -196,25 +177,15 @@ class JsonTape::Events {
 
   /// The place of the next token, which a comma or colon may precede unless that is the `last` byte.
   std::size_t next_token(std::size_t last, bool& is_separated) const {
-    const std::size_t at = skip(static_cast<std::size_t>(now_ - text_.data()));
+    const std::size_t at = skip(now_);
     is_separated = at < text_.size() && (text_[at] == ',' || text_[at] == ':') && at != last;
     return is_separated ? skip(at + 1) : at;
   }
 
-  /// The place of the last one of the characters that the parser has read and not given back.
-  std::size_t last_place(std::size_t count) const {
-    const char* read = nullptr;
-    Characters last(parsed_, read);
-    for (; count > 1 && last.place() < text_.data() + text_.size(); --count) ++last;
-    const char* at = last.place();
-    while (last.begins_digits() && is_digit(at[1])) ++at;
-    return place(at);
-  }
-
-  /// Throws: Error (data) for the last one of the characters that the parser has read, which breaks the grammar of
+  /// Throws: Error (data) for the last one of so many characters that the parser has read, which breaks the grammar of
   /// JSON.
   [[noreturn]] void refuse_syntax(std::size_t count) const {
-    const std::size_t last = last_place(count);
+    const std::size_t last = std::min(first_ + count - 1, text_.size());
     const bool is_end = last + (is_list_ ? 1 : 0) >= text_.size();
     bool is_separated = false;
     const std::size_t begin = next_token(last, is_separated);
@@ -251,7 +222,7 @@ class JsonTape::Events {
   std::string_view expected(bool is_separated) const {
     switch (last_) {
       case Last::nothing: return "a value";
-      case Last::opening: return now_[-1] == '{' ? "a name in quotes" : "a value";
+      case Last::opening: return text_[now_ - 1] == '{' ? "a name in quotes" : "a value";
       case Last::name: return is_separated ? "a value" : "a colon after the name";
       case Last::value: break;
     }
@@ -261,9 +232,8 @@ class JsonTape::Events {
 
   JsonTape& tape_;
   std::string_view text_;
-  const char* read_ = nullptr;  ///< the place of the last character that the parser has read
-  const char* now_;             ///< the end of the last token
-  const char* parsed_ = now_;   ///< where the parsing began
+  std::size_t first_;  ///< where the parsing began
+  std::size_t now_;    ///< the end of the last token
   bool is_list_;
   Last last_ = Last::nothing;
   std::vector<std::size_t> open_;  ///< the arrays and objects around the next value
@@ -275,6 +245,7 @@ JsonTape::JsonTape(const JsonPart& part, std::uint64_t max_memory) : part_(part)
         "the text has more than 4 GiB and is read as a whole; expected less; write a list of objects, which is read in "
         "parts");
   }
+  without_nan_ = without_nan(part.chunk.text);
   if (part.kind != JsonPart::Kind::values) parse(0, true);
 }
 
@@ -282,17 +253,16 @@ JsonTape::JsonTape(const JsonPart& part, std::uint64_t max_memory) : part_(part)
 void JsonTape::parse(std::size_t first, bool is_one) {
   nodes_.resize(first);
   Events events(*this, end_);
-  const char* const text = part_.chunk.text.c_str();
-  nlohmann::json::sax_parse(Characters(text + end_, events.read()),
-                            Characters(text + part_.chunk.text.size() + 1, events.read()), &events,
+  const std::string& text = without_nan_.empty() ? part_.chunk.text : without_nan_;
+  nlohmann::json::sax_parse(text.begin() + static_cast<std::ptrdiff_t>(end_), text.end(), &events,
                             nlohmann::json::input_format_t::json, is_one);
-  end_ = static_cast<std::size_t>(events.now() - text);
+  end_ = events.now();
 }
 
 /// Throws: Error (data) if the text and twice as many nodes need more memory than is allowed.
 void JsonTape::require_memory() const {
   constexpr std::size_t bytes_of_unescaped = 96;  // a short string in its table
-  const std::size_t texts = unescaped_.empty() ? 1 : 2;
+  const std::size_t texts = 1 + (unescaped_.empty() ? 0 : 1) + (without_nan_.empty() ? 0 : 1);
   MemoryUse(max_memory_)
       .add(texts * part_.chunk.text.size() +
            2 * (nodes_.capacity() * sizeof(JsonNode) + unescaped_.size() * bytes_of_unescaped));
