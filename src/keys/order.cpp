@@ -215,18 +215,10 @@ using WrittenTimes = std::vector<std::optional<Rational>>;
 /// Sets the times of keys as written, if the numbers of keys are kept so. No text is changed for a key without a time.
 void set_written_times(KeyBlock& block, std::span<const std::optional<Rational>> times) {
   const auto is_changed = [](const auto& time) { return time.has_value(); };
-  if (block.decimals.empty() || std::ranges::none_of(times, is_changed)) return;
-  const std::size_t per_key = block.decimals.size() / block.size();
-  Texts decimals;
-  for (std::size_t i = 0; i < block.decimals.size(); ++i) {
-    const auto& time = times[i / per_key];
-    if (time && i % per_key == NumberOfKey::time) {
-      decimals.add(ratio_text(*time));
-    } else {
-      decimals.add(block.decimals[i]);
-    }
-  }
-  block.decimals = std::move(decimals);
+  if (std::ranges::none_of(times, is_changed)) return;
+  block.rewrite_decimals([&](std::size_t key, std::size_t number, std::string_view text) {
+    return times[key] && number == NumberOfKey::time ? ratio_text(*times[key]) : std::string(text);
+  });
 }
 
 /// The stage of spread_out(), which holds the keys of one time.
@@ -295,8 +287,8 @@ class Joiner : public HoldingStage {
       kept.push_back(start);
       require_duration(block, start);
     }
+    join_decimals(block);
     KeyBlock result = block.selected(kept);
-    if (!result.decimals.empty()) result.decimals = joined_decimals(block, kept);
     result.take_block_data(block);
     result.breaks.before = std::move(breaks);
     held_ = block.range(block.size() - 1, block.size());
@@ -335,21 +327,16 @@ class Joiner : public HoldingStage {
     size_ = std::max(std::abs(from.hi), duration);
   }
 
-  /// The numbers of the keys as written, with the incoming velocities of the ends that they are joined to.
-  Texts joined_decimals(const KeyBlock& block, const std::vector<std::size_t>& kept) const {
-    Texts texts;
+  /// Gives the starts of segments the incoming velocities, as written, of the ends before them.
+  void join_decimals(KeyBlock& block) const {
     const std::size_t per_key = block.decimals.size() / block.size(), channels = block.keys.channels;
     const std::size_t first = NumberOfKey::of_channel(NumberOfKey::velocity_in_of, 0, channels);
-    for (const std::size_t key : kept) {
+    block.rewrite_decimals([&](std::size_t key, std::size_t number, std::string_view text) {
       const bool is_start = key % 2 == 0;
-      for (std::size_t i = 0; i < per_key; ++i) {
-        const bool is_incoming = is_start && i >= first && i < first + channels;
-        const Texts& from = is_incoming && key == 0 ? held_.decimals : block.decimals;
-        const std::size_t owner = !is_incoming ? key : key == 0 ? 0 : key - 1;
-        texts.add(from.empty() ? std::string_view() : from[owner * per_key + i]);
-      }
-    }
-    return texts;
+      if (!is_start || number < first || number >= first + channels) return std::string(text);
+      const Texts& from = key == 0 ? held_.decimals : block.decimals;
+      return std::string(from.empty() ? "" : from[(key == 0 ? 0 : key - 1) * per_key + number]);
+    });
   }
 
   double size_ = 0;  ///< of the times of the last segment

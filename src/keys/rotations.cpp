@@ -342,8 +342,7 @@ class SignChain {
           in_quotes(name_));
     std::vector<bool> negated(block.size());
     for (std::size_t key = 0; key < block.size(); ++key) negated[key] = add_key(block, key);
-    if (is_quaternion_ && !block.decimals.empty() && std::ranges::count(negated, true) > 0)
-      negate_decimals(block, negated);
+    if (is_quaternion_ && std::ranges::count(negated, true) > 0) negate_decimals(block, negated);
   }
 
   /// Checks the turn from the last key to the first one.
@@ -427,20 +426,11 @@ class SignChain {
   }
 
   void negate_decimals(KeyBlock& block, const std::vector<bool>& negated) const {
-    const std::size_t per_key = block.decimals.size() / block.size();
-    Texts decimals;
-    for (std::size_t i = 0; i < block.decimals.size(); ++i) {
-      const std::size_t number = i % per_key;
-      const std::string_view text = block.decimals[i];
-      if (!negated[i / per_key] || !has_sign(number, block.keys.channels) || text.empty()) {
-        decimals.add(text);
-      } else if (text.starts_with('-')) {
-        decimals.add(text.substr(1));
-      } else {
-        decimals.add("-" + std::string(text.starts_with('+') ? text.substr(1) : text));
-      }
-    }
-    block.decimals = std::move(decimals);
+    block.rewrite_decimals([&](std::size_t key, std::size_t number, std::string_view text) {
+      if (!negated[key] || !has_sign(number, block.keys.channels) || text.empty()) return std::string(text);
+      if (text.starts_with('-')) return std::string(text.substr(1));
+      return "-" + std::string(text.starts_with('+') ? text.substr(1) : text);
+    });
   }
 
   spline::RotationChannels channels_;

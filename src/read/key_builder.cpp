@@ -128,14 +128,15 @@ bool KeyBuilder::take_decimal(const Columns::Column& column, std::string_view de
   return true;
 }
 
-bool KeyBuilder::take(const Columns::Column& column, const WrittenNumber& written) {
-  const bool is_ratio = written.decimal.find('/') != std::string::npos;
+bool KeyBuilder::take(const Columns::Column& column, double number, std::string_view decimal) {
+  const bool is_ratio = decimal.find('/') != std::string_view::npos;
   if (column.role != Role::time) {
-    number(column) = written.value;
+    this->number(column) = number;
   } else {
-    time_ = is_ratio ? nearest_time(exact_number(written)) : parse_time(written.decimal).value_or(Time(written.value));
+    time_ = is_ratio ? nearest_time(parse_rational(decimal).value_or(Rational(number)))
+                     : parse_time(decimal).value_or(Time(number));
   }
-  return !takes_decimals() || take_decimal(column, written.decimal);
+  return !takes_decimals() || take_decimal(column, decimal);
 }
 
 bool KeyBuilder::set_time_in_words(std::string_view text) {

@@ -43,7 +43,7 @@ class KeyBuilder {
   /// doubles. Requires: the number is set.
   bool take_decimal(const Columns::Column& column, std::string_view decimal);
   /// Takes a number as written, of the time or of another cell; false for a result beyond the doubles.
-  bool take(const Columns::Column& column, const WrittenNumber& written);
+  bool take(const Columns::Column& column, double number, std::string_view decimal);
   void set_time(const Time& time) { time_ = time; }
   /// The times are numbers, of seconds or another unit.
   bool has_times_as_numbers() const { return units_.notation == TimeNotation::seconds; }

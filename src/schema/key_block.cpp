@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace tcb {
 namespace {
@@ -80,6 +81,14 @@ void KeyBlock::take_block_data(KeyBlock& from) {
   breaks.at_end = from.breaks.at_end;
   if (curve_info == nullptr) curve_info = std::move(from.curve_info);
   faults = std::move(from.faults);
+}
+
+void KeyBlock::rewrite_decimals(const std::function<std::string(std::size_t, std::size_t, std::string_view)>& f) {
+  if (decimals.empty()) return;
+  const std::size_t per_key = decimals.size() / size();
+  Texts written;
+  for (std::size_t i = 0; i < decimals.size(); ++i) written.add(f(i / per_key, i % per_key, decimals[i]));
+  decimals = std::move(written);
 }
 
 TextPosition KeyBlock::text_position(std::size_t key) const {

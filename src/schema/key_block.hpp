@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -118,6 +119,9 @@ struct KeyBlock {
   KeyBlock cut(std::size_t first);
   /// Moves the members of the block `from` into this one; this block's own curve_info has priority.
   void take_block_data(KeyBlock& from);
+
+  /// Replaces numbers of keys as written, if they are kept: each by f(its key, its place among those of a key, it).
+  void rewrite_decimals(const std::function<std::string(std::size_t, std::size_t, std::string_view)>& f);
 
   std::uint64_t line(std::size_t key) const { return text_positions.lines[key]; }
   /// The text position of the key's time, or in JSON of the key itself.

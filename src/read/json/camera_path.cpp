@@ -214,7 +214,7 @@ class KeyframeReader {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const Columns::Column& column = columns_.cells[i];
       const bool is_read = column.role == Role::time || column.role == Role::position || is_of_channel(column.role);
-      if (is_read && !keys_.take(column, numbers[i])) {
+      if (is_read && !keys_.take(column, numbers[i].value, numbers[i].decimal)) {
         throw of_member(columns_.name_of(column), too_large(numbers[i].decimal));
       }
     }

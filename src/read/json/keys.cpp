@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "numbers/parse_number.hpp"
@@ -230,27 +231,19 @@ class KeyReader {
     if (column.role == Role::time && !keys_.has_times_as_numbers()) {
       return add_value_fault(value, time_in_other_notation(decimal));
     }
-    const auto number = [&] { return parse_number(decimal).value_or(0); };
-    switch (column.role) {
-      case Role::time: keys_.set_time(parse_time(decimal).value_or(Time(0))); break;
-      case Role::tension: store_once(0, column, number(), value); break;
-      case Role::continuity: store_once(1, column, number(), value); break;
-      case Role::bias: store_once(2, column, number(), value); break;
-      default: keys_.number(column) = number();
-    }
-    if (keys_.takes_decimals() && !keys_.take_decimal(column, decimal)) {
-      add_value_fault(value, too_large(decimal));
-    }
+    constexpr std::array parameters{Role::tension, Role::continuity, Role::bias};
+    const auto parameter = std::ranges::find(parameters, column.role) - parameters.begin();
+    if (parameter < std::ssize(parameters)) require_once(1U << parameter, value);
+    if (!keys_.take(column, parse_number(decimal).value_or(0), decimal)) add_value_fault(value, too_large(decimal));
   }
 
-  /// Tension, continuity or bias: a member, or a number of "tcb", but not both.
-  void store_once(unsigned place, const Column& column, double number, std::size_t value) {
-    if (((tcb_given_ >> place) & 1U) != 0) {
+  /// Tension, continuity or bias is a member, or a number of "tcb", but not both.
+  void require_once(unsigned parameter, std::size_t value) {
+    if ((tcb_given_ & parameter) != 0) {
       add_value_fault(value,
                       data_error("this parameter is given twice, in \"tcb\" and alone; expected it once; remove one"));
     }
-    tcb_given_ |= 1U << place;
-    keys_.number(column) = number;
+    tcb_given_ |= parameter;
   }
 
   void miss_member(const Member& member, std::size_t place) {

@@ -58,19 +58,6 @@ bool JsonSplitter::skip_string() {
   return text_[at_] == '"';
 }
 
-/// Skips from an opening brace to just before the closing one, where that is near, and no other brace and no backslash
-/// is between.
-void JsonSplitter::skip_plain_object() {
-  // Without another brace and without a backslash, quotes come in pairs up to a brace outside of strings.
-  constexpr std::size_t longest = 1024;  // so that braces that nothing closes take linear time
-  const std::string_view near = std::string_view(text_).substr(at_, longest);
-  const std::string_view object = near.substr(0, near.find('}'));
-  if (object.size() == near.size()) return;
-  const std::string_view members = object.substr(1);
-  const auto has = [&](char c) { return members.find(c) != std::string_view::npos; };
-  if (!has('{') && !has('\\') && std::ranges::count(members, '"') % 2 == 0) at_ += members.size();
-}
-
 /// Cuts off and returns the text up to `end`.
 Chunk JsonSplitter::take(std::size_t end) {
   std::string rest = text_.substr(end);
@@ -229,8 +216,6 @@ void JsonSplitter::scan_records() {
         if (!skip_string()) return;
         break;
       case '{':
-        if (depth == 0) skip_plain_object();
-        [[fallthrough]];
       case '[': ++depth; break;
       case ',':
         if (is_list && depth == 0 && end_record(at_)) return;

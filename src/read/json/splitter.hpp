@@ -68,7 +68,6 @@ class JsonSplitter {
   bool read_more();
   char skip_blanks(std::size_t& at);
   bool skip_string();
-  void skip_plain_object();
   Chunk take(std::size_t end);
 
   void start();

@@ -308,7 +308,7 @@ class TrackKeys {
   }
 
   void add_number(const Columns::Column& column, const WrittenNumber& number, const TrackKey& key) {
-    if (!keys_.take(column, number)) {
+    if (!keys_.take(column, number.value, number.decimal)) {
       throw track_number_too_large(number.decimal).about(path_of(track_)).at({"", key.line, 0});
     }
   }
