@@ -133,41 +133,6 @@ void require_whole_velocities(const Columns& columns) {
   }
 }
 
-/// For each column, its role in one channel, if its name has one: that of a column that may be a channel. `chosen`: the
-/// channels were requested. Throws: Error (data) for a name such as "tension_q" where there is no q, unless `chosen`;
-/// but "q_v" is then any other name.
-std::vector<std::optional<ChannelRole>> channel_roles(std::span<const std::string> header,
-                                                      const std::vector<bool>& may_be_channel, bool chosen) {
-  std::vector<std::optional<ChannelRole>> named, roles(header.size());
-  std::ranges::transform(header, std::back_inserter(named), channel_role_of);
-  if (std::ranges::none_of(named, [](const auto& role) { return role.has_value(); })) return roles;
-  const NameIndex names(header);
-  std::vector<std::size_t> cells(header.size());
-  std::iota(cells.begin(), cells.end(), std::size_t{0});
-  // The column of a channel has a shorter name than those with a role in it.
-  std::ranges::stable_sort(cells, {}, [&](std::size_t cell) { return header[cell].size(); });
-  for (const std::size_t cell : cells) {
-    if (!named[cell]) continue;
-    if (named[cell]->role == Role::velocity && !may_be_channel[cell]) continue;
-    const auto channel = names.find(named[cell]->channel);
-    if (channel && may_be_channel[*channel] && !roles[*channel]) {
-      roles[cell] = {named[cell]->role, header[*channel]};
-    }
-  }
-  for (std::size_t cell = 0; cell < header.size() && !chosen; ++cell) {
-    if (!named[cell] || roles[cell] || named[cell]->role == Role::velocity) continue;
-    std::vector<std::string> channels;
-    for (std::size_t i = 0; i < header.size(); ++i) {
-      if (may_be_channel[i] && !named[i]) channels.push_back(header[i]);
-    }
-    throw data_error(
-        "column {} names a channel {}, which does not exist; expected one of {}; correct the name, or name the "
-        "channels with --columns position=NAME:NAME",
-        in_quotes(header[cell]), in_quotes(named[cell]->channel), listed(channels));
-  }
-  return roles;
-}
-
 /// A column with a role in one channel, which is known once all channels are.
 struct ColumnOfChannel {
   std::size_t cell;
@@ -176,22 +141,48 @@ struct ColumnOfChannel {
   bool requested;
 };
 
-/// The columns that have such a role by their names. `times`: for each column, whether it is the time by its name;
-/// `chosen`: the positions are requested by an option.
+/// The columns that have such a role by their names: in a column that may be a channel. `times`: for each column,
+/// whether it is the time by its name; `chosen`: the positions are requested by an option. Throws: Error (data) for a
+/// name such as "tension_q" where there is no q, unless `chosen`; but "q_v" is then any other name.
 std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::span<const std::string> header,
                                                  const std::vector<bool>& numeric, const std::vector<bool>& times,
                                                  bool chosen) {
+  std::vector<std::optional<ChannelRole>> named;
+  std::ranges::transform(header, std::back_inserter(named), channel_role_of);
+  if (std::ranges::none_of(named, [](const auto& role) { return role.has_value(); })) return {};
   std::vector<bool> may_be_channel(header.size());
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
     const Role role = columns.cells[cell].role;
     const bool by_name = !chosen && role == Role::ignored && !times[cell] && numeric[cell];
     may_be_channel[cell] = role == Role::position || (by_name && role_of_name(header[cell]) == Role::position);
   }
-  const auto roles = channel_roles(header, may_be_channel, chosen);
+  const NameIndex names(header);
+  std::vector<std::size_t> cells(header.size());
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  // The column of a channel has a shorter name than those with a role in it.
+  std::ranges::stable_sort(cells, {}, [&](std::size_t cell) { return header[cell].size(); });
+  std::vector<std::optional<std::size_t>> channels(header.size());  // the cell of the channel of each
+  for (const std::size_t cell : cells) {
+    if (!named[cell] || (named[cell]->role == Role::velocity && !may_be_channel[cell])) continue;
+    const auto channel = names.find(named[cell]->channel);
+    if (channel && may_be_channel[*channel] && !channels[*channel]) channels[cell] = channel;
+  }
   std::vector<ColumnOfChannel> found;
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
-    if (!roles[cell] || columns.cells[cell].role != Role::ignored) continue;
-    found.push_back({cell, *roles[cell], header[cell], false});
+    if (!named[cell]) continue;
+    if (channels[cell]) {
+      if (columns.cells[cell].role != Role::ignored) continue;
+      found.push_back({cell, {named[cell]->role, header[*channels[cell]]}, header[cell], false});
+    } else if (!chosen && named[cell]->role != Role::velocity) {
+      std::vector<std::string> possible;
+      for (std::size_t i = 0; i < header.size(); ++i) {
+        if (may_be_channel[i] && !named[i]) possible.push_back(header[i]);
+      }
+      throw data_error(
+          "column {} names a channel {}, which does not exist; expected one of {}; correct the name, or name the "
+          "channels with --columns position=NAME:NAME",
+          in_quotes(header[cell]), in_quotes(named[cell]->channel), listed(possible));
+    }
   }
   return found;
 }
