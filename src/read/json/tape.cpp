@@ -25,23 +25,45 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
-/// The text with a zero in the place of each NaN outside of strings, which JSON does not have; empty: there is none.
-std::string without_nan(std::string_view text) {
-  constexpr std::string_view nan = "NaN";
-  std::string zeros;
-  for (std::size_t at = text.find(nan) < text.size() ? 0 : text.size(); at < text.size(); ++at) {
-    const char before = at == 0 ? ' ' : text[at - 1];
-    if (text[at] == '"') {
-      at = end_of_string(text, at) - 1;
-    } else if (text[at] == 'N' && text.substr(at).starts_with(nan) &&
-               (before == ',' || before == ':' || before == '[' || is_json_blank(before))) {
-      const std::size_t end = at + nan.size();
-      if (end < text.size() && is_word(text[end])) continue;
-      if (zeros.empty()) zeros = text;
-      zeros.replace(at, nan.size(), "0.0");
+/// A text as nlohmann-json gets it, which takes long for each character and for the value of a number.
+struct ShortText {
+  std::string text;
+  std::size_t place = 0;  ///< of its last character in the whole text, or the end of that
+};
+
+/// What the grammar needs of a text from `at` on, up to so many characters: without the digits after one from 1 to 9,
+/// without the characters of strings in printable ASCII, and with a zero in the place of NaN, which JSON does not have.
+ShortText shortened(std::string_view text, std::size_t at, std::size_t most = std::string_view::npos) {
+  const auto is_plain = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
+  const auto is_nan = [&](std::size_t begin) {
+    const char before = begin == 0 ? ' ' : text[begin - 1];
+    const std::string_view rest = text.substr(begin);
+    return rest.starts_with("NaN") && !(rest.size() > 3 && is_word(rest[3])) &&
+           (before == ',' || before == ':' || before == '[' || is_json_blank(before));
+  };
+  std::string out;
+  std::size_t place = at;
+  bool in_string = false;
+  while (at < text.size() && out.size() < most) {
+    const char c = text[place = at++];
+    out += c;
+    if (in_string) {
+      in_string = c != '"';
+      if (c == '\\' && at < text.size() && out.size() < most) out += text[place = at++];
+    } else if (c == '"') {
+      in_string = true;
+      std::size_t end = at;
+      while (end < text.size() && is_plain(text[end])) ++end;
+      if (end < text.size() && text[end] == '"') at = end;
+    } else if (c == 'N' && is_nan(at - 1)) {
+      out.back() = '0';
+      at += 2;
+    } else if (c >= '1' && c <= '9') {
+      while (at < text.size() && is_digit(text[at])) place = at++;
     }
   }
-  return zeros;
+  const bool is_whole = out.size() < most;
+  return {std::move(out), is_whole ? text.size() : place};
 }
 
 /// Where the value that begins at `at` ends, by its strings and brackets, or the end of the text.
@@ -70,12 +92,9 @@ class JsonTape::Events {
  public:
   using Json = nlohmann::json;
 
-  Events(JsonTape& tape, std::size_t begin)
-      : tape_(tape),
-        text_(tape.part_.chunk.text),
-        first_(begin),
-        now_(begin),
-        is_list_(tape.part_.kind == JsonPart::Kind::list) {}
+  /// `text`: up to the end of what is parsed.
+  Events(JsonTape& tape, std::string_view text, std::size_t begin)
+      : tape_(tape), text_(text), first_(begin), now_(begin), is_list_(tape.part_.kind == JsonPart::Kind::list) {}
 
   bool null() { return add(Kind::null, begin() + 4); }
   bool boolean(bool value) { return add(Kind::boolean, begin() + (value ? 4 : 5)); }
@@ -89,12 +108,7 @@ class JsonTape::Events {
   bool start_array(std::size_t) { return open(Kind::array); }
   bool end_object() { return close(); }
   bool end_array() { return close(); }
-  bool parse_error(std::size_t count, const std::string&, const Json::exception& error) {
-    constexpr int overflow = 406;
-    if (error.id == overflow)
-      throw too_large(text_.substr(begin(), end_of_number() - begin())).at(tape_.position_at(begin()));
-    refuse_syntax(count);
-  }
+  bool parse_error(std::size_t count, const std::string&, const Json::exception&) { refuse_syntax(count); }
 
   std::size_t now() const { return now_; }
 
@@ -107,26 +121,6 @@ class JsonTape::Events {
     while (is_json_blank(text_[now_]) || text_[now_] == ',' || text_[now_] == ':') ++now_;
     return now_;
   }
-  std::size_t end_of_number() {
-    std::size_t at = begin();
-    const auto skip = [&](std::string_view any) {
-      const bool is_one = at < text_.size() && any.find(text_[at]) != std::string_view::npos;
-      if (is_one) ++at;
-      return is_one;
-    };
-    const auto skip_digits = [&] {
-      while (at < text_.size() && is_digit(text_[at])) ++at;
-    };
-    skip("-");
-    if (!skip("0")) skip_digits();
-    if (skip(".")) skip_digits();
-    if (skip("eE")) {
-      skip("+-");
-      skip_digits();
-    }
-    return at;
-  }
-
   bool add(Kind kind, std::size_t end) {
     const auto first = static_cast<std::uint32_t>(begin());
     now_ = end;
@@ -138,8 +132,31 @@ class JsonTape::Events {
   }
 
   bool add_number() {
-    const bool is_nan = text_[begin()] == 'N';
-    return is_nan ? add(Kind::null, begin() + 3) : add(Kind::number, end_of_number());
+    std::size_t at = begin();
+    if (text_[at] == 'N') return add(Kind::null, at + 3);
+    const auto skip = [&](std::string_view any) {
+      const bool is_one = at < text_.size() && any.find(text_[at]) != std::string_view::npos;
+      if (is_one) ++at;
+      return is_one;
+    };
+    const auto skip_digits = [&] {
+      while (at < text_.size() && is_digit(text_[at])) ++at;
+    };
+    skip("-");
+    if (!skip("0")) skip_digits();
+    if (skip(".")) skip_digits();
+    const bool has_exponent = skip("eE");
+    if (has_exponent) {
+      skip("+-");
+      skip_digits();
+    }
+    add(Kind::number, at);
+    constexpr std::size_t longest = 308;  // of a number that is no double only by its exponent
+    const std::string_view number = tape_.written(tape_.size() - 1);
+    if ((has_exponent || number.size() > longest) && !parse_number(number)) {
+      throw too_large(number).at(tape_.position(tape_.size() - 1));
+    }
+    return true;
   }
 
   /// A text without escapes is as it is written.
@@ -185,7 +202,7 @@ class JsonTape::Events {
   /// Throws: Error (data) for the last one of so many characters that the parser has read, which breaks the grammar of
   /// JSON.
   [[noreturn]] void refuse_syntax(std::size_t count) const {
-    const std::size_t last = std::min(first_ + count - 1, text_.size());
+    const std::size_t last = shortened(text_, first_, count).place;
     const bool is_end = last + (is_list_ ? 1 : 0) >= text_.size();
     bool is_separated = false;
     const std::size_t begin = next_token(last, is_separated);
@@ -245,24 +262,24 @@ JsonTape::JsonTape(const JsonPart& part, std::uint64_t max_memory) : part_(part)
         "the text has more than 4 GiB and is read as a whole; expected less; write a list of objects, which is read in "
         "parts");
   }
-  without_nan_ = without_nan(part.chunk.text);
   if (part.kind != JsonPart::Kind::values) parse(0, true);
 }
 
 /// Parses a value from the end of the last one on, which has to be the only one if `is_one`, to node `first` on.
 void JsonTape::parse(std::size_t first, bool is_one) {
   nodes_.resize(first);
-  Events events(*this, end_);
-  const std::string& text = without_nan_.empty() ? part_.chunk.text : without_nan_;
-  nlohmann::json::sax_parse(text.begin() + static_cast<std::ptrdiff_t>(end_), text.end(), &events,
-                            nlohmann::json::input_format_t::json, is_one);
+  const std::string_view whole = part_.chunk.text;
+  const std::string_view text = is_one ? whole : whole.substr(0, end_of_value(whole, end_));
+  const ShortText parsed = shortened(text, end_);
+  Events events(*this, text, end_);
+  nlohmann::json::sax_parse(parsed.text, &events, nlohmann::json::input_format_t::json, is_one);
   end_ = events.now();
 }
 
 /// Throws: Error (data) if the text and twice as many nodes need more memory than is allowed.
 void JsonTape::require_memory() const {
-  constexpr std::size_t bytes_of_unescaped = 96;  // a short string in its table
-  const std::size_t texts = 1 + (unescaped_.empty() ? 0 : 1) + (without_nan_.empty() ? 0 : 1);
+  constexpr std::size_t bytes_of_unescaped = 96;         // a short string in its table
+  const std::size_t texts = unescaped_.empty() ? 2 : 3;  // with the one that is parsed
   MemoryUse(max_memory_)
       .add(texts * part_.chunk.text.size() +
            2 * (nodes_.capacity() * sizeof(JsonNode) + unescaped_.size() * bytes_of_unescaped));

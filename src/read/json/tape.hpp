@@ -133,7 +133,6 @@ class JsonTape {
 
   const JsonPart& part_;
   std::uint64_t max_memory_;
-  std::string without_nan_;  ///< the text, if it has NaN, with zeros in their place
   std::vector<JsonNode> nodes_;
   std::unordered_map<std::uint32_t, std::string> unescaped_;  ///< by the places of strings with escapes
   std::size_t end_ = 0;                                       ///< of the last value that was read
