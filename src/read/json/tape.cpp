@@ -38,7 +38,7 @@ ShortText shortened(std::string_view text, std::size_t at, std::size_t most = st
   const auto is_nan = [&](std::size_t begin) {
     const char before = begin == 0 ? ' ' : text[begin - 1];
     const std::string_view rest = text.substr(begin);
-    return rest.starts_with("NaN") && !(rest.size() > 3 && is_word(rest[3])) &&
+    return rest.starts_with("NaN") && !(rest.size() > 3 && (is_word(rest[3]) || rest[3] == '.')) &&
            (before == ',' || before == ':' || before == '[' || is_json_blank(before));
   };
   std::string out;

@@ -35,7 +35,7 @@ refused_values = [
     b",", b":", b"-", b"+1", b"+", b".5", b"-.5", b"1.", b"-1.", b"1.e1", b"0.e1", b".", b"1e", b"1E", b"1e+", b"1e-",
     b"1.5e", b"1.5e+", b"e5", b"1ee5", b"1e5.5", b"1.5.5", b"01", b"-01", b"00", b"-00", b"012", b"01.5", b"0x1", b"0x",
     b"1x", b"1_000", b"1,000,", b"- 1", b"--1", b"-+1", b"1-1", b"1+1", b"1 2", b"1 000", b"0b1", b"1f", b"1.5f", b"1L",
-    b"nan", b"-NaN", b"NaN1", b"Infinity", b"-Infinity", b"+Infinity", b"Inf", b"inf", b"-inf", b"-a", b"1e400", b"-1e400",
+    b"nan", b"-NaN", b"NaN1", b"NaN.5", b"Infinity", b"-Infinity", b"+Infinity", b"Inf", b"inf", b"-inf", b"-a", b"1e400", b"-1e400",
     b"1" * 400, b"1e99999999999", b"1.7976931348623159e308", b"\xef\xbc\x91",
     b"True", b"False", b"Null", b"TRUE", b"nul", b"nulll", b"tru", b"truee", b"fals", b"falsee", b"true false", b"None",
     b"undefined", b"yes", b"a", b"'a'", b"''", b"`a`", b"\xc3\xa9", b"*", b"@", b"$", b"\\u0061", b"\\n", b'\\"a"', b"#",
