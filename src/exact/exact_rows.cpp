@@ -96,19 +96,18 @@ struct ExactRows::Request {
 /// The evaluation of rows on one thread, with what it keeps for later ones.
 class ExactRows::Evaluation {
  public:
-  explicit Evaluation(const Request& request) : rows_(request.rows), notation_(request.notation) {}
+  Evaluation(const Request& request, std::span<const std::size_t> chosen)
+      : rows_(request.rows),
+        notation_(request.notation),
+        chosen_(chosen.begin(), chosen.end()),
+        balls_(BallRows::in_double_doubles(rows_, chosen_)),
+        cells_(width(chosen)) {}
 
-  void add_row(FastRow row, const Locator& locator, std::span<const std::size_t> chosen, Table& table) {
+  void add_row(FastRow row, const Locator& locator, Table& table) {
     if (rows_.exact.decimal && !rows_.arc) row.exact = exact_times(row, locator);
-    if (!has_balls_) {
-      balls_ = BallRows::in_double_doubles(rows_, {chosen.begin(), chosen.end()});
-      cells_.resize(width(chosen));
-      has_balls_ = true;
-    }
     std::ranges::fill(cells_, RowCell{});
-    chosen_ = chosen;
     const bool is_placed = balls_ != nullptr && balls_->set(row, notation_, cells_);
-    if (is_open()) complete(row, chosen, is_placed);
+    if (is_open()) complete(row, is_placed);
     const auto overflows = [](const RowCell& one) {
       return !is_empty(one.printed->cell) && !std::isfinite(one.printed->cell.hi);
     };
@@ -176,15 +175,26 @@ class ExactRows::Evaluation {
     return cells_in_row(chosen, {rows_.exact.keys.channels, rows_.exact.channels.rotations});
   }
 
+  /// Calls a function with each field and its cells.
+  template <class F>
+  void for_each_field(const F& f) {
+    std::size_t first = 0;
+    for (const std::size_t& index : chosen_) {
+      const auto cells = std::span(cells_).subspan(first, width({&index, 1}));
+      first += cells.size();
+      f(index, cells);
+    }
+  }
+
   bool is_rational(std::size_t field) const {
     return rows_.exact.is_rational() && fields()[field].is_rational && rows_.exact.rules.rotations.empty();
   }
 
   /// Sets the cells that double-doubles leave open. They are nearly always halfway between two roundings, or 0, and are
   /// computed as rationals where they are rational; others in more and more digits.
-  void complete(FastRow row, std::span<const std::size_t> chosen, bool is_placed) {
+  void complete(FastRow row, bool is_placed) {
     row.is_middle = is_middle(row);
-    if (!rows_.arc || is_placed) set_rationals(row, chosen, rows_.arc ? balls_->key_at_end() : std::nullopt);
+    if (!rows_.arc || is_placed) set_rationals(row, rows_.arc ? balls_->key_at_end() : std::nullopt);
     set_zeros(row);
     if (!is_open()) return;  // before levels are made
     bool is_placed_here = false;
@@ -193,8 +203,8 @@ class ExactRows::Evaluation {
       if (rows_.arc && is_placed_here && level.measures_in_double_doubles && !row.is_middle) continue;
       const RealPrecision precision(level.bits, level.bits == last().bits);
       try {
-        const bool has_place = rows_at(level, chosen).set(row, notation_, cells_);
-        if (rows_.arc && has_place) set_rationals(row, chosen, level.rows->key_at_end());
+        const bool has_place = rows_at(level).set(row, notation_, cells_);
+        if (rows_.arc && has_place) set_rationals(row, level.rows->key_at_end());
         // Double-doubles do not measure a place to more digits at later levels; that of a key is exact.
         is_placed_here = is_placed_here || (has_place && !level.rows->key_at_end());
       } catch (const Undecided&) {
@@ -212,13 +222,10 @@ class ExactRows::Evaluation {
   /// A position that is 0 has the sign that it has without exact numbers, which have no -0: that of a key of -0.
   void set_signs_of_zeros(const FastRow& row) {
     const auto is_zero = [](const RowCell& cell) { return cell.printed->cell == Cell(0.0); };
-    std::size_t first = 0;
-    for (const std::size_t& index : chosen_) {
-      const auto cells = std::span(cells_).subspan(first, width({&index, 1}));
-      first += cells.size();
+    for_each_field([&](const std::size_t& index, std::span<RowCell> cells) {
       const Field& field = fields()[index];
       const bool has_positions = field.shows_rotations || (field.of_piece && field.per_channel);
-      if (!has_positions || std::ranges::none_of(cells, is_zero)) continue;
+      if (!has_positions || std::ranges::none_of(cells, is_zero)) return;
       Located located{{row.sample}};
       if (row.end != nullptr) located.ends = {*row.end};
       if (row.outside != nullptr) located.outside = {*row.outside};
@@ -231,13 +238,11 @@ class ExactRows::Evaluation {
         std::string& text = cells[i].printed->text;
         if (!text.empty()) text.insert(0, "-");
       }
-    }
+    });
   }
 
-  BallRows& rows_at(Level& level, std::span<const std::size_t> chosen) {
-    if (level.rows == nullptr) {
-      level.rows = BallRows::in_reals(rows_, {chosen.begin(), chosen.end()}, level.measures_in_double_doubles);
-    }
+  BallRows& rows_at(Level& level) {
+    if (level.rows == nullptr) level.rows = BallRows::in_reals(rows_, chosen_, level.measures_in_double_doubles);
     return *level.rows;
   }
 
@@ -255,7 +260,7 @@ class ExactRows::Evaluation {
     }
     if (std::ranges::find(cells, AlongSegment::open) != cells.end()) {
       const RealPrecision precision(last().bits, true);
-      rows_at(last(), chosen_).look_along(row, cells);
+      rows_at(last()).look_along(row, cells);
     }
     return along_.emplace(row.segment.number, std::move(cells)).first->second;
   }
@@ -267,16 +272,16 @@ class ExactRows::Evaluation {
     if (!is_on_segment || !is_open()) return;
     try {
       const std::vector<AlongSegment>& along = this->along(row);
-      std::size_t i = 0;
-      for (const std::size_t field : chosen_) {
-        const Rounding rounding(notation_, fields()[field].kind, row.segment.decimals);
-        for (std::size_t left = width({&field, 1}); left > 0; --left, ++i) {
-          RowCell& cell = cells_[i];
+      auto along_cell = along.begin();
+      for_each_field([&](std::size_t index, std::span<RowCell> cells) {
+        const Rounding rounding(notation_, fields()[index].kind, row.segment.decimals);
+        for (RowCell& cell : cells) {
+          const AlongSegment known = *along_cell++;
           if (cell.printed) continue;
-          if (along[i] == AlongSegment::empty) cell.printed = Printed{empty_cell};
-          if (along[i] == AlongSegment::zero && cell.may_be_zero) cell.printed = rounding.exactly({0});
+          if (known == AlongSegment::empty) cell.printed = Printed{empty_cell};
+          if (known == AlongSegment::zero && cell.may_be_zero) cell.printed = rounding.exactly({0});
         }
-      }
+      });
     } catch (const Undecided&) {  // more digits decide
     }
   }
@@ -290,7 +295,7 @@ class ExactRows::Evaluation {
     if (may_be && !is_symmetric_) {
       const RealPrecision precision(last().bits, true);
       try {
-        is_symmetric_ = rows_at(last(), chosen_).is_symmetric();
+        is_symmetric_ = rows_at(last()).is_symmetric();
       } catch (const Undecided&) {
         is_symmetric_ = false;
       }
@@ -299,32 +304,28 @@ class ExactRows::Evaluation {
   }
 
   /// Sets the open cells that are rational, if the place of the row is. `key_at_end`: where it is placed by length.
-  void set_rationals(FastRow row, std::span<const std::size_t> chosen, std::optional<bool> key_at_end) {
+  void set_rationals(FastRow row, std::optional<bool> key_at_end) {
     if (rows_.arc && !key_at_end) return;
     row.key_at_end = key_at_end;
-    std::size_t first = 0;
-    for (const std::size_t& index : chosen) {
-      const auto cells = std::span(cells_).subspan(first, width({&index, 1}));
-      first += cells.size();
-      if (!is_rational(index) || std::ranges::all_of(cells, is_set)) continue;
+    for_each_field([&](const std::size_t& index, std::span<RowCell> cells) {
+      if (!is_rational(index) || std::ranges::all_of(cells, is_set)) return;
       if (rational_ == nullptr) rational_ = std::make_unique<RowPoint<Rational>>(rows_);
       std::vector<Value> values;
       field_writers<Rational>[index](rational_->place(row, needs_lengths({&index, 1})), CellWriter<Rational>(values));
       const Rounding rounding(notation_, fields()[index].kind, row.segment.decimals);
       std::ranges::transform(values, cells.begin(),
                              [&](const Value& value) { return RowCell{rounding.exactly(value)}; });
-    }
+    });
   }
 
   const RowsOfCurve& rows_;
   const Notation& notation_;
+  const std::vector<std::size_t> chosen_;                     ///< fields
   std::unique_ptr<BallRows> balls_;                           ///< null: the curve is not for balls
-  bool has_balls_ = false;                                    ///< balls_ is set
   std::vector<RowCell> cells_;                                ///< of the current row
   std::unique_ptr<RowPoint<Rational>> rational_;              ///< null until it is needed
   std::vector<Level> levels_;                                 ///< none until they are needed
   std::optional<bool> is_symmetric_;                          ///< nothing until it is needed
-  std::span<const std::size_t> chosen_;                       ///< the fields of the current row
   std::map<std::uint64_t, std::vector<AlongSegment>> along_;  ///< of segments: along()
 };
 
@@ -332,9 +333,12 @@ ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Ext
     : request_(std::make_unique<Request>(std::move(curve), request, extent, notation)) {}
 ExactRows::~ExactRows() = default;
 
-std::unique_ptr<ExactRows::Evaluation> ExactRows::take() {
-  const std::lock_guard lock(mutex_);
-  if (idle_.empty()) return std::make_unique<Evaluation>(*request_);
+std::unique_ptr<ExactRows::Evaluation> ExactRows::take(std::span<const std::size_t> chosen) {
+  std::unique_lock lock(mutex_);
+  if (idle_.empty()) {
+    lock.unlock();
+    return std::make_unique<Evaluation>(*request_, chosen);
+  }
   std::unique_ptr<Evaluation> evaluation = std::move(idle_.back());
   idle_.pop_back();
   return evaluation;
@@ -348,13 +352,13 @@ void ExactRows::give_back(std::unique_ptr<Evaluation> evaluation) {
 Table ExactRows::evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen) {
   Table table;
   Located located;
-  std::unique_ptr<Evaluation> evaluation = take();
+  std::unique_ptr<Evaluation> evaluation = take(chosen);
   for (const auto& [segment, first, last] : block.parts) {
     locator.locate(segment, first, last, located);
     for (std::size_t i = 0; i < located.samples.size(); ++i) {
       const Sample* const end = located.ends.empty() ? nullptr : &located.ends[i];
       const Outside* const outside = located.outside.empty() ? nullptr : &located.outside[i];
-      evaluation->add_row({segment, located.samples[i], first + i, end, outside}, locator, chosen, table);
+      evaluation->add_row({segment, located.samples[i], first + i, end, outside}, locator, table);
     }
   }
   give_back(std::move(evaluation));

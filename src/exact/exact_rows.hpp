@@ -39,7 +39,7 @@ class ExactRows {
   struct Request;
   class Evaluation;
 
-  std::unique_ptr<Evaluation> take();
+  std::unique_ptr<Evaluation> take(std::span<const std::size_t> chosen);
   void give_back(std::unique_ptr<Evaluation> evaluation);
 
   const std::unique_ptr<const Request> request_;

@@ -171,25 +171,45 @@ inline double scale_of(const Polynomial<double>& rate, const Piece<double>& piec
   return sum_of(composed(sizes(piece.cubics[channel]), sizes(piece.parameter)));
 }
 
+/// The factor by which doubles are near 1, so that their powers do not overflow.
+template <class S>
+S unit_of(const std::vector<Polynomial<S>>& numbers) {
+  if constexpr (std::is_same_v<S, double>) {
+    double largest = 0;
+    for (const Polynomial<double>& x : numbers) largest = std::max(largest, size_of(x));
+    if (largest > 0 && std::isfinite(largest)) return 1 / spline::power_of_two_below(largest);
+  }
+  return S(1);
+}
+
+/// v a' - v' a, where a is the derivative of v, and a' that of v'. Of irrational numbers with 2,400 bits, terms below
+/// 2^-2000 of those that cancel in them are 0.
+template <class S>
+Polynomial<S> minor_of(const Polynomial<S>& v, const Polynomial<S>& a, const Polynomial<S>& other_v,
+                       const Polynomial<S>& other_a) {
+  Polynomial<S> minor = sum(product(v, other_a), product(other_v, a), S(-1));
+  minor.pop_back();  // which is 0
+  if constexpr (std::is_same_v<S, Rational>) {
+    static const Rational noise = Rational(0x1p-1000) * Rational(0x1p-1000);
+    const Rational least = noise * (size_of(v) * size_of(other_a) + size_of(other_v) * size_of(a));
+    for (Rational& coefficient : minor) coefficient = abs(coefficient) < least ? Rational(0) : coefficient;
+  }
+  return minor;
+}
+
 /// How fast the direction of v changes, where a is its derivative: the square is |v ^ a|^2 / |v|^4, and per length of a
 /// curve with the velocity v |v ^ a|^2 / |v|^6. `convert`: from polynomials of the piece to those of the result; the
-/// first ones show where nothing changes: of irrational numbers with 2,400 bits, terms of v ^ a below 2^-2000 of those
-/// that cancel in them are 0.
+/// first ones show where nothing changes.
 template <class To, class S, class Convert>
 Measured<To> measured_direction(const Piece<S>& piece, const Measure& measure, const Convert& convert) {
   const bool is_curvature = measure.kind == Measure::Kind::curvature;
   const auto rests = [&](std::size_t channel) { return piece.rests[channel]; };
   if (is_curvature && std::ranges::all_of(measure.channels, rests)) return {};  // it is straight
   std::vector<Polynomial<S>> v, a;
-  S unit(1);  // of doubles, whose powers do not overflow
   for (const std::size_t channel : measure.channels) {
     v.push_back(is_curvature ? derivative(piece.cubics[channel]) : piece.cubics[channel]);
   }
-  if constexpr (std::is_same_v<S, double>) {
-    double largest = 0;
-    for (const Polynomial<double>& x : v) largest = std::max(largest, size_of(x));
-    if (largest > 0 && std::isfinite(largest)) unit = 1 / spline::power_of_two_below(largest);
-  }
+  const S unit = unit_of(v);
   const Polynomial<To> parameter = convert(piece.parameter);
   const auto over_piece = [&](const Polynomial<To>& x) { return piece.is_whole() ? x : composed(x, parameter); };
   Measured<To> result{{To(0)}, {To(0)}, is_curvature ? 3 : 2};
@@ -202,13 +222,7 @@ Measured<To> measured_direction(const Piece<S>& piece, const Measure& measure, c
     const Polynomial<To> x = convert(v[i]);
     result.base = sum(result.base, product(x, x));
     for (std::size_t j = 0; j < i; ++j) {
-      auto minor = sum(product(v[i], a[j]), product(v[j], a[i]), S(-1));
-      minor.pop_back();  // which is 0
-      if constexpr (std::is_same_v<S, Rational>) {
-        static const Rational noise = Rational(0x1p-1000) * Rational(0x1p-1000);
-        const Rational least = noise * (size_of(v[i]) * size_of(a[j]) + size_of(v[j]) * size_of(a[i]));
-        for (Rational& coefficient : minor) coefficient = abs(coefficient) < least ? Rational(0) : coefficient;
-      }
+      const Polynomial<S> minor = minor_of(v[i], a[i], v[j], a[j]);
       const Polynomial<To> y = convert(minor);
       result.over = sum(result.over, product(y, y));
       changes = changes || !is_zero(minor);
