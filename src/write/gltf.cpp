@@ -17,6 +17,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -124,38 +125,32 @@ class GltfScene : public RowKeeper {
     schema_ = schema;
     if (schema.time.unit) seconds_ = nearest_double(Rational(1) / units_per_second(*schema.time.unit));
     const std::vector<RotationColumns> rotations = rotation_columns(schema);
-    Target translation{"translation", {}}, scale{"scale", std::vector<std::size_t>(3, schema.channels.size())};
-    std::vector<std::size_t> others;
+    if (rotations.size() > 1) throw no_target_of_node(schema.channels);
+    const std::size_t none = schema.channels.size();
+    Target translation{"translation", {}}, scale{"scale", {none, none, none}};
+    targets_.clear();
+    others_.clear();
     for (std::size_t i = 0; i < schema.channels.size(); ++i) {
       const std::size_t axis = axis_of_scale(schema.channels[i]);
       if (axis < scale.channels.size()) {
         scale.channels[axis] = i;
       } else if (!spline::is_in_rotation(rotations, i)) {
-        (translation.channels.size() < 3 ? translation.channels : others).push_back(i);
+        (translation.channels.size() < 3 ? translation.channels : others_).push_back(i);
       }
     }
-    targets_.clear();
-    if (translation.channels.size() == 3) {
-      targets_.push_back(translation);
-    } else {
-      others.insert(others.begin(), translation.channels.begin(), translation.channels.end());
-    }
-    if (rotations.size() > 1) throw no_target_of_node(schema.channels);
+    const auto add_if_whole = [&](const Target& target) {
+      if (target.channels.size() == 3 && std::ranges::count(target.channels, none) == 0) {
+        return targets_.push_back(target);
+      }
+      std::ranges::remove_copy(target.channels, std::back_inserter(others_), none);
+    };
+    add_if_whole(translation);
     if (!rotations.empty()) {
       targets_.push_back({"rotation", {rotations[0].channels.begin(), rotations[0].channels.end()}});
     }
-    const auto missing = std::ranges::count(scale.channels, schema.channels.size());
-    if (missing == 0) targets_.push_back(scale);
-    if (missing == 1 || missing == 2) {
-      for (const std::size_t channel : scale.channels) {
-        if (channel < schema.channels.size()) others.push_back(channel);
-      }
-    }
+    add_if_whole(scale);
     if (targets_.empty()) throw no_target_of_node(schema.channels);
-    std::ranges::sort(others);
-    other_channels_ = others;
-    others_.clear();
-    for (const std::size_t channel : others) others_.push_back(schema.channels[channel]);
+    std::ranges::sort(others_);
   }
 
   /// Throws: Error (data) for a second curve of the same group, and for a track that is no target.
@@ -176,7 +171,7 @@ class GltfScene : public RowKeeper {
     nodes_.push_back({std::move(name),
                       {},
                       std::move(targets),
-                      std::vector<std::vector<double>>(other_channels_.size()),
+                      std::vector<std::vector<double>>(others_.size()),
                       is_track ? euler : std::nullopt});
   }
 
@@ -228,12 +223,16 @@ class GltfScene : public RowKeeper {
         for (const std::size_t channel : target.channels) add_number(target, position(channel));
         for (const std::size_t channel : target.channels) add_number(target, is_last ? 0 : tangent(key, channel, 1));
       }
-      for (std::size_t i = 0; i < other_channels_.size(); ++i) node.others[i].push_back(position(other_channels_[i]));
+      for (std::size_t i = 0; i < others_.size(); ++i) node.others[i].push_back(position(others_[i]));
     }
   }
 
   /// Names of channels that have no target.
-  std::vector<std::string> channels_in_extras() const override { return others_; }
+  std::vector<std::string> channels_in_extras() const override {
+    std::vector<std::string> names;
+    for (const std::size_t channel : others_) names.push_back(schema_.channels[channel]);
+    return names;
+  }
 
   /// The file. Throws: Error (data) where there is no row.
   std::string tail(const Rational&) override {
@@ -258,7 +257,7 @@ class GltfScene : public RowKeeper {
                                 {"interpolation", are_pieces_ ? "CUBICSPLINE" : "LINEAR"},
                                 {"output", buffer.add(target.values, target.path == "rotation" ? 4 : 3)}});
       }
-      for (std::size_t i = 0; i < others_.size(); ++i) others[number][others_[i]] = node.others[i];
+      for (std::size_t i = 0; i < others_.size(); ++i) others[number][schema_.channels[others_[i]]] = node.others[i];
     }
     if (nodes_.empty()) throw animation_without_rows();
     Json animation{{"channels", channels}, {"samplers", samplers}};
@@ -320,7 +319,7 @@ class GltfScene : public RowKeeper {
     for (Target& target : node.targets) {
       for (const std::size_t channel : target.channels) add_number(target, row[1 + channel]);
     }
-    for (std::size_t i = 0; i < other_channels_.size(); ++i) node.others[i].push_back(row[1 + other_channels_[i]]);
+    for (std::size_t i = 0; i < others_.size(); ++i) node.others[i].push_back(row[1 + others_[i]]);
   }
 
   void end_curve_of_angles(const std::vector<double>& rows) {
@@ -388,10 +387,9 @@ class GltfScene : public RowKeeper {
 
   bool are_pieces_;
   Schema schema_;
-  double seconds_ = 1;           ///< of a unit of time
-  std::vector<Target> targets_;  ///< of nodes that are no tracks
-  std::vector<std::size_t> other_channels_;
-  std::vector<std::string> others_;
+  double seconds_ = 1;                     ///< of a unit of time
+  std::vector<Target> targets_;            ///< of nodes that are no tracks
+  std::vector<std::size_t> others_;        ///< channels that have no target
   std::vector<double> pieces_;             ///< of the current curve, row after row
   double first_time_ = 0, last_time_ = 0;  ///< of its keyframes
   std::vector<Node> nodes_;
