@@ -71,7 +71,7 @@ class Corners {
     std::vector<double> jumps;
     for (std::size_t i = 0; i < channels_.size(); ++i) {
       const double jump = std::abs(out.velocities[i] - in.velocities[i]);
-      if (!(jump > rounding * std::max(out.sizes[i], in.sizes[i]))) continue;
+      if (!(jump > relative_rounding * std::max(out.sizes[i], in.sizes[i]))) continue;
       jumps.push_back(jump);
       corner.channels.push_back(channels_[i]);
     }

@@ -47,7 +47,8 @@ class Ranges {
     for (const std::size_t channel : measure.channels) {
       const auto [low, high] = of(channel, measure.derivative);
       if (!measure.is_size()) return measure.kind == Measure::Kind::smallest ? -low : high;
-      if (low != 0 || high != 0) squares += power_of(std::max(-low, high), 2) * (1 + rounding) + least;
+      if (low != 0 || high != 0)
+        squares += power_of(std::max(-low, high), 2) * (1 + relative_rounding) + smallest_square;
     }
     return squares;
   }
@@ -60,7 +61,7 @@ class Ranges {
     if (!range) {
       const Polynomial<double> rate = rate_of(piece_, channel, order), form = bernstein(rate, rate.size() - 1);
       const auto [low, high] = std::ranges::minmax_element(form);
-      const double scale = scale_of(rate, piece_, channel, order), slack = scale == 0 ? 0 : rounding * scale + least;
+      const double slack = slack_of(scale_of(rate, piece_, channel, order));
       range = Range{*low - slack, *high + slack};
     }
     return *range;

@@ -16,8 +16,11 @@
 
 namespace tcb::limits {
 
-inline constexpr double rounding = 0x1p-40;  ///< relative: of the segments, and of hundreds of operations on them
-inline constexpr double least = 1e-290;      ///< below it, squares may be 0
+inline constexpr double relative_rounding = 0x1p-40;  ///< of the segments, and of hundreds of operations on them
+inline constexpr double smallest_square = 1e-290;     ///< below it, squares may be 0
+
+/// How far rounding may move a sum of terms whose sizes are `scale` together.
+inline double slack_of(double scale) { return scale == 0 ? 0 : relative_rounding * scale + smallest_square; }
 
 /// The power of a polynomial in Bernstein's form, times the binomials.
 template <class S>
@@ -40,7 +43,7 @@ template <class S>
 Form<S> form_of(const Measured<S>& x) {
   const std::size_t base_degree = x.base.size() - 1, of_power = base_degree * static_cast<std::size_t>(x.power);
   return {bernstein(x.over, std::max(x.over.size() - 1, of_power)), bernstein(x.base, base_degree), x.power,
-          x.scale == 0 ? 0 : rounding * x.scale + least, rounding * x.base_scale};
+          slack_of(x.scale), relative_rounding * x.base_scale};
 }
 
 /// The forms on [0, at] and [at, 1].
@@ -128,10 +131,10 @@ inline Bound<double> bound_of<double, double>(const Form<double>& form) {
   const Polynomial<double> below = power_of_form(base, power), above = with_binomials(form.over);
   double upper = 0, binomial = 1;
   for (std::size_t i = 0; i < above.size(); ++i) {
-    upper = std::max(upper, (above[i] + slack * binomial) / below[i] * (1 + rounding));
+    upper = std::max(upper, (above[i] + slack * binomial) / below[i] * (1 + relative_rounding));
     binomial *= static_cast<double>(above.size() - 1 - i) / static_cast<double>(i + 1);
   }
-  return {upper, 8 * (slack / power_of(smallest, power) + power * upper * (base_slack / smallest + rounding))};
+  return {upper, 8 * (slack / power_of(smallest, power) + power * upper * (base_slack / smallest + relative_rounding))};
 }
 
 /// A value that is attained at the start of a part, or at its end; nothing where none is known.
@@ -140,7 +143,7 @@ std::optional<Number> value_at_end(const Form<S>& form, bool last) {
   const S &above = last ? form.over.back() : form.over.front(), &base = last ? form.base.back() : form.base.front();
   if constexpr (std::is_same_v<S, double>) {
     if (form.power == 0) return above - form.slack;
-    return std::max(0.0, above - form.slack) / power_of(base + form.base_slack, form.power) * (1 - rounding);
+    return std::max(0.0, above - form.slack) / power_of(base + form.base_slack, form.power) * (1 - relative_rounding);
   } else {
     if (form.power == 0) return ends_of<Number>(above).first;
     const S below = power_of(base, form.power);
