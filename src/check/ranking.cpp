@@ -1,4 +1,7 @@
 // Ranking: comparing samples with all conventions, which of these fit, and in which order they are listed.
+//
+// All conventions are compared with a subset of the rows, and the best of them with all rows. Where none fits, the best
+// ones are tried again with different rules at the two ends.
 #include "check/ranking.hpp"
 
 #include <algorithm>

@@ -1,4 +1,8 @@
 // Limits job: certified maxima of the curves of a file, against limits, from the bytes of keys to the report.
+//
+// report_of() reads the curves. Of each it takes the measures that are wanted, and their maxima (extremes.hpp) into the
+// report. measure_limits() prints this as text, as JSON, or as a picture with the tightest limit; retimed_within()
+// finds the factor of the times by which all limits hold.
 #include "limits/limits_job.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,7 @@
 // Picture: the views of a scene with their curves, titles and the legend, as SVG.
+//
+// The Arranger gives each view its box. The Composer decides which marks have room in each view, draws the curves with
+// them (view.hpp), and the Legend shows those that were drawn.
 #include "picture/picture.hpp"
 
 #include <fmt/format.h>

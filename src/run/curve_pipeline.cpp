@@ -1,4 +1,7 @@
 // The pipeline of one curve: the stages that its keys go through to become samples.
+//
+// Its constructor finds which curve the keys make (CurveSpec), and what the request needs of it (CurveNeeds): samples
+// come segment after segment, or the curve is measured first, or all of it is kept for samples in any order.
 #include "run/curve_pipeline.hpp"
 
 #include <algorithm>
