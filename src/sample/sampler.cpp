@@ -11,6 +11,11 @@
 namespace tcb {
 namespace {
 
+/// Of times, or of arc lengths.
+struct Range {
+  Time start, end;
+};
+
 /// Samples on a grid of times, or of arc lengths: of these each at the smallest time at which the curve has that
 /// length.
 class OnGrid : public Sampler {
@@ -71,12 +76,7 @@ class OnGrid : public Sampler {
   std::optional<Rational> remainder() const override { return remainder_; }
 
  private:
-  /// A range of the coordinate of the grid.
-  struct Range {
-    Time start, end;
-  };
-
-  /// The segment's range of the coordinate.
+  /// The segment's range of the coordinate of the grid.
   Range range(const CurveSegment& segment) const {
     if (by_length_) return {{segment.s_start.hi}, {segment.s_end.hi}};
     return {segment.start, segment.end};
@@ -114,14 +114,11 @@ class OnGrid : public Sampler {
       return here ? spacing_.rows : 0;
     }
     if (stop < start) return 0;
-    if (spacing_.rows == Spacing::unlimited) {
-      if (grid.rough_rows(stop) > static_cast<double>(request_.max_rows) * 0.99) {
-        require_rows((request_.exact(stop) - grid.start()) / grid.step(), request_.max_rows, !final);
-      }
-      require_resolution(grid, stop, digits);
-    } else if (segment.last) {
-      require_resolution(grid, stop, digits);
+    const bool is_unlimited = spacing_.rows == Spacing::unlimited;
+    if (is_unlimited && grid.rough_rows(stop) > static_cast<double>(request_.max_rows) * 0.99) {
+      require_rows((request_.exact(stop) - grid.start()) / grid.step(), request_.max_rows, !final);
     }
+    if (is_unlimited || segment.last) require_resolution(grid, stop, digits);
     return std::min(
         {spacing_.rows, spacing_.most, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits)});
   }
@@ -250,10 +247,6 @@ class PieceSampler : public Sampler {
   bool done() const override { return done_; }
 
  private:
-  struct Range {
-    Time start, end;
-  };
-
   /// The part of the segment in the range of the request; it has no duration where there is none.
   Range range(const CurveSegment& segment) const {
     const auto bound = [&](const std::optional<Rational>& given, const Time& key) {
