@@ -168,29 +168,28 @@ std::vector<Search<spline::DoubleDouble>> with_balls(const MeasuredCurve& curve,
   constexpr std::size_t few = 20;                           // segments, which need no bounds before the exact ones
   std::vector<std::span<const Search<double>::Part>> left;  // not yet bounded
   std::vector<bool> is_bounded;
+  std::vector<std::size_t> segments;  // that are left of any measure
   for (std::size_t k = 0; k < measures.size(); ++k) {
     left.emplace_back(rough[k].rest());
     is_bounded.push_back(!measures[k].is_of_direction() && left[k].size() > few);
+    for (const auto& part : left[k]) segments.push_back(part.segment);
   }
+  std::ranges::sort(segments);
+  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
   std::vector<Search<Number>> searches(measures.size());
   using Known = std::vector<std::optional<Number>>;  // bounds on a segment, for the measures
   std::vector<Known> known;
   Repeats repeats;
-  while (true) {
-    std::optional<std::size_t> segment;
+  for (const std::size_t segment : segments) {
+    const auto is_left = [&](std::size_t k) { return !left[k].empty() && left[k].front().segment == segment; };
     bool is_needed = false;
-    for (std::size_t k = 0; k < measures.size(); ++k) {
-      if (left[k].empty() || (segment && *segment < left[k].front().segment)) continue;
-      is_needed = is_bounded[k] || (is_needed && segment == left[k].front().segment);
-      segment = left[k].front().segment;
-    }
-    if (!segment) return searches;
+    for (std::size_t k = 0; k < measures.size(); ++k) is_needed = is_needed || (is_bounded[k] && is_left(k));
     std::vector<Piece<Ball>> pieces;
     Known once(measures.size());
     Known* found = &once;
     try {
       if (is_needed) {
-        const spline::Segments<Ball> one = curve.in_balls(*segment);
+        const spline::Segments<Ball> one = curve.in_balls(segment);
         pieces = measured_pieces(curve, one);
         const bool may_repeat = !curve.from && !curve.to;
         const auto number = may_repeat ? repeats.find(one, 0, one.times[1] - one.times[0]) : std::nullopt;
@@ -200,7 +199,7 @@ std::vector<Search<spline::DoubleDouble>> with_balls(const MeasuredCurve& curve,
     } catch (const Undecided&) {
     }
     for (std::size_t k = 0; k < measures.size(); ++k) {
-      if (left[k].empty() || left[k].front().segment != *segment) continue;
+      if (!is_left(k)) continue;
       std::optional<Number>& upper = (*found)[k];
       try {
         if (is_bounded[k] && !upper && !pieces.empty()) {
@@ -210,10 +209,11 @@ std::vector<Search<spline::DoubleDouble>> with_balls(const MeasuredCurve& curve,
         }
       } catch (const Undecided&) {
       }
-      searches[k].add(*segment, upper ? upper : left[k].front().upper);
+      searches[k].add(segment, upper ? upper : left[k].front().upper);
       left[k] = left[k].subspan(1);
     }
   }
+  return searches;
 }
 
 /// Bounds the change of a direction on a piece with balls. The place on the piece where it has no bound, if there is
