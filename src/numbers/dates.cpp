@@ -44,10 +44,26 @@ struct DateParts {
   std::array<std::string_view, 3> numbers;  ///< of the year, month and day, in the order of the text
   char mark;
   char before_clock;  ///< 0: the time of day is missing
-  std::string_view clock, zone;
+  std::string_view clock, half_of_day, zone;
 
   bool is_year_first() const { return numbers[0].size() == 4; }
 };
+
+/// Takes AM or PM off the beginning of a text, with the blank before it.
+std::string_view take_half_of_day(std::string_view& text) {
+  for (const std::string_view form : {" a.m.", " am", " a", "a.m.", "am", "a"}) {
+    const std::string_view half = text.substr(0, form.size());
+    if (!std::ranges::equal(half, form, [](char c, char of_form) {
+          return lower(c) == of_form || (of_form == 'a' && lower(c) == 'p');
+        }))
+      continue;
+    text.remove_prefix(half.size());
+    return half;
+  }
+  return {};
+}
+
+bool is_after_noon(std::string_view half_of_day) { return half_of_day.find_first_of("pP") != std::string_view::npos; }
 
 bool is_zone(std::string_view text) {
   if (text.starts_with(' ')) text.remove_prefix(1);
@@ -75,6 +91,7 @@ std::optional<DateParts> parts_of(std::string_view text) {
   const auto end = std::ranges::find_if_not(text, [](char c) { return is_digit(c) || c == ':' || is_mark(c); });
   parts.clock = text.substr(0, static_cast<std::size_t>(end - text.begin()));
   parts.zone = text.substr(parts.clock.size());
+  parts.half_of_day = take_half_of_day(parts.zone);
   constexpr std::array forms{"00:00:00", "00:00:00.9", "00:00", "0:00:00", "0:00:00.9", "0:00"};
   const bool has_clock = std::ranges::any_of(forms, [&](std::string_view form) { return has_form(parts.clock, form); });
   const bool is_separated = parts.before_clock == 'T' || parts.before_clock == ' ';
@@ -115,7 +132,15 @@ bool has_form(std::string_view text, std::string_view pattern) {
   return text.empty();
 }
 
+std::string_view half_of_day(std::string_view text) {
+  text.remove_prefix(text.find_last_of("0123456789") + 1);
+  const std::string_view half = take_half_of_day(text);
+  return text.empty() || is_zone(text) ? half : std::string_view();
+}
+
 std::optional<Rational> read_clock(std::string_view text) {
+  const std::string_view half = half_of_day(text);
+  text.remove_suffix(half.size());
   const std::size_t point = std::min(text.find_first_of(".,"), text.size());
   std::string_view whole = text.substr(0, point);
   std::array<std::int64_t, 3> numbers{};  // hours, minutes, seconds
@@ -125,8 +150,12 @@ std::optional<Rational> read_clock(std::string_view text) {
     whole.remove_prefix(1);
   }
   constexpr std::int64_t most_hours = 1'000'000'000;
-  const auto [hours, minutes, seconds] = numbers;
+  auto [hours, minutes, seconds] = numbers;
   if (hours < 0 || hours > most_hours || minutes > 59 || seconds > 59) return std::nullopt;
+  if (!half.empty()) {
+    if (hours < 1 || hours > 12) return std::nullopt;
+    hours = hours % 12 + (is_after_noon(half) ? 12 : 0);
+  }
   const auto fraction =
       point + 1 < text.size() ? parse_rational("0." + std::string(text.substr(point + 1))) : Rational(0);
   if (!fraction) return std::nullopt;
@@ -145,8 +174,12 @@ std::optional<DateFormat> find_date_format(std::string_view text) {
   if (!parts) return std::nullopt;
   const bool has_short_number = std::ranges::any_of(parts->numbers, [](auto digits) { return digits.size() == 1; });
   const bool is_padded = !has_short_number && (parts->clock.empty() || parts->clock[1] != ':');
-  return DateFormat{parts->is_year_first() ? DateOrder::ymd : DateOrder::dmy, parts->mark, is_padded,
-                    parts->before_clock, std::string(parts->zone)};
+  return DateFormat{parts->is_year_first() ? DateOrder::ymd : DateOrder::dmy,
+                    parts->mark,
+                    is_padded,
+                    parts->before_clock,
+                    std::string(parts->half_of_day),
+                    std::string(parts->zone)};
 }
 
 std::optional<Rational> read_date(std::string_view text, DateOrder order) {
@@ -158,7 +191,8 @@ std::optional<Rational> read_date(std::string_view text, DateOrder order) {
   const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(number_of(year))),
                                          std::chrono::month(static_cast<unsigned>(number_of(month))),
                                          std::chrono::day(static_cast<unsigned>(number_of(day)))};
-  const auto clock = parts->clock.empty() ? Rational(0) : read_clock(parts->clock);
+  const auto clock =
+      parts->clock.empty() ? Rational(0) : read_clock(fmt::format("{}{}", parts->clock, parts->half_of_day));
   const auto offset = offset_of(parts->zone);
   if (!date.ok() || !clock || *clock >= seconds_of_day || !offset) return std::nullopt;
   const std::int64_t days = std::chrono::sys_days(date).time_since_epoch().count();
@@ -218,7 +252,16 @@ std::optional<std::string> date_text(const Rational& seconds, const DateFormat& 
   std::string text = fmt::format("{}{}{}{}{}", numbers[0], format.mark, numbers[1], format.mark, numbers[2]);
   const Rational time_of_day = local - day * seconds_of_day;
   if (format.before_clock == 0 && time_of_day == 0) return text;
-  std::string clock = clock_text(time_of_day, decimals);
+  constexpr std::int64_t half_a_day = seconds_of_day / 2;
+  const bool is_late = time_of_day >= half_a_day, is_hour_0 = time_of_day - (is_late ? half_a_day : 0) < 3600;
+  std::string half = format.half_of_day;
+  std::ranges::transform(half, half.begin(), [&](char c) {
+    if (lower(c) != 'a' && lower(c) != 'p') return c;
+    return static_cast<char>(c - lower(c) + (is_late ? 'p' : 'a'));
+  });
+  const Rational shown =
+      half.empty() ? time_of_day : time_of_day - (is_late ? half_a_day : 0) + (is_hour_0 ? half_a_day : 0);
+  std::string clock = clock_text(shown, decimals) + half;
   if (!format.is_padded && clock.starts_with('0')) clock.erase(0, 1);
   return text + (format.before_clock == 0 ? ' ' : format.before_clock) + clock + format.zone;
 }

@@ -17,7 +17,12 @@ namespace tcb {
 /// Whether a text has the form of a pattern: 0 is a digit, 9 one digit or more, all else is itself.
 bool has_form(std::string_view text, std::string_view pattern);
 
-/// hh:mm:ss.fff in seconds; nothing for a minute or second that does not exist. Requires: the form of a time of day.
+/// AM or PM behind a time of day, with the blank before it, also as in "11:30a" and "11:30 p.m."; empty for any other
+/// text.
+std::string_view half_of_day(std::string_view text);
+
+/// hh:mm:ss.fff in seconds, also with AM or PM; nothing for an hour, minute or second that does not exist. Requires:
+/// the form of a time of day.
 std::optional<Rational> read_clock(std::string_view text);
 
 /// hh:mm:ss.fff, with `decimals` decimals or as many as the time has. Requires: seconds >= 0.

@@ -63,8 +63,9 @@ std::optional<std::string> timecode_text(const Rational& seconds, bool drops, co
                      number % nominal);
 }
 
-/// hh:mm:ss.fff, or mm:ss.fff
+/// hh:mm:ss.fff, or mm:ss.fff, or a time of day with AM or PM.
 bool is_clock(std::string_view text) {
+  text.remove_suffix(half_of_day(text).size());
   return has_form(text, "9:00:00") || has_form(text, "9:00:00.9") || has_form(text, "9:00") || has_form(text, "9:00.9");
 }
 
@@ -91,7 +92,7 @@ std::optional<Rational> read_days_and_clock(std::string_view text) {
     return fmt::format("{}:{:02}:{}", minutes / 60, minutes % 60, left);
   };
   const std::optional<Rational> seconds =
-      std::ranges::count(text, ':') == 2 ? read_clock(text) : read_clock(parts(text));
+      std::ranges::count(text, ':') == 2 || !half_of_day(text).empty() ? read_clock(text) : read_clock(parts(text));
   return seconds ? std::optional(*seconds + Rational(days) * 86'400) : std::nullopt;
 }
 

@@ -52,7 +52,7 @@ inline constexpr std::array broadcast_rates{BroadcastRate{"23.976", 24}, Broadca
 enum class TimeNotation {
   seconds,     ///< a number
   frames,      ///< a number of frames
-  clock,       ///< hh:mm:ss.fff, or mm:ss.fff
+  clock,       ///< hh:mm:ss.fff, or mm:ss.fff, or a time of day with AM or PM
   smpte,       ///< hh:mm:ss:ff
   drop_frame,  ///< hh:mm:ss;ff, without the first frame numbers of most minutes
   date,        ///< YYYY-MM-DD hh:mm:ss.fff, and the other formats of dates.hpp, without a zone: in UTC
@@ -96,10 +96,11 @@ inline constexpr std::array date_orders{DateOrderName{"dmy", DateOrder::dmy}, Da
 /// How dates are written.
 struct DateFormat {
   DateOrder order = DateOrder::ymd;
-  char mark = '-';          ///< between year, month and day: - / or .
-  bool is_padded = true;    ///< months, days and hours have two digits
-  char before_clock = 'T';  ///< between the date and the time of day: T or a blank; 0: midnight is not written
-  std::string zone = "Z";   ///< as written, with the blank before it; empty: none, and the time is in UTC
+  char mark = '-';               ///< between year, month and day: - / or .
+  bool is_padded = true;         ///< months, days and hours have two digits
+  char before_clock = 'T';       ///< between the date and the time of day: T or a blank; 0: midnight is not written
+  std::string half_of_day = {};  ///< AM or PM as written, with the blank before it; empty: the day has 24 hours
+  std::string zone = "Z";        ///< as written, with the blank before it; empty: none, and the time is in UTC
 };
 
 /// The seconds of a time in words, which may be no time, such as a minute 60, or a frame number that is dropped or not

@@ -140,6 +140,8 @@ bool KeyBuilder::take(const Columns::Column& column, double number, std::string_
 }
 
 bool KeyBuilder::set_time_in_words(std::string_view text) {
+  const bool has_clock = text.find(':') != std::string_view::npos;
+  if (has_clock && half_of_day(text).empty() != units_.dates.half_of_day.empty()) return false;
   if (is_date(units_.notation) && !keeps_decimals()) {
     const bool has_zone = units_.notation == TimeNotation::zoned_date;
     const auto usual = read_usual_date(text, units_.dates.order, has_zone);

@@ -1,5 +1,6 @@
 // Doubts: what an input may mean besides what was found in it, as one list.
 #include "schema/doubts.hpp"
+#include "numbers/dates.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -630,7 +631,8 @@ Found minutes_and_seconds(const FoundColumns& found) {
   const std::vector<std::size_t> times = cells_with(found, Role::time);
   if (found.rows.empty() || times.empty() || times[0] >= found.rows[0].size()) return std::nullopt;
   const std::string_view time = found.rows[0][times[0]];
-  if (find_notation(time) != TimeNotation::clock || std::ranges::count(time, ':') != 1) return std::nullopt;
+  const bool is_short = find_notation(time) == TimeNotation::clock && std::ranges::count(time, ':') == 1;
+  if (!is_short || !half_of_day(time).empty()) return std::nullopt;
   return note("times such as {} are taken as minutes and seconds; those of hours and minutes need seconds, as in {}:00",
               in_quotes(time), time);
 }

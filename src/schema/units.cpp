@@ -84,6 +84,7 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
                      in_quotes(columns.time))
         .about("--date-order");
   }
+  if (units.notation == TimeNotation::clock) units.dates.half_of_day = half_of_day(first_time);
   units.frame_rate = options.frame_rate;
   if (counts_frames(units.notation) && !options.frame_rate) throw times_without_rate(columns.time);
   const bool is_number = units.notation == TimeNotation::seconds;

@@ -31,6 +31,20 @@ TEST(Dates, have_the_format_of_databases_or_of_iso) {
   EXPECT_EQ(again("2024-02-29 12:00"), "2024-02-29 12:00:00");
 }
 
+TEST(Dates, have_times_of_day_with_am_or_pm) {
+  for (const char* text : {"2024-02-29 12:00:00 AM", "2024-02-29 12:59:59.5 PM", "2024-02-29 01:00:00pm",
+                           "2024-02-29 11:30:00a", "2024-02-29 11:30:00 p.m.", "2024-02-29 07:00:00 PM UTC"}) {
+    EXPECT_EQ(again(text), text);
+  }
+  EXPECT_EQ(again("5/1/2021 1:05:00 PM", DateOrder::mdy), "5/1/2021 1:05:00 PM");
+  EXPECT_EQ(read_date("2024-02-29 12:00 AM", DateOrder::ymd), noon - 43'200);
+  EXPECT_EQ(read_date("2024-02-29 12:00 PM", DateOrder::ymd), noon);
+  for (const char* text : {"2024-02-29 00:30 AM", "2024-02-29 13:00 PM"}) EXPECT_FALSE(read_date(text, DateOrder::ymd));
+  for (const char* text : {"2024-02-29 11:30 XM", "2024-02-29 11:30 PMs"}) EXPECT_FALSE(find_date_format(text));
+  EXPECT_EQ(half_of_day("11:30a"), "a");
+  EXPECT_EQ(half_of_day("0 days 11:30"), "");
+}
+
 TEST(Dates, with_the_year_last_have_the_order_that_is_requested) {
   EXPECT_EQ(find_date_format("01.02.2024 12:00")->order, DateOrder::dmy);
   EXPECT_EQ(again("29.02.2024 12:00:00", DateOrder::dmy), "29.02.2024 12:00:00");

@@ -189,15 +189,18 @@ class KeyReader {
           value,
           is_time ? data_error(
                         "{} is no time in a known notation; expected a number, or a time such as 2024-03-01T13:00:00Z "
-                        "or 13:00:00, with years of four digits and hours from 0 to 23; convert it",
+                        "or 13:00:00, with years of four digits; convert it",
                         in_quotes(text))
                   : data_error("{} is not a number; expected a number; correct it", in_quotes(text)));
     } else if (columns_.units.notation != find_notation(text)) {
       add_value_fault(value, time_in_other_notation(text));
     } else {
-      add_value_fault(value, data_error("{} does not exist; expected a date of the calendar, a time of day without "
-                                        "leap seconds, and an undropped frame below the rate; correct it",
-                                        in_quotes(text)));
+      add_value_fault(
+          value,
+          data_error(
+              "{} does not exist; expected a date of the calendar, a time of day without "
+              "leap seconds, with AM or PM if the first time has it, and an undropped frame below the rate; correct it",
+              in_quotes(text)));
     }
   }
 
