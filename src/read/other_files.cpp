@@ -41,6 +41,10 @@ bool is_xyz(std::string_view text) {
   return words == 4 && numbers == 3;
 }
 
+bool has_positions_of_fanuc(std::string_view text) {
+  return text.find("P[") != std::string_view::npos && text.find("CONFIG :") != std::string_view::npos;
+}
+
 bool has_curves_of_nuke(std::string_view text) { return text.find("{curve ") != std::string_view::npos; }
 
 /// How a file is recognized: some bytes at a place, and texts somewhere in the first ones; members of JSON; or a test.
@@ -81,6 +85,12 @@ constexpr std::string_view
         "take the keys of its curves, as in awk '/^anim /{c = $3} /keys {/{k = 1; next} /}/{k = 0} k {print c, $1, "
         "$2}' "
         "FILE | tcbsample --columns group=1,time=2,position=3",
+    by_clip =
+        "take its tracks as columns, as in sed -n 's/.*data = //p' FILE | python3 -c 'import sys; "
+        "print(*map(\",\".join, zip(*map(str.split, sys.stdin))), sep=\"\\n\")' | tcbsample --parameter uniform",
+    by_fanuc =
+        "take its positions, as in perl -ne 'push @n, /[XYZWPR] = +([-\\d.]+)/g; if (/};/) {print \"@n\\n\"; @n = ()}' "
+        "FILE | tcbsample --parameter uniform",
     by_godot =
         "take the keys of a track, as in perl -0777 -ne '($t) = /\"times\": \\w+\\(([^)]*)/; ($v) = /\"values\": "
         "\\[(.*?)\\]/s; @t = split /, */, $t; @v = grep {defined} $v =~ /\\w+\\(([^)]*)\\)|(-?\\d[\\d.e-]*)/g; print "
@@ -149,6 +159,7 @@ constexpr OtherFile other_files[] = {
     {{".pkl", ".pickle"}, {"\x80\x04\x95"}, "a pickled object of Python", by_pandas, "read_pickle"},
     {{}, {"\x80\x05\x95"}, "a pickled object of Python", by_pandas, "read_pickle"},
     {{".db", ".sqlite"}, {"SQLite format 3"}, "an SQLite database", by_sqlite},
+    {{}, {"netcdf ", 0, {"dimensions:"}}, "a listing of ncdump", "give its NetCDF file as CSV or JSON"},
     {{".h5", ".hdf5"}, {"\x89HDF"}, "an HDF5 file", by_hdf5},
     {{".nc"}, {"CDF\x01"}, "a NetCDF file", by_netcdf},
     {{}, {"CDF\x02"}, "a NetCDF file", by_netcdf},
@@ -179,6 +190,8 @@ constexpr OtherFile other_files[] = {
     {{}, {"animVersion "}, "an animation of Maya (.anim)", by_anim},
     {{}, {"Adobe After Effects"}, "a text of keyframes of After Effects", by_after_effects},
     {{}, {.test = has_curves_of_nuke}, "a script of Nuke", by_nuke},
+    {{}, {"{", 0, {"tracklength", "data ="}}, "a clip of Houdini", by_clip},
+    {{}, {.test = has_positions_of_fanuc}, "a program of a Fanuc robot", by_fanuc},
     {{".srt"}, {"1", 0, {"\n00:", " --> "}}, "a text of subtitles (.srt)", by_srt},
     {{".blend"}, {"BLENDER"}, "a Blender file", export_keys},
     {{".abc"}, {"Ogawa"}, "an Alembic scene", export_keys},

@@ -518,20 +518,19 @@ bool is_pose_matrix(const FoundColumns& found) {
   return found.columns.cells.size() == 12 && are_rotation_matrix(found, {0, 1, 2, 4, 5, 6, 8, 9, 10});
 }
 
-/// Sixteen neighbours that are a matrix of four rows or columns, of which the last is 0, 0, 0, 1.
+/// Neighbours that are a matrix of three rows of four, or of four rows or columns whose last one is 0, 0, 0, 1.
 Found poses_as_matrices(const FoundColumns& found) {
-  constexpr std::size_t size = 16;
   if (found.has_rotations || is_requested(found, Role::position)) return std::nullopt;
   const std::vector<std::size_t> cells = cells_with(found, Role::position);
-  if (cells.size() < size || cells[size - 1] != cells[0] + size - 1) return std::nullopt;
-  for (const bool by_rows : {true, false}) {
-    const auto at = [&](std::size_t row, std::size_t column) {
-      return cells[0] + (by_rows ? 4 * row + column : 4 * column + row);
+  for (const auto& [size, by_rows] : {std::pair(16U, true), std::pair(16U, false), std::pair(12U, true)}) {
+    if (cells.size() < size || cells[size - 1] != cells[0] + size - 1 || !found.columns.has(Role::time)) continue;
+    const auto at = [&, is_by_rows = by_rows](std::size_t row, std::size_t column) {
+      return cells[0] + (is_by_rows ? 4 * row + column : 4 * column + row);
     };
-    const bool ends = std::ranges::all_of(found.rows, [&](const auto& row) {
-      return number_in(found, row, at(3, 0)) == 0 && number_in(found, row, at(3, 1)) == 0 &&
-             number_in(found, row, at(3, 2)) == 0 && number_in(found, row, at(3, 3)) == 1;
-    });
+    const bool ends = size == 12 || std::ranges::all_of(found.rows, [&](const auto& row) {
+                        return number_in(found, row, at(3, 0)) == 0 && number_in(found, row, at(3, 1)) == 0 &&
+                               number_in(found, row, at(3, 2)) == 0 && number_in(found, row, at(3, 3)) == 1;
+                      });
     std::array<std::size_t, 9> matrix{};
     for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = at(i / 3, i % 3);
     if (!ends || !are_rotation_matrix(found, matrix)) continue;
@@ -540,9 +539,10 @@ Found poses_as_matrices(const FoundColumns& found) {
       names[cells[0] + i] = fmt::format("{}[{}]", found.array, i);
     }
     return note(
-        "columns {} to {} may be poses, matrices of 4 rows; --rotation {} --columns {} resamples them as such, "
+        "columns {} to {} may be poses, matrices of {} rows; --rotation {} --columns {} resamples them as such, "
         "--rotation none leaves out this note",
-        shown(found, cells[0]), shown(found, cells[size - 1]), in_shell(requested_as("matrix", names, matrix)),
+        shown(found, cells[0]), shown(found, cells[size - 1]), size / 4,
+        in_shell(requested_as("matrix", names, matrix)),
         in_shell(requested_as("position", names, std::array{at(0, 3), at(1, 3), at(2, 3)})));
   }
   return std::nullopt;
@@ -627,6 +627,30 @@ Found quaternion_by_norm(const FoundColumns& found) {
   return std::nullopt;
 }
 
+/// Durations where nothing is the time.
+Found durations_without_times(const FoundColumns& found) {
+  constexpr std::array<std::string_view, 5> names{"duration", "dt", "delta_t", "deltat", "delay"};
+  const bool is_decided = found.requested.timeless || is_requested(found, Role::position);
+  if (is_decided || found.columns.has(Role::time) || found.requested.samples) return std::nullopt;
+  const auto is_duration = [&](std::string_view name) {
+    return std::ranges::any_of(names, [&](auto known) { return same_in_any_case(without_unit(name), known); });
+  };
+  const auto column = std::ranges::find_if(found.names, is_duration);
+  if (column == found.names.end()) return std::nullopt;
+  const bool has_command = found.delimiter != 0 && found.delimiter != ' ';
+  const std::string delimiter = found.delimiter == '\t' ? "\\t" : std::string(1, found.delimiter);
+  const std::string command =
+      has_command ? fmt::format(
+                        ", as in awk -F '{0}' -v OFS='{0}' 'NR == 1 {{print \"time\", $0; next}} {{print t + 0, $0; t "
+                        "+= ${1}}}' FILE | tcbsample",
+                        delimiter, column - found.names.begin() + 1)
+                  : "";
+  return error(
+      "column {} seems to have durations, and no column is the time; expected times; add the durations up{}, or give "
+      "--parameter uniform if the keys have no times",
+      in_quotes(*column), command);
+}
+
 Found minutes_and_seconds(const FoundColumns& found) {
   const std::vector<std::size_t> times = cells_with(found, Role::time);
   if (found.rows.empty() || times.empty() || times[0] >= found.rows[0].size()) return std::nullopt;
@@ -638,25 +662,13 @@ Found minutes_and_seconds(const FoundColumns& found) {
 }
 
 /// The list. The first error is the one that is shown.
-constexpr std::array about_columns{coefficients_of_pieces,
-                                   labels_of_curves,
-                                   time_in_array,
-                                   near_miss_of_role,
-                                   letters_that_are_data,
-                                   parameters_that_are_data,
-                                   column_numbers_above_rows,
-                                   times_as_names,
-                                   times_without_role,
-                                   time_in_two_numbers,
-                                   date_in_three_numbers,
-                                   dates_as_numbers,
-                                   quaternion_called_wxyz,
-                                   rotation_vector_by_name,
-                                   poses_without_names,
-                                   quaternion_by_norm,
-                                   poses_as_matrices,
-                                   minutes_and_seconds,
-                                   slopes_by_name};
+constexpr std::array about_columns{coefficients_of_pieces,    labels_of_curves,       time_in_array,
+                                   near_miss_of_role,         letters_that_are_data,  parameters_that_are_data,
+                                   column_numbers_above_rows, times_as_names,         times_without_role,
+                                   durations_without_times,   time_in_two_numbers,    date_in_three_numbers,
+                                   dates_as_numbers,          quaternion_called_wxyz, rotation_vector_by_name,
+                                   poses_without_names,       quaternion_by_norm,     poses_as_matrices,
+                                   minutes_and_seconds,       slopes_by_name};
 
 // The rows about a request.
 
@@ -729,6 +741,11 @@ Found seconds_of_unknown_times(const Schema& schema, const RequestNeeds& needs) 
         "the unit of the times in column {} is unknown, and as seconds they give a row for each {:.0f} keys; expected "
         "their unit; give --time-unit d, h or min if it is one of these, or --time-unit s if they are seconds",
         column, 1 / rows);
+  }
+  constexpr double several = 10;
+  if (!schema.named && *needs.time_gap == 1 && rows >= several && rows <= many) {
+    return note(
+        "the times in column 1 count 1, 2, 3, ..., and are taken as seconds; --input-fps 24 takes them as frames");
   }
   if (!(rows > many)) return std::nullopt;
   if (!(rows > most)) {

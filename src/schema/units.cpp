@@ -121,7 +121,7 @@ Schema with_unit(Schema schema, const UnitOptions& options) {
     if (!options.frame_rate && !options.time) return schema;
     throw data_error(
         "there is no time column, but the option needs one; name the column with --columns time=NAME, or remove the "
-        "option")
+        "option: the times are then 0, 1, 2, ..., and --step 0.5 makes two rows for each")
         .about(options.frame_rate ? "--input-fps" : "--time-unit");
   }
   if (!time.unit) time.unit = options.time ? options.time : unit_of_time(time.name);

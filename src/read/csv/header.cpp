@@ -86,6 +86,8 @@ class HeadRecords {
     }
   }
 
+  bool ends_in_comment() const { return !comment_.empty(); }
+
   std::vector<Record> records;
   std::vector<Chunk> chunks;  ///< with records, or with a line that ends a curve
 
@@ -218,6 +220,19 @@ bool name_quaternion(std::vector<std::string>& names) {
     return true;
   }
   return false;
+}
+
+/// The names in the line of a record, between two blanks at least, as each of them may have blanks.
+std::vector<std::string> names_between_blanks(const Chunk& chunk, std::size_t offset) {
+  std::string_view line = std::string_view(chunk.text).substr(offset);
+  line = line.substr(0, line.find_first_of("\r\n"));
+  std::vector<std::string> names;
+  for (std::size_t at = line.find_first_not_of(" \t"); at < line.size(); at = line.find_first_not_of(" \t", at)) {
+    const std::size_t end = std::min({line.find("  ", at), line.find('\t', at), line.size()});
+    names.emplace_back(line.substr(at, end - at));
+    at = end;
+  }
+  return names;
 }
 
 /// Whether the name gives its column a role, or is requested.
@@ -626,6 +641,11 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.marks};
   head.is_of_format = !options.delimited.names.empty();
   head.strips_units = options.delimited.strips_units;
+  if (first.records.empty() && first.ends_in_comment()) {
+    throw data_error(
+        "all lines begin with {}, as comments do; expected a row for each key; give --comment none if they are keys",
+        in_quotes(dialect.comment));
+  }
   if (first.records.empty())
     throw columns.samples ? data_error("the file is empty; expected samples; give the file that has them")
                           : data_error("the input is empty; expected a row for each key; see --help");
@@ -660,6 +680,10 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
       unread.push_back(names.size());
       names.push_back(other);
     }
+  }
+  if (header && dialect.delimiter == ' ' && names.size() > row.cells.size()) {
+    auto between = names_between_blanks(first.chunks[first.records[0].chunk], first.records[0].offset);
+    if (between.size() == row.cells.size()) names = std::move(between);
   }
   require_names_for_cells(names, row, head);
   head.begins_with_value = may_be_value(row.cells[0], head);

@@ -68,6 +68,51 @@ bool has_word(std::string_view text) {
   return false;
 }
 
+/// A number that no word ends, as a regular expression.
+constexpr std::string_view number_in_perl = "(?<![\\w.])[-+]?\\.?\\d[\\d.]*(?:[eE][-+]?\\d+)?";
+
+/// What is behind the time that begins a line, such as "[2024-03-01 10:00:00.5]"; nothing where none does.
+std::optional<std::string_view> behind_time(std::string_view line) {
+  const auto skip = [&](std::string_view characters) {
+    const std::size_t size = std::min(line.find_first_not_of(characters), line.size());
+    line.remove_prefix(size);
+    return size;
+  };
+  skip("[(<");
+  const std::size_t end = line.find_first_not_of("0123456789-");
+  if (end == 10 && end < line.size() && find_notation(line.substr(0, end))) line.remove_prefix(end + 1);
+  constexpr std::string_view digits = "0123456789";
+  if (skip(digits) == 0 || skip(":") != 1 || skip(digits) != 2 || skip(":") != 1 || skip(digits) != 2)
+    return std::nullopt;
+  if (line.size() > 1 && (line[0] == '.' || line[0] == ',') && is_digit(line[1])) {
+    line.remove_prefix(1);
+    skip(digits);
+  }
+  return line;
+}
+
+/// Throws: Error (data) where a time begins the first two lines, and numbers are within the same text behind it.
+void require_no_log(std::string_view one, std::string_view two, char delimiter) {
+  const auto rest = behind_time(one), below = behind_time(two);
+  const auto cells = split(one, delimiter);
+  if (!rest || !below || (delimiter != ' ' && find_notation(bare(trimmed(cells[0]))))) return;
+  constexpr std::size_t of_time = 2;
+  for (std::size_t i = of_time; delimiter == ' ' && i < cells.size(); ++i) {
+    if (cells[i] != "->" && looks_numeric(cells[i])) return;
+  }
+  std::size_t numbers = 0, numbers_below = 0;
+  const std::string text = without_numbers(*rest, numbers);
+  const bool has_text = has_word(text) || rest->find("->") != std::string_view::npos;
+  if (!has_text || numbers == 0 || without_numbers(*below, numbers_below) != text) return;
+  throw data_error(
+      "a time and other text begin each line, as in {}; expected cells between delimiters; take the time and the "
+      "numbers "
+      "behind it, as in perl -ne 'if (/^\\W*((?:\\d{{4}}-\\d\\d-\\d\\d[ T])?\\d+:\\d\\d:\\d\\d(?:[.,]\\d+)?)(.*)/) "
+      "{{my ($t, $r) = ($1, "
+      "$2); $t =~ tr/,/./; print join(\",\", $t, $r =~ /{}/g), \"\\n\"}}' FILE | tcbsample",
+      in_quotes(one), number_in_perl);
+}
+
 /// Throws: Error (data) where the first two lines have the same text around numbers, and no cell is a number.
 void require_cells_of_numbers(std::string_view one, std::string_view two, char delimiter) {
   std::size_t numbers = 0, numbers_below = 0;
@@ -75,7 +120,8 @@ void require_cells_of_numbers(std::string_view one, std::string_view two, char d
   if (text.empty() || numbers < 2 || without_numbers(two, numbers_below) != text || numbers != numbers_below) return;
   const auto cells = split(one, delimiter);
   const auto is_value = [](std::string_view cell) {
-    return looks_numeric(bare(trimmed(cell))) || find_notation(bare(trimmed(cell)));
+    const std::string_view text = bare(trimmed(cell));
+    return !text.empty() && (looks_numeric(text) || find_notation(text));
   };
   const auto count = [&](std::string_view marks) {
     return std::ranges::count_if(cells[0], [&](char c) { return marks.find(c) != std::string_view::npos; });
@@ -85,9 +131,9 @@ void require_cells_of_numbers(std::string_view one, std::string_view two, char d
   throw data_error(
       "the numbers are within other text, as in {}; expected cells between delimiters; take the numbers alone, as in "
       "perl "
-      "-ne '@n = /(?<![\\w.])[-+]?\\.?\\d[\\d.]*(?:[eE][-+]?\\d+)?/g and print \"@n\\n\"' FILE | tcbsample, with "
+      "-ne '@n = /{}/g and print \"@n\\n\"' FILE | tcbsample, with "
       "--parameter uniform if none is a time",
-      in_quotes(trimmed(one)));
+      in_quotes(trimmed(one)), number_in_perl);
 }
 
 }  // namespace
@@ -98,16 +144,7 @@ void require_bare_numbers(std::string_view text, const Dialect& dialect) {
   std::erase_if(lines, [&](std::string_view line) { return trimmed(line).empty() || dialect.is_comment(line); });
   if (lines.size() < 2) return;
   const std::string_view one = trimmed(lines[0]), two = trimmed(lines[1]);
-  const std::size_t arrow = one.find(" -> ");
-  if (arrow != std::string_view::npos && two.find(" -> ") != std::string_view::npos &&
-      find_notation(one.substr(0, arrow))) {
-    const std::size_t mark = one.find_first_of("\t,; ", arrow + 4);
-    const char delimiter = mark == std::string_view::npos ? ',' : one[mark];
-    throw data_error(
-        "a time and an arrow begin each line, as in {}; expected cells between delimiters; change the arrow, "
-        "as in sed {} FILE | tcbsample",
-        in_quotes(one), delimiter == '\t' ? "$'s/ -> /\\t/'" : fmt::format("'s/ -> /{}/'", delimiter));
-  }
+  require_no_log(one, two, dialect.delimiter);
   const auto are_quoted = [&](std::string_view line) {
     const auto cells = split(line, dialect.delimiter);
     return std::ranges::all_of(

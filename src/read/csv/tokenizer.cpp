@@ -297,8 +297,8 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
   if (may_be_time) {
     return data_error(
         "{}: {} is no number, and no time in a known notation; expected a number, or a time such as "
-        "2024-03-01T13:00:00Z, 2024-03-01 or 13:00:00; convert the cells, as to_datetime of "
-        "pandas does",
+        "2024-03-01T13:00:00Z, 2024-03-01 or 13:00:00; convert the cells, as to_datetime of pandas does with the "
+        "argument format",
         column, in_quotes(cell));
   }
   std::string as_exponent(cell);

@@ -363,7 +363,13 @@ Records open_whole(JsonPart part, const InputOptions& options) {
   std::optional<Error> reason;
   std::optional<Records> key;
   if (tape.kind(0) == Kind::object) {
-    const auto table = JsonTable::find(tape, 0, "", true, options.columns.timeless);
+    std::optional<JsonTable> table;
+    try {
+      table = JsonTable::find(tape, 0, "", true, options.columns.timeless);
+    } catch (const Error&) {  // columns differ in length
+      table = JsonTable::of_arrays(tape);
+      if (!table) throw;
+    }
     if (table && table->size() > 0) {
       const bool has_times = table->has_times_in_index();
       return open_tables(text, {*table}, options, has_times ? JsonShape::table_by_index : JsonShape::table);

@@ -196,13 +196,21 @@ std::optional<JsonTable> JsonTable::of_arrays(const JsonTape& tape) {
   table.cells_.resize(table.size_ = tape.count(time->value));
   std::unordered_set<std::string_view> names;
   for (const ColumnArray& array : arrays) {
-    if (tape.count(array.value) != table.size_) {
+    const bool are_columns = tape.kind(array.value + 1) == Kind::array && tape.count(array.value + 1) == table.size_;
+    if (tape.count(array.value) != table.size_ && !are_columns) {
       table.others_.emplace_back(array.name);
       continue;
     }
     if (!names.insert(array.name).second) return std::nullopt;
-    table.joins_arrays_ = table.joins_arrays_ || array.object != time->object;
-    table.add_columns(array.name, array.value);
+    table.joins_arrays_ = table.joins_arrays_ || array.object != time->object || tape.count(array.value) != table.size_;
+    if (tape.count(array.value) == table.size_) {
+      table.add_columns(array.name, array.value);
+      continue;
+    }
+    std::size_t index = 0;
+    for (const std::size_t column : tape.inside(array.value)) {
+      table.add_columns(fmt::format("{}[{}]", array.name, index++), column);
+    }
   }
   return table.joins_arrays_ ? std::optional(std::move(table)) : std::nullopt;
 }

@@ -45,7 +45,8 @@ class JsonTable {
   static std::optional<JsonTable> find(const JsonTape& tape, std::size_t value, std::string path, bool is_root,
                                        bool is_timeless);
 
-  /// Arrays as long as the only one of times, in other objects than it: a column each. Nothing where there are none.
+  /// Arrays as long as the only one of times, in other objects than it or within an array: a column each. Nothing where
+  /// there are none.
   static std::optional<JsonTable> of_arrays(const JsonTape& tape);
 
   const JsonTape& tape() const { return *tape_; }
