@@ -335,34 +335,51 @@ Found time_in_array(const FoundColumns& found) {
               in_quotes(found.array), in_shell(fmt::format("time={0}[0],position={0}[1]", found.array)));
 }
 
-/// Names of channels that are numbers and do not only count the columns, as where each has the values at one time.
+/// A command that makes rows of the columns of a table.
+std::string transposed(const FoundColumns& found, std::string_view options) {
+  if (found.delimiter == 0 || found.delimiter == ' ') return "";
+  const std::string mark = found.delimiter == '\t' ? "\\t" : std::string(1, found.delimiter);
+  return fmt::format(
+      ", as in python3 -c 'import csv, sys; csv.writer(sys.stdout).writerows(zip(*csv.reader(sys.stdin{})))' <FILE | "
+      "tcbsample {}",
+      found.delimiter == ',' ? "" : fmt::format(", delimiter=\"{}\"", mark), options);
+}
+
+/// Names such as Jan and January.
+bool is_month(std::string_view name) {
+  constexpr std::array<std::string_view, 12> months{"january",   "february", "march",    "april",
+                                                    "may",       "june",     "july",     "august",
+                                                    "september", "october",  "november", "december"};
+  constexpr std::size_t least = 3;
+  return name.size() >= least &&
+         std::ranges::any_of(months, [&](std::string_view month) { return month.starts_with(in_lower_case(name)); });
+}
+
+/// Names of channels that are months, or numbers that do not only count the columns, as where each has the values at
+/// one time.
 Found times_as_names(const FoundColumns& found) {
   if (found.requested.timeless || found.columns.has(Role::time) || is_requested(found, Role::position))
     return std::nullopt;
   const std::vector<std::string>& channels = found.columns.channels;
+  if (found.names.empty() || channels.size() < 3) return std::nullopt;
+  if (std::ranges::all_of(channels, is_month)) {
+    return error(
+        "the columns are called {}, as months are; expected a row for each; transpose the table{}, or give --parameter "
+        "uniform if the rows are keys without times",
+        listed(channels), transposed(found, "--columns ignore=1 --parameter uniform"));
+  }
   std::vector<double> times;
   for (const std::string& channel : channels) times.push_back(parse_number(channel).value_or(nan));
-  if (found.names.empty() || times.size() < 3) return std::nullopt;
   const auto all_steps = [&times](const auto& step) {
     return std::ranges::adjacent_find(times, [&](double a, double b) { return !step(a, b); }) == times.end();
   };
   const bool count = (times[0] == 0 || times[0] == 1) && all_steps([](double a, double b) { return b == a + 1; });
   if (count || !all_steps(std::less<>())) return std::nullopt;
-  const std::string reader = found.delimiter == '\t'  ? ", delimiter=\"\\t\""
-                             : found.delimiter == ',' ? ""
-                                                      : fmt::format(", delimiter=\"{}\"", found.delimiter);
-  const std::string transposed =
-      found.delimiter == 0 || found.delimiter == ' '
-          ? ""
-          : fmt::format(
-                ", as in python3 -c 'import csv, sys; csv.writer(sys.stdout).writerows(zip(*csv.reader(sys.stdin{})))' "
-                "<FILE | tcbsample --columns time=1",
-                reader);
   return error(
       "the columns are called {}, as times are; expected a row for each time; transpose the table{}, or give "
       "--parameter "
       "uniform if the rows are keys without times",
-      listed(channels), transposed);
+      listed(channels), transposed(found, "--columns time=1"));
 }
 
 Found time_in_two_numbers(const FoundColumns& found) {

@@ -131,7 +131,13 @@ std::string_view without_unit(std::string_view name) {
 }
 
 bool is_usual_time(std::string_view name) {
-  const std::string_view alone = without_unit(name);
+  std::string_view alone = without_unit(name);
+  constexpr std::size_t most_digits = 4;
+  const std::size_t sign = alone.find_last_of("-+");
+  const std::string_view digits = alone.substr(std::min(sign, alone.size() - 1) + 1);
+  const bool has_origin =
+      digits.size() >= most_digits && digits.find_first_not_of("0123456789") == std::string_view::npos;
+  if (has_origin && sign != std::string_view::npos) alone = alone.substr(0, sign);  // as in JD-2450000
   // T by itself is tension.
   if (alone == "T") return unit_of_time(name).has_value();
   const std::size_t path = alone.find_last_of("./");  // as in header.stamp
@@ -346,7 +352,7 @@ std::vector<std::size_t> spatial_channels(const std::vector<std::string>& channe
 bool is_coordinate(std::string_view name) {
   const std::string whole = compact(without_unit(name));
   const std::string text = without_last_digits(whole);
-  const bool numbered = text.size() < whole.size() && text.size() <= 3;  // as in p1
+  const bool numbered = text.size() < whole.size() && text.size() <= 3 && whole.size() <= text.size() + 3;  // as in p1
   const std::size_t first = name.find_first_of("_-. ");
   return has(coordinate_names, text) || numbered || has(coordinate_names, last_word(name, "_-. ")) ||
          (first == 1 && has(coordinate_names, compact(name.substr(0, first))));

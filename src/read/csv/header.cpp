@@ -42,13 +42,20 @@ std::vector<std::string> texts(const HeadCells& cells) {
   return result;
 }
 
-/// The names in a comment line such as "# timestamp tx ty tz".
-std::vector<std::string> comment_names(std::string_view comment, const Dialect& dialect) {
+/// The names in a comment line such as "# timestamp tx ty tz", between the delimiter, or between others if it has as
+/// many parts as there are columns.
+std::vector<std::string> comment_names(std::string_view comment, const Dialect& dialect, std::size_t columns) {
   while (comment.starts_with(dialect.comment)) comment.remove_prefix(dialect.comment.size());
   const Chunk chunk{std::string(comment), 1, 0};
   const Dialect no_comments{dialect.delimiter, ""};
   HeadCells cells;
   Tokenizer(chunk, no_comments).next(cells);
+  for (const char delimiter : std::string_view("|,;\t")) {
+    if (cells.size() != columns && std::ranges::count(comment, delimiter) + 1 == static_cast<std::ptrdiff_t>(columns)) {
+      cells = split(comment, delimiter);
+      std::ranges::transform(cells, cells.begin(), trimmed);
+    }
+  }
   return texts(cells);
 }
 
@@ -303,8 +310,10 @@ std::size_t first_key(const std::vector<HeadRecords::Record>& records) {
   for (std::size_t i = 1; i < key; ++i) {
     const auto& cells = records[i].cells;
     const auto& numbers = records[std::min(key, records.size() - 1)].cells;
-    bool describes = are_units(cells) && (key == records.size() || cells.size() != numbers.size());
-    for (std::size_t cell = 0; cell < std::min(cells.size(), numbers.size()); ++cell) {
+    const bool has_cells = cells.size() == records[0].cells.size() && cells.size() == numbers.size();
+    const bool is_rule = cells.size() == 1 && cells[0].find_first_not_of("-=_+*") == std::string::npos;
+    bool describes = is_rule || (are_units(cells) && (key == records.size() || !has_cells));
+    for (std::size_t cell = 0; has_cells && cell < cells.size(); ++cell) {
       describes = describes || (is_text(cells[cell]) && begins_like_number(numbers[cell]));
     }
     if (!describes) return i;
@@ -662,7 +671,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   if (header && !columns.samples) data = first_key(first.records);
   if (data == first.records.size()) refuse_header_alone(first.records[0]);
   if (!header && !options.delimited.header && !first.records[0].comment.empty()) {
-    auto above = comment_names(first.records[0].comment, dialect);
+    auto above = comment_names(first.records[0].comment, dialect, first.records[0].cells.size());
     if (above.size() == first.records[0].cells.size() && are_names(above, head, columns)) {
       names = std::move(above);
       --position.line;
