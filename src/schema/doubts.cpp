@@ -474,24 +474,6 @@ bool are_units(const FoundColumns& found, const std::array<std::size_t, 4>& cell
   });
 }
 
-Found quaternion_called_wxyz(const FoundColumns& found) {
-  if (found.has_rotations || is_requested(found, Role::position)) return std::nullopt;
-  constexpr std::array<std::string_view, 4> letters{"x", "y", "z", "w"};
-  std::array<std::size_t, 4> cells{};
-  for (std::size_t i = 0; i < letters.size(); ++i) {
-    const auto at =
-        std::ranges::find_if(found.names, [&](const auto& name) { return same_in_any_case(name, letters[i]); });
-    if (at == found.names.end()) return std::nullopt;
-    cells[i] = static_cast<std::size_t>(at - found.names.begin());
-    if (found.columns.cells[cells[i]].role != Role::position) return std::nullopt;
-  }
-  if (!are_units(found, cells)) return std::nullopt;
-  return error(
-      "columns {} have the norm 1, as quaternions do; expected the rotation to be named; give --rotation {} for a "
-      "rotation, or --rotation none for plain channels",
-      listed(names_of(found.names, cells)), roles_of(found, "quaternion", cells));
-}
-
 /// Columns of slopes beside a single position, as animation curves of game engines have them.
 Found slopes_by_name(const FoundColumns& found) {
   constexpr std::array<std::array<std::string_view, 2>, 4> slopes{{{"inSlope", "outSlope"},
@@ -530,37 +512,47 @@ bool are_rotation_matrix(const FoundColumns& found, const std::array<std::size_t
   });
 }
 
-/// Whether the numbers of a record without names are a matrix of three rows, each followed by one of the position.
-bool is_pose_matrix(const FoundColumns& found) {
-  return found.columns.cells.size() == 12 && are_rotation_matrix(found, {0, 1, 2, 4, 5, 6, 8, 9, 10});
+/// Positions, after the first column where that is the time by its place: then the time may be part of a pose.
+std::vector<std::size_t> possible_poses(const FoundColumns& found) {
+  std::vector<std::size_t> cells = cells_with(found, Role::position);
+  if (found.columns.has_time_by_place) cells.insert(cells.begin(), cells_with(found, Role::time)[0]);
+  return cells;
 }
 
-/// Neighbours that are a matrix of three rows of four, or of four rows or columns whose last one is 0, 0, 0, 1.
+/// The first columns that are a matrix of three rows of four, or of four rows or columns whose last one is 0, 0, 0, 1.
 Found poses_as_matrices(const FoundColumns& found) {
   if (found.has_rotations || is_requested(found, Role::position)) return std::nullopt;
-  const std::vector<std::size_t> cells = cells_with(found, Role::position);
+  const std::vector<std::size_t> cells = possible_poses(found);
+  const std::size_t most = std::min<std::size_t>(cells.size(), found.columns.has_time_by_place ? 2 : 1);
   for (const auto& [size, by_rows] : {std::pair(16U, true), std::pair(16U, false), std::pair(12U, true)}) {
-    if (cells.size() < size || cells[size - 1] != cells[0] + size - 1 || !found.columns.has(Role::time)) continue;
-    const auto at = [&, is_by_rows = by_rows](std::size_t row, std::size_t column) {
-      return cells[0] + (is_by_rows ? 4 * row + column : 4 * column + row);
-    };
-    const bool ends = size == 12 || std::ranges::all_of(found.rows, [&](const auto& row) {
-                        return number_in(found, row, at(3, 0)) == 0 && number_in(found, row, at(3, 1)) == 0 &&
-                               number_in(found, row, at(3, 2)) == 0 && number_in(found, row, at(3, 3)) == 1;
-                      });
-    std::array<std::size_t, 9> matrix{};
-    for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = at(i / 3, i % 3);
-    if (!ends || !are_rotation_matrix(found, matrix)) continue;
-    std::vector<std::string> names(found.names.begin(), found.names.end());
-    for (std::size_t i = 0; i < size && !found.array.empty(); ++i) {
-      names[cells[0] + i] = fmt::format("{}[{}]", found.array, i);
+    for (std::size_t first = 0; first < most && first + size <= cells.size(); ++first) {
+      const auto at = [&, begin = cells[first], rows = by_rows](std::size_t row, std::size_t column) {
+        return begin + (rows ? 4 * row + column : 4 * column + row);
+      };
+      const bool ends = size == 12 || std::ranges::all_of(found.rows, [&](const auto& row) {
+                          return number_in(found, row, at(3, 0)) == 0 && number_in(found, row, at(3, 1)) == 0 &&
+                                 number_in(found, row, at(3, 2)) == 0 && number_in(found, row, at(3, 3)) == 1;
+                        });
+      std::array<std::size_t, 9> matrix{};
+      for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = at(i / 3, i % 3);
+      const bool are_neighbours = cells[first + size - 1] == cells[first] + size - 1;
+      if (!are_neighbours || !ends || !are_rotation_matrix(found, matrix)) continue;
+      std::vector<std::string> names(found.names.begin(), found.names.end());
+      for (std::size_t i = 0; i < size && !found.array.empty(); ++i) {
+        names[cells[first] + i] = fmt::format("{}[{}]", found.array, i);
+      }
+      if (found.columns.has_time_by_place) names.clear();
+      const auto shown_name = [&](std::size_t i) {
+        return names.empty() ? fmt::format("{}", cells[i] + 1) : shown(found, cells[i]);
+      };
+      return note(
+          "columns {} to {} may be poses, matrices of {} rows; {}--rotation {} --columns {} resamples them as such, "
+          "--rotation none leaves out this note",
+          shown_name(first), shown_name(first + size - 1), size / 4,
+          found.columns.has_time_by_place && first == 0 ? "--parameter uniform " : "",
+          in_shell(requested_as("matrix", names, matrix)),
+          in_shell(requested_as("position", names, std::array{at(0, 3), at(1, 3), at(2, 3)})));
     }
-    return note(
-        "columns {} to {} may be poses, matrices of {} rows; --rotation {} --columns {} resamples them as such, "
-        "--rotation none leaves out this note",
-        shown(found, cells[0]), shown(found, cells[size - 1]), size / 4,
-        in_shell(requested_as("matrix", names, matrix)),
-        in_shell(requested_as("position", names, std::array{at(0, 3), at(1, 3), at(2, 3)})));
   }
   return std::nullopt;
 }
@@ -581,15 +573,6 @@ Found rotation_vector_by_name(const FoundColumns& found) {
       roles_of(found, "axis-angle", cells));
 }
 
-Found poses_without_names(const FoundColumns& found) {
-  if (!found.names.empty() || found.has_rotations || !found.requested.roles.empty() || !is_pose_matrix(found)) {
-    return std::nullopt;
-  }
-  return note(
-      "the columns may be poses, matrices of 3 rows and 4 columns; --parameter uniform --rotation "
-      "matrix=1:2:3:5:6:7:9:10:11 resamples them as poses, --rotation none leaves out this note");
-}
-
 /// The same columns in the order x, y, z, w, if these letters end their names.
 std::array<std::size_t, 4> by_letters(const FoundColumns& found, const std::array<std::size_t, 4>& cells) {
   std::array<std::size_t, 4> ordered{};
@@ -604,25 +587,26 @@ std::array<std::size_t, 4> by_letters(const FoundColumns& found, const std::arra
   return found.names.empty() ? cells : ordered;
 }
 
-/// Four neighbours of norm 1, without names or with names that are not those of rotations.
+/// Four neighbours of norm 1, without names, or with names that are not those of rotations.
 Found quaternion_by_norm(const FoundColumns& found) {
-  if (found.has_rotations || !found.requested.roles.empty() || found.rows.size() < 2 || is_pose_matrix(found)) {
-    return std::nullopt;
-  }
-  std::vector<std::size_t> cells = cells_with(found, Role::position);
-  const bool may_be_first = found.columns.has_time_by_place;
-  if (may_be_first) cells.insert(cells.begin(), cells_with(found, Role::time)[0]);
-  for (std::size_t i = 0; i + 4 <= cells.size(); ++i) {
+  if (found.has_rotations || is_requested(found, Role::position) || found.rows.size() < 2) return std::nullopt;
+  const std::vector<std::size_t> cells = possible_poses(found);
+  const bool may_be_first = found.columns.has_time_by_place, is_named = !found.names.empty() && !may_be_first;
+  for (std::size_t i = 0; i + 4 <= cells.size() && !poses_as_matrices(found); ++i) {
     const std::array four{cells[i], cells[i + 1], cells[i + 2], cells[i + 3]};
+    if (four[3] != four[0] + 3 || !are_units(found, four)) continue;
     const auto is_whole = [&](const auto& row) {
       return std::ranges::all_of(four, [&](std::size_t cell) {
         const double number = number_in(found, row, cell);
         return number == std::floor(number);
       });
     };
-    if (four[3] != four[0] + 3 || !are_units(found, four)) continue;
-    const bool is_time = may_be_first && i == 0, is_named = !found.names.empty() && !may_be_first;
-    if ((is_time || is_named) && std::ranges::all_of(found.rows, is_whole)) continue;
+    const std::array ordered = by_letters(found, four);
+    const bool is_time = may_be_first && i == 0;
+    const auto is_letter = [&](std::size_t cell) { return found.names[cell].size() == 1; };
+    const bool are_letters = is_named && std::ranges::all_of(four, is_letter) &&
+                             lower(found.names[ordered[0]][0]) == 'x' && lower(found.names[ordered[3]][0]) == 'w';
+    if (!are_letters && (is_time || is_named) && std::ranges::all_of(found.rows, is_whole)) continue;
     if (is_named && rotation_stem_of(found.names[four[0]])) continue;
     if (is_time) {
       return error(
@@ -631,11 +615,16 @@ Found quaternion_by_norm(const FoundColumns& found) {
           "is "
           "the time");
     }
-    const std::array ordered = by_letters(found, four);
     const bool is_by_name = ordered != four && in_lower_case(found.names[four[0]]).find('q') != std::string::npos;
     if (is_by_name) return std::nullopt;
     std::vector<std::string> names;
     for (const std::size_t cell : four) names.push_back(requested_as(found.names, cell));
+    if (are_letters) {
+      return error(
+          "columns {} have the norm 1, as quaternions do; expected the rotation to be named; give --rotation {} for a "
+          "rotation, or --rotation none for plain channels",
+          listed(names), roles_of(found, "quaternion", ordered));
+    }
     return note(
         "columns {} may be a quaternion; --rotation {} resamples them as a rotation whose last number is w, --rotation "
         "none leaves out this note",
@@ -679,13 +668,12 @@ Found minutes_and_seconds(const FoundColumns& found) {
 }
 
 /// The list. The first error is the one that is shown.
-constexpr std::array about_columns{coefficients_of_pieces,    labels_of_curves,       time_in_array,
-                                   near_miss_of_role,         letters_that_are_data,  parameters_that_are_data,
-                                   column_numbers_above_rows, times_as_names,         times_without_role,
-                                   durations_without_times,   time_in_two_numbers,    date_in_three_numbers,
-                                   dates_as_numbers,          quaternion_called_wxyz, rotation_vector_by_name,
-                                   poses_without_names,       quaternion_by_norm,     poses_as_matrices,
-                                   minutes_and_seconds,       slopes_by_name};
+constexpr std::array about_columns{coefficients_of_pieces,    labels_of_curves,        time_in_array,
+                                   near_miss_of_role,         letters_that_are_data,   parameters_that_are_data,
+                                   column_numbers_above_rows, times_as_names,          times_without_role,
+                                   durations_without_times,   time_in_two_numbers,     date_in_three_numbers,
+                                   dates_as_numbers,          rotation_vector_by_name, poses_as_matrices,
+                                   quaternion_by_norm,        minutes_and_seconds,     slopes_by_name};
 
 // The rows about a request.
 
