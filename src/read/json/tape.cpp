@@ -31,8 +31,8 @@ struct ShortText {
   std::size_t place = 0;  ///< of its last character in the whole text, or the end of that
 };
 
-/// What the grammar needs of a text from `at` on, up to so many characters: without the digits after one from 1 to 9,
-/// without the characters of strings in printable ASCII, and with a zero in the place of NaN, which JSON does not have.
+/// What the grammar needs of a text from `at` on, up to so many characters: with a zero in the place of digits from one
+/// of 1 to 9 on, and of NaN, which JSON does not have, and without the characters of strings in printable ASCII.
 ShortText shortened(std::string_view text, std::size_t at, std::size_t most = std::string_view::npos) {
   const auto is_plain = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
   const auto is_nan = [&](std::size_t begin) {
@@ -59,6 +59,7 @@ ShortText shortened(std::string_view text, std::size_t at, std::size_t most = st
       out.back() = '0';
       at += 2;
     } else if (c >= '1' && c <= '9') {
+      out.back() = '0';
       while (at < text.size() && is_digit(text[at])) place = at++;
     }
   }
