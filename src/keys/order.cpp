@@ -1,4 +1,9 @@
 // Order: keys without gaps, whose times increase up to the next break, and those of segments.
+//
+// Each function of order.hpp is a stage on blocks of keys, in the order of arranged() in curves.cpp. Three of them hold
+// keys back until those after them are known, as HoldingStage does: Order, which drops, replaces or refuses keys whose
+// times do not increase; Spreader, which divides a step among keys of one time; Joiner, which makes one key of the end
+// of a segment and the start of the next.
 #include "keys/order.hpp"
 
 #include <algorithm>

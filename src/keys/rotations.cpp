@@ -1,4 +1,9 @@
 // Rotations and angles of keys: the quaternions of rotations in other forms, checks, and signs.
+//
+// A block goes through with_clear_turns(): Conversion makes quaternions of the numbers of a rotation in another form,
+// which stay beside them as they are given; SignChain and AngleChain check each key against the one before, as two keys
+// half a turn apart have no direction between them, and SignChain negates quaternions so that the turn is the short
+// one.
 #include "keys/rotations.hpp"
 
 #include <algorithm>

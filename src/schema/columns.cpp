@@ -1,4 +1,8 @@
 // Columns: the meaning of the cells of all records of an input.
+//
+// find_columns() gives roles in this order, and none takes a column from one before: those that are requested; the
+// columns of records that are segments; a time in two columns; roles in one channel, by names such as x_v; all others
+// by name, and the rest as positions. Then it numbers the texts and names what is ignored.
 #include "schema/columns.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,13 @@
 // Columns of JSON: what the members of keys mean, by the names and the values in the first key.
+//
+// FirstKey goes through these steps; FoundMember is what they know of a member:
+//   read            the members of the first key: numbers, arrays of numbers, texts, and what is nested
+//   spread          numbers deeper in it become members of their own, where they are requested or nothing else may be
+//                   the position or the time; their names are their paths
+//   name_columns    each member gets the names of its cells: an array of positions those of channels
+//   find_columns()  gives the cells roles, as of a table with these names
+//   require_…       refuse what would be lost or misread; find_doubts gives the notes
+// Then the members stand in JsonColumns as a tree, by which keys.cpp reads all records.
 #include "read/json/columns.hpp"
 
 #include <fmt/format.h>

@@ -86,6 +86,13 @@ std::size_t end_of_value(std::string_view text, std::size_t at) {
   return text.size();
 }
 
+/// Where the value that begins at `at` ends if it is one; of several that follow, none is in it.
+std::size_t end_of_next(std::string_view text, std::size_t at) {
+  if (text[at] == '{' || text[at] == '[') return end_of_value(text, at);
+  if (text[at] == '"') return end_of_string(text, at);
+  return std::min(text.find_first_of(" \t\r\n,{}[]\"", at + 1), text.size());
+}
+
 }  // namespace
 
 /// Receives the events of nlohmann-json, with its names, and finds the place of each value in the text.
@@ -93,9 +100,14 @@ class JsonTape::Events {
  public:
   using Json = nlohmann::json;
 
-  /// `text`: up to the end of what is parsed.
-  Events(JsonTape& tape, std::string_view text, std::size_t begin)
-      : tape_(tape), text_(text), first_(begin), now_(begin), is_list_(tape.part_.kind == JsonPart::Kind::list) {}
+  /// What is parsed ends at `end`.
+  Events(JsonTape& tape, std::size_t begin, std::size_t end)
+      : tape_(tape),
+        text_(tape.part_.chunk.text),
+        first_(begin),
+        end_(end),
+        now_(begin),
+        is_list_(tape.part_.kind == JsonPart::Kind::list) {}
 
   bool null() { return add(Kind::null, begin() + 4); }
   bool boolean(bool value) { return add(Kind::boolean, begin() + (value ? 4 : 5)); }
@@ -203,7 +215,7 @@ class JsonTape::Events {
   /// Throws: Error (data) for the last one of so many characters that the parser has read, which breaks the grammar of
   /// JSON.
   [[noreturn]] void refuse_syntax(std::size_t count) const {
-    const std::size_t last = shortened(text_, first_, count).place;
+    const std::size_t last = shortened(text_.substr(0, end_), first_, count).place;
     const bool is_end = last + (is_list_ ? 1 : 0) >= text_.size();
     bool is_separated = false;
     const std::size_t begin = next_token(last, is_separated);
@@ -250,8 +262,8 @@ class JsonTape::Events {
 
   JsonTape& tape_;
   std::string_view text_;
-  std::size_t first_;  ///< where the parsing began
-  std::size_t now_;    ///< the end of the last token
+  std::size_t first_, end_;  ///< of what is parsed
+  std::size_t now_;          ///< the end of the last token
   bool is_list_;
   Last last_ = Last::nothing;
   std::vector<std::size_t> open_;  ///< the arrays and objects around the next value
@@ -270,9 +282,9 @@ JsonTape::JsonTape(const JsonPart& part, std::uint64_t max_memory) : part_(part)
 void JsonTape::parse(std::size_t first, bool is_one) {
   nodes_.resize(first);
   const std::string_view whole = part_.chunk.text;
-  const std::string_view text = is_one ? whole : whole.substr(0, end_of_value(whole, end_));
-  const ShortText parsed = shortened(text, end_);
-  Events events(*this, text, end_);
+  const std::size_t end = is_one ? whole.size() : end_of_next(whole, end_);
+  const ShortText parsed = shortened(whole.substr(0, end), end_);
+  Events events(*this, end_, end);
   nlohmann::json::sax_parse(parsed.text, &events, nlohmann::json::input_format_t::json, is_one);
   end_ = events.now();
 }

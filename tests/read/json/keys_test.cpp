@@ -54,6 +54,13 @@ TEST(JsonKeys, a_value_that_is_not_a_number_is_an_error) {
             "f:1:23: error: keys[0].position[1]: \"b\" is not a number; expected a number; correct it");
 }
 
+TEST(JsonKeys, values_that_are_no_keys_take_linear_time) {
+  std::string values = "{\"t\":0,\"x\":1}";
+  for (int i = 0; i < 200'000; ++i) values += " 1";
+  EXPECT_THAT(read(values), testing::StartsWith("f:1:15: error: found a number as a key; expected an object"));
+  EXPECT_THAT(read("nul\n{\"t\":0}"), testing::StartsWith("f:1:1: error: not JSON: found \"nul\\x0A\""));
+}
+
 TEST(JsonKeys, numbers_may_be_in_quotes) {
   EXPECT_EQ(read(R"([{"t":"0","position":["1.5",2]},{"t":1,"position":[2,"-3e0"]}])"),
             "t x y\n1: 0 1.5 2\n1: 1 2 -3\n");
