@@ -203,7 +203,10 @@ constexpr OtherFile other_files[] = {
      {.members = {"frames", "transform_matrix"}},
      "a transforms.json of poses without times",
      "give --records frames --parameter uniform --columns "
-     "'position=transform_matrix[0][3]:transform_matrix[1][3]:transform_matrix[2][3]'"},
+     "'position=transform_matrix[0][3]:transform_matrix[1][3]:transform_matrix[2][3]' --rotation "
+     "'matrix=transform_matrix[0][0]:transform_matrix[0][1]:transform_matrix[0][2]:transform_matrix[1][0]:"
+     "transform_matrix[1][1]:transform_matrix[1][2]:transform_matrix[2][0]:transform_matrix[2][1]:"
+     "transform_matrix[2][2]'"},
     {{},
      {.members = {"R", "T", "glow_mode"}},
      "a camera path of instant-ngp, whose keys have no times and whose curve, a B-spline, does not pass through them",

@@ -519,39 +519,25 @@ std::vector<std::size_t> possible_poses(const FoundColumns& found) {
   return cells;
 }
 
-/// The first columns that are a matrix of three rows of four, or of four rows or columns whose last one is 0, 0, 0, 1.
+/// The first columns that are a matrix.
 Found poses_as_matrices(const FoundColumns& found) {
-  if (found.has_rotations || is_requested(found, Role::position)) return std::nullopt;
+  if (found.has_rotations || (is_requested(found, Role::position) && found.array.empty())) return std::nullopt;
   const std::vector<std::size_t> cells = possible_poses(found);
-  const std::size_t most = std::min<std::size_t>(cells.size(), found.columns.has_time_by_place ? 2 : 1);
-  for (const auto& [size, by_rows] : {std::pair(16U, true), std::pair(16U, false), std::pair(12U, true)}) {
+  const bool by_place = found.columns.has_time_by_place;
+  const std::size_t most = std::min<std::size_t>(cells.size(), by_place ? 2 : 1);
+  for (const std::size_t size : {16U, 12U}) {
     for (std::size_t first = 0; first < most && first + size <= cells.size(); ++first) {
-      const auto at = [&, begin = cells[first], rows = by_rows](std::size_t row, std::size_t column) {
-        return begin + (rows ? 4 * row + column : 4 * column + row);
-      };
-      const bool ends = size == 12 || std::ranges::all_of(found.rows, [&](const auto& row) {
-                          return number_in(found, row, at(3, 0)) == 0 && number_in(found, row, at(3, 1)) == 0 &&
-                                 number_in(found, row, at(3, 2)) == 0 && number_in(found, row, at(3, 3)) == 1;
-                        });
-      std::array<std::size_t, 9> matrix{};
-      for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = at(i / 3, i % 3);
       const bool are_neighbours = cells[first + size - 1] == cells[first] + size - 1;
-      if (!are_neighbours || !ends || !are_rotation_matrix(found, matrix)) continue;
-      std::vector<std::string> names(found.names.begin(), found.names.end());
-      for (std::size_t i = 0; i < size && !found.array.empty(); ++i) {
-        names[cells[first] + i] = fmt::format("{}[{}]", found.array, i);
-      }
-      if (found.columns.has_time_by_place) names.clear();
+      const std::string options = are_neighbours ? options_of_poses(found, cells[first], size) : "";
+      if (options.empty()) continue;
       const auto shown_name = [&](std::size_t i) {
-        return names.empty() ? fmt::format("{}", cells[i] + 1) : shown(found, cells[i]);
+        return by_place || found.names.empty() ? fmt::format("{}", cells[i] + 1) : shown(found, cells[i]);
       };
       return note(
-          "columns {} to {} may be poses, matrices of {} rows; {}--rotation {} --columns {} resamples them as such, "
-          "--rotation none leaves out this note",
+          "columns {} to {} may be poses, matrices of {} rows; {}{} resamples them as such, --rotation none leaves out "
+          "this note",
           shown_name(first), shown_name(first + size - 1), size / 4,
-          found.columns.has_time_by_place && first == 0 ? "--parameter uniform " : "",
-          in_shell(requested_as("matrix", names, matrix)),
-          in_shell(requested_as("position", names, std::array{at(0, 3), at(1, 3), at(2, 3)})));
+          by_place && first == 0 ? "--parameter uniform " : "", options);
     }
   }
   return std::nullopt;
@@ -802,6 +788,33 @@ std::vector<std::string> doubts_of_columns(const FoundColumns& found) {
   std::vector<std::string> notes;
   for (const auto doubt : about_columns) take(notes, doubt(found));
   return notes;
+}
+
+std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::size_t size) {
+  for (const bool by_rows : {true, false}) {
+    const auto at = [&](std::size_t row, std::size_t column) {
+      return begin + (by_rows ? 4 * row + column : 4 * column + row);
+    };
+    const bool ends = size == 12 ? by_rows : std::ranges::all_of(found.rows, [&](const auto& row) {
+      return number_in(found, row, at(3, 0)) == 0 && number_in(found, row, at(3, 1)) == 0 &&
+             number_in(found, row, at(3, 2)) == 0 && number_in(found, row, at(3, 3)) == 1;
+    });
+    std::array<std::size_t, 9> matrix{};
+    for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = at(i / 3, i % 3);
+    if (!ends || !are_rotation_matrix(found, matrix)) continue;
+    std::vector<std::string> names(found.names.begin(), found.names.end());
+    for (std::size_t i = 0; i < size && !found.array.empty(); ++i) {
+      names[begin + i] = fmt::format("{}[{}]", found.array, i);
+    }
+    if (found.columns.has_time_by_place) names.clear();
+    std::string columns = requested_as("position", names, std::array{at(0, 3), at(1, 3), at(2, 3)});
+    for (const RoleRequest& request : found.requested.roles) {
+      if (request.role == Role::time) columns.insert(0, fmt::format("time={},", fmt::join(request.columns, ":")));
+    }
+    return fmt::format("--rotation {} --columns {}", in_shell(requested_as("matrix", names, matrix)),
+                       in_shell(columns));
+  }
+  return "";
 }
 
 std::optional<double> first_time_gap(const FoundColumns& found) {

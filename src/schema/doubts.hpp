@@ -36,6 +36,10 @@ struct FoundColumns {
 /// The notes of the doubts about columns. Throws: Error (data) for a doubt that the request has to decide.
 std::vector<std::string> doubts_of_columns(const FoundColumns& found);
 
+/// The options that take neighbours, from a cell on, as poses: a matrix of three rows of four, or of four rows or
+/// columns whose last one is 0, 0, 0, 1, in all rows. Empty for others.
+std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::size_t size);
+
 /// The mean gap between the times of the first records; nothing unless they are whole numbers that increase.
 std::optional<double> first_time_gap(const FoundColumns& found);
 

@@ -62,6 +62,7 @@ struct LaterTable {
   std::uint64_t end;   ///< the last line, where others follow; 0: none does
   std::size_t cells;   ///< in each of its lines
   bool has_names;      ///< above them
+  std::string roles;   ///< for --columns, where they have no names; may be empty
   std::string mark;    ///< with which all lines above it begin, and no other; empty: there is none
   bool follows_text;   ///< a line above it, below the first one, has no number
 };

@@ -24,15 +24,6 @@
 namespace tcb {
 namespace {
 
-Error row_unlike_header(std::size_t cells, std::size_t names) {
-  const std::string_view names_of_rows =
-      cells == names + 1 ? "add a name to the header if the first cells name the rows, as R writes them, " : "";
-  return data_error(
-      "the number of cells in the first row is {}, but {} in the header; expected the same number; {}correct one of "
-      "them, or give the delimiter with --delimiter",
-      cells, names, names_of_rows);
-}
-
 using HeadCells = std::vector<std::string_view>;
 using HeadRows = std::vector<HeadCells>;
 
@@ -257,12 +248,42 @@ bool are_names(const std::vector<std::string>& words, const DelimitedHead& head,
   return std::ranges::none_of(words, is_number) && (options.timeless || std::ranges::any_of(words, is_known));
 }
 
+/// What to do where the first row has another number of cells than the header: with another delimiter the records may
+/// agree, or the first lines may be a title.
+std::string remedy_for_row(const HeadRecords& first, std::size_t data, const Dialect& dialect) {
+  const auto& row = first.records[data];
+  for (const auto& [delimiter, name] :
+       {std::pair('\t', "tab"), std::pair(';', "semicolon"), std::pair(',', "comma"), std::pair('|', "pipe")}) {
+    const auto marks_in = [&, mark = delimiter](const HeadRecords::Record& record) {
+      const std::string_view text = std::string_view(first.chunks[record.chunk].text).substr(record.offset);
+      return std::ranges::count(text.substr(0, text.find('\n')), mark);
+    };
+    const auto marks = marks_in(row);
+    const bool agree = std::ranges::all_of(first.records, [&](const auto& one) { return marks_in(one) == marks; });
+    if (delimiter != dialect.delimiter && marks > 0 && agree) return fmt::format("give --delimiter {}", name);
+  }
+  const std::string lines = fmt::format("correct line {} or line {}", first.records[0].line, row.line);
+  const bool is_table =
+      data + 1 < first.records.size() && first.records[data + 1].cells.size() == row.cells.size() && row.line > 1;
+  return is_table
+             ? fmt::format("{}, or give --skip-lines {} if what is above the row is no header", lines, row.line - 1)
+             : lines;
+}
+
 /// Throws: Error (data) if the first record has another number of cells than there are names, if there are any.
-void require_names_for_cells(const std::vector<std::string>& names, const HeadRecords::Record& row,
+void require_names_for_cells(const std::vector<std::string>& names, const HeadRecords& first, std::size_t data,
                              const DelimitedHead& head) {
-  if (names.empty() || names.size() == row.cells.size()) return;
-  const auto unlike = head.is_of_format ? line_unlike_format : row_unlike_header;
-  throw unlike(row.cells.size(), names.size()).at({"", row.line, 1});
+  const auto& row = first.records[data];
+  const std::size_t cells = row.cells.size();
+  if (names.empty() || names.size() == cells) return;
+  if (head.is_of_format) throw line_unlike_format(cells, names.size()).at({"", row.line, 1});
+  require_bare_numbers(std::string_view(first.chunks[row.chunk].text).substr(row.offset), head.dialect);
+  const std::string_view names_of_rows =
+      cells == names.size() + 1 ? "add a name to the header if the first cells name the rows, as R writes them, or "
+                                : "";
+  throw data_error("the number of cells in the first row is {}, but {} in the header; expected the same number; {}{}",
+                   cells, names.size(), names_of_rows, remedy_for_row(first, data, head.dialect))
+      .at({"", row.line, 1});
 }
 
 /// Throws: Error (data) if a column of text begins like a number in its first record.
@@ -694,7 +715,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     auto between = names_between_blanks(first.chunks[first.records[0].chunk], first.records[0].offset);
     if (between.size() == row.cells.size()) names = std::move(between);
   }
-  require_names_for_cells(names, row, head);
+  require_names_for_cells(names, first, data, head);
   head.begins_with_value = may_be_value(row.cells[0], head);
   head.facts.encoding = convert_names(names, position);
   head.facts.names_quaternion = !columns.samples && name_quaternion(names);

@@ -1,5 +1,6 @@
 // Texts that are no tables: lines above a table and below it, numbers within other text, cells with lines between them.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -136,6 +137,27 @@ void require_cells_of_numbers(std::string_view one, std::string_view two, char d
       in_quotes(trimmed(one)), number_in_perl);
 }
 
+/// The roles of columns without names by their first rows: where the first counts the rows, and the second has numbers
+/// with fractions that rise, that is the time. Empty columns at the end are none.
+std::string roles_by_cells(const std::vector<std::vector<std::string_view>>& rows) {
+  const auto number = [&](std::size_t row, std::size_t cell) {
+    return parse_number(bare(rows[row][cell])).value_or(-1);
+  };
+  const std::size_t cells = rows[0].size();
+  bool has_time = cells > 2 && rows.size() > 2 && (rows[0][0] == "0" || rows[0][0] == "1") &&
+                  rows[0][1].find('.') < rows[0][1].size();
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    has_time = has_time && number(row, 0) == number(row - 1, 0) + 1 && number(row, 1) > number(row - 1, 1);
+  }
+  std::vector<std::string> roles;
+  if (has_time) roles = {"time=2", "ignore=1"};
+  const auto is_empty = [&](std::size_t cell) {
+    return std::ranges::all_of(rows, [&](const auto& row) { return row[cell].empty(); });
+  };
+  for (std::size_t i = cells; i > 2 && is_empty(i - 1); --i) roles.push_back(fmt::format("ignore={}", i));
+  return fmt::format("{}", fmt::join(roles, ","));
+}
+
 }  // namespace
 
 void require_bare_numbers(std::string_view text, const Dialect& dialect) {
@@ -181,7 +203,7 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
     };
     const auto is_of_numbers = [&](const std::vector<std::string_view>& cells) {
       const auto numbers = std::ranges::count_if(cells, is_number);
-      return cells.size() > 1 && 2 * static_cast<std::size_t>(numbers) > cells.size();
+      return numbers > 0 && cells.size() > 1 && 2 * numbers > std::ssize(cells) - std::ranges::count(cells, "");
     };
     for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
       const auto one = cells_in(lines[i]), two = cells_in(lines[i + 1]);
@@ -190,7 +212,8 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
       while (head > 0 && lines[head - 1].find_first_not_of(" \t\r") == std::string_view::npos) --head;
       auto names = head > 0 ? cells_in(lines[head - 1]) : std::vector<std::string_view>{};
       while (head > 1 && names.size() == one.size() && are_units(names)) names = cells_in(lines[--head - 1]);
-      const bool are_names = names.size() == one.size() && !is_of_numbers(names);
+      const bool are_names = names.size() == one.size() && !is_of_numbers(names) &&
+                             (std::ranges::none_of(names, is_number) || std::ranges::any_of(names, is_usual_time));
       const std::size_t line = are_names ? head : i + 1;
       const bool may_be_names = line == 2 && (cells_in(lines[0]).size() > 1 || has_words(lines[0], one.size()));
       if (!are_names && may_be_names) return std::nullopt;  // the first line may be a header with a fault
@@ -208,6 +231,13 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
       const bool has_preamble =
           std::any_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(line - 1), is_text);
       if (!has_preamble) return std::nullopt;
+      std::vector<std::vector<std::string_view>> rows;
+      constexpr std::size_t enough = 16;
+      for (std::size_t row = i; row < std::min(lines.size(), i + enough); ++row) {
+        rows.push_back(cells_in(lines[row]));
+        if (rows.back().size() != one.size()) break;
+      }
+      if (rows.back().size() != one.size()) rows.pop_back();
       const char first = lines[0].empty() ? ' ' : lines[0][0];
       const bool are_comments = std::string_view("%!;@*\\/$").find(first) != std::string_view::npos &&
                                 std::all_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(i),
@@ -219,6 +249,7 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
                         end == lines.end() ? 0 : static_cast<std::uint64_t>(end - lines.begin()),
                         one.size(),
                         are_names,
+                        are_names ? "" : roles_by_cells(rows),
                         are_comments ? std::string(1, first) : "",
                         follows_text};
     }
@@ -229,8 +260,10 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
 Error unlike_table(const LaterTable& table, std::uint64_t first, std::string_view reason) {
   const std::uint64_t line = first + table.line - 1;
   const std::string also = reason.empty() ? "" : fmt::format(" ({})", reason);
-  const std::string_view nameless =
-      table.has_names ? "" : ", with which columns have no names and the first is the time";
+  const std::string nameless = table.has_names ? ""
+                               : table.roles.empty()
+                                   ? ", with which columns have no names and the first is the time"
+                                   : fmt::format(" --columns {}, as columns have no names then", table.roles);
   if (table.end > 0) {
     const std::uint64_t end = first + table.end - 1;
     return data_error(

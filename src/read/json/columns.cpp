@@ -11,6 +11,7 @@
 #include "read/json/columns.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -686,6 +687,7 @@ class FirstKey {
       if (!is_array && !holds_numbers(member) && (!lacks_numbers || path_of_number(member) == member.name)) continue;
       const bool is_position = !has_position && (is_array || lacks_numbers || is_usual_position(member.name));
       if (!is_position && (has_time || !is_usual_time(member.name))) continue;
+      if (is_position) require_no_poses();
       throw at(member,
                is_array
                    ? data_error("this array is not used; expected \"position\" as the name of an array of positions; "
@@ -696,6 +698,48 @@ class FirstKey {
                                 "position=NAME:NAME for the members to take, with their paths, such as {}",
                                 path_of_number(member)));
     }
+  }
+
+  /// The options that take the numbers in a member as poses, if they are such; empty for others.
+  std::string pose_options(const FoundMember& member) const {
+    constexpr std::size_t most_records = 50, most = 16;
+    std::vector<std::string> names;
+    std::vector<std::vector<std::string_view>> rows(std::min(records_.size(), most_records));
+    JsonCells cells;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      records_.get_cells(i, cells);
+      const auto cell = std::ranges::find(cells, member.name, &JsonCell::name);
+      if (cell == cells.end() || cell->value == JsonCell::missing) return "";
+      for (std::size_t node = cell->value; node < tape_[cell->value].next && rows[i].size() <= most; ++node) {
+        if (tape_.kind(node) != Kind::number) continue;
+        rows[i].push_back(tape_.written(node));
+        if (i == 0) names.push_back(member.name + tape_.path(cell->value, node));
+      }
+    }
+    const Columns columns;
+    const FoundColumns found{.names = names, .rows = rows, .numeric = {}, .columns = columns, .requested = requested_};
+    return names.size() == most || names.size() == 12 ? options_of_poses(found, 0, names.size()) : "";
+  }
+
+  /// Throws: Error (data) where an array that is not used holds poses, or several are not used.
+  void require_no_poses() const {
+    std::vector<std::string> arrays;
+    std::string poses;
+    const FoundMember* first = nullptr;
+    for (const FoundMember& member : members_) {
+      if (member.node == JsonCell::missing || may_be_rotation(member) || has_role(member.name)) continue;
+      const std::string options = member.array || member.nested ? pose_options(member) : "";
+      if (options.empty() && !member.is_number_array()) continue;
+      if (first == nullptr) first = &member;
+      arrays.push_back(in_quotes(member.name));
+      if (member.array) arrays.back() += fmt::format(" of {}", how_many(member.numbers, "number"));
+      if (!options.empty()) poses = fmt::format("{} for the poses in {}", options, in_quotes(member.name));
+    }
+    if (poses.empty() && arrays.size() < 2) return;
+    throw at(*first, data_error("these arrays are not used: {}; expected \"position\" as the name of an array of "
+                                "positions; rename one, or give {}",
+                                fmt::join(arrays, ", "),
+                                poses.empty() ? "--columns position=NAME for the one that has the positions" : poses));
   }
 
   /// The path of the first number in a value, also in quotes; the name of the member where there is none.

@@ -603,7 +603,9 @@ std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& opt
   } else {
     // Numbers without names may be times as they rise, or anything else.
     const bool are_named = with_times.size() == 1 && !has_only(tape, with_times[0].value, Kind::array);
-    if (!are_named) refuse_other_json(tape, options.columns, fitting.empty() ? "" : fitting[0].path);
+    ColumnOptions requested_columns = options.columns;
+    requested_columns.timeless = options.columns.timeless && fitting.size() < 2;
+    if (!are_named) refuse_other_json(tape, requested_columns, fitting.empty() ? "" : fitting[0].path);
   }
   if (path.empty() && fitting.size() > 1) {
     throw data_error(
