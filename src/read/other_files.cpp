@@ -76,8 +76,10 @@ constexpr std::string_view
     by_mcap = "convert it, as in mcap cat FILE --topics TOPIC --json | tcbsample -i jsonl",
     by_rosbag = "convert it, as in rostopic echo -b FILE -p TOPIC | tcbsample",
     by_gcode =
-        "take the coordinates, as in sed -nE 's/.*X *([-0-9.]+) *Y *([-0-9.]+).*/\\1,\\2/p' FILE | tcbsample "
-        "--parameter uniform",
+        "take the coordinates, of which each line changes some, as in awk '{gsub(/\\([^)]*\\)|;.*| /, \"\"); "
+        "gsub(/[A-Z]/, \" &\"); k = 0; for (i = 1; i <= NF; ++i) if ($i ~ /^[XYZ]/) {p[substr($i, 1, 1)] = "
+        "substr($i, 2); k = 1}} k && \"X\" in p && \"Y\" in p {print p[\"X\"], p[\"Y\"], (\"Z\" in p) ? p[\"Z\"] : 0}' "
+        "FILE | tcbsample --parameter uniform",
     by_sqlite = "convert a table of it, as in sqlite3 -csv -header FILE 'SELECT * FROM TABLE' | tcbsample",
     by_tar = "take a file out of it, as in tar -xOf FILE NAME | tcbsample",
     by_after_effects = "take the keys of a property, as in awk '!/^\\t/ {p = /Position/} p && /^\\t/' FILE | tcbsample",

@@ -575,7 +575,7 @@ std::array<std::size_t, 4> by_letters(const FoundColumns& found, const std::arra
 
 /// Four neighbours of norm 1, without names, or with names that are not those of rotations.
 Found quaternion_by_norm(const FoundColumns& found) {
-  if (found.has_rotations || is_requested(found, Role::position) || found.rows.size() < 2) return std::nullopt;
+  if (found.has_rotations || found.rows.size() < 2) return std::nullopt;
   const std::vector<std::size_t> cells = possible_poses(found);
   const bool may_be_first = found.columns.has_time_by_place, is_named = !found.names.empty() && !may_be_first;
   for (std::size_t i = 0; i + 4 <= cells.size() && !poses_as_matrices(found); ++i) {
@@ -813,6 +813,19 @@ std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::
     }
     return fmt::format("--rotation {} --columns {}", in_shell(requested_as("matrix", names, matrix)),
                        in_shell(columns));
+  }
+  return "";
+}
+
+std::string quaternion_of(const FoundColumns& found) {
+  for (std::size_t i = 0; i + 4 <= found.numeric.size(); ++i) {
+    const std::array four{i, i + 1, i + 2, i + 3};
+    const bool has_fraction = std::ranges::any_of(found.rows, [&](const auto& row) {
+      const double number = number_in(found, row, i + 3);
+      return number != std::floor(number);
+    });
+    if (has_fraction && are_units(found, four))
+      return "--rotation " + roles_of(found, "quaternion", by_letters(found, four));
   }
   return "";
 }

@@ -40,6 +40,9 @@ std::vector<std::string> doubts_of_columns(const FoundColumns& found);
 /// columns whose last one is 0, 0, 0, 1, in all rows. Empty for others.
 std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::size_t size);
 
+/// The option that takes four neighbours of norm 1 as a quaternion; empty where there are none.
+std::string quaternion_of(const FoundColumns& found);
+
 /// The mean gap between the times of the first records; nothing unless they are whole numbers that increase.
 std::optional<double> first_time_gap(const FoundColumns& found);
 

@@ -179,6 +179,12 @@ bool is_usual_counter(std::string_view name) {
   return last == "seq" || last == "frameid";
 }
 
+bool names_record(std::string_view name) {
+  constexpr std::string_view names = "id record rn scan recno sampleno #";
+  const bool has_hash = name == "#";
+  return has_hash || has(names, compact(name)) || has("id record scan no", last_word(name, "_-./ "));
+}
+
 std::optional<std::pair<std::string, char>> rotation_stem_of(std::string_view name) {
   std::string stem = in_lower_case(without_unit(name));
   if (stem.empty()) return std::nullopt;
@@ -256,14 +262,14 @@ bool is_unit(std::string_view text) {
       "pixels ut \u00B5t lx lux db l l/min ml frames utc usd \u2103 mw uw \u00B5w w/m2 w/m\u00B2 ua \u00B5a na uv "
       "\u00B5v j kj wh "
       "kwh ah mah mg ug \u00B5g ppm ppb mol ohm kohm \u03A9 k\u03A9 us/cm \u00B5s/cm ms/cm mg/l ghz dbm gpa n/mm2 "
-      "n/mm\u00B2 "
+      "n/mm\u00B2 \u20AC $ \u00A3 "
       "inhg mmhg torr atm yd in/s g/cm3 g/cm\u00B3 m2 m\u00B2 cm2 cm\u00B2 mm2 mm\u00B2 um2 \u00B5m\u00B2 px2";
   return has(units, in_lower_case(without_brackets(text)));
 }
 
 bool are_units(std::span<const std::string_view> cells) {
   // The words of the lines below the names in files of Campbell Scientific: of times, of record numbers, of processing.
-  constexpr std::string_view words = "ts rn degc smp avg max min std tot med wvc w/m^2";
+  constexpr std::string_view words = "ts rn degc smp avg max min std tot med wvc w/m^2 volts amps watts";
   const auto is_empty = [](std::string_view cell) { return cell.empty() || cell == "-" || cell == "none"; };
   const auto fits = [&](std::string_view cell) {
     const std::string_view text = cell.size() > 1 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;

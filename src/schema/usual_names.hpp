@@ -39,6 +39,9 @@ std::optional<TimePartName> time_part_of(std::string_view name);
 /// Whether a name is a usual one of what numbers or labels records without being a position, such as "header.seq".
 bool is_usual_counter(std::string_view name);
 
+/// Whether a name, or its last word, is one of those that number records, as in event_id.
+bool names_record(std::string_view name);
+
 /// The stem of the name of a number of a rotation and its last letter or digit, such as "pose.orientation" and 'x', or
 /// "rot" and 'x' of "rotX"; nothing if the stem does not end with a usual name of rotations.
 std::optional<std::pair<std::string, char>> rotation_stem_of(std::string_view name);

@@ -74,6 +74,9 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
 /// What to do about a table below line `first`. `reason`: why the text from there on is none; may be empty.
 Error unlike_table(const LaterTable& table, std::uint64_t first, std::string_view reason);
 
+/// The remedy that takes the numbers of a text without what is around them.
+std::string numbers_alone();
+
 /// Throws: Error (data) where the numbers of the first lines are within other text, or lines are drawn between cells.
 void require_bare_numbers(std::string_view text, const Dialect& dialect);
 

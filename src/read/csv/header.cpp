@@ -53,8 +53,23 @@ std::vector<std::string> comment_names(std::string_view comment, const Dialect& 
 bool are_units(const std::vector<std::string>& cells) { return tcb::are_units(HeadCells(cells.begin(), cells.end())); }
 
 bool begins_like_number(std::string_view cell) {
+  cell = without_currency(cell);
   const std::size_t digit = cell.find_first_not_of("+-.,");
   return digit < cell.size() && is_digit(cell[digit]);
+}
+
+/// Whether a cell has several numbers in brackets, as (1, 2) and (X=1,Y=2).
+bool has_vector(std::string_view cell) {
+  const bool has_brackets = cell.size() > 2 && std::string_view("([{").find(cell[0]) != std::string_view::npos;
+  return has_brackets && cell.find_first_of(", ;") < cell.find_last_of("0123456789");
+}
+
+/// Whether these are the widths and types of columns, as in 5s, 15s and 20d of the RDB tables of USGS.
+bool are_formats(const std::vector<std::string>& cells) {
+  return cells.size() > 1 && std::ranges::all_of(cells, [](const std::string& cell) {
+           return cell.size() > 1 && cell.find_first_not_of("0123456789") == cell.size() - 1 &&
+                  std::string_view("sdn").find(cell.back()) != std::string_view::npos;
+         });
 }
 
 bool is_text(std::string_view cell) { return !is_missing_sign(cell, {}) && !looks_numeric(cell); }
@@ -296,8 +311,7 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
     if (!head.columns.cells[i].is_text || numeric[i]) continue;
     const std::string cell = unquoted(cells[i]);
     constexpr std::string_view minus = "\xE2\x88\x92";  // U+2212
-    const std::size_t digit = cell.starts_with(minus) ? minus.size() : cell.find_first_not_of("+-.,");
-    if (digit >= cell.size() || cell[digit] < '0' || cell[digit] > '9') continue;
+    if (!begins_like_number(cell.starts_with(minus) ? cell.substr(minus.size()) : cell)) continue;
     if (find_notation(cell)) continue;
     const std::string name = i < names.size() ? names[i] : fmt::format("column {}", i + 1);
     const Error fault = why_not_number(name, cell, head.marks);
@@ -317,6 +331,11 @@ void require_numbers(const HeadRecords::Record& record, const std::vector<std::s
   if (std::ranges::count(numeric, true) > 1) return;
   for (std::size_t i = 0; i < record.cells.size(); ++i) {
     const std::string& cell = record.cells[i];
+    if (!numeric[i] && has_vector(cell)) {
+      throw data_error("{}: {} is not a number; expected one number in each cell; {}",
+                       i < names.size() ? names[i] : fmt::format("column {}", i + 1), in_quotes(cell), numbers_alone())
+          .at({"", record.line, 0});
+    }
     if (numeric[i] || !begins_like_number(cell) || find_notation(cell)) continue;
     const std::string name = i < names.size() ? names[i] : fmt::format("column {}", i + 1);
     throw why_not_number(name, cell, head.marks).at({"", record.line, 0});
@@ -327,6 +346,7 @@ void require_numbers(const HeadRecords::Record& record, const std::vector<std::s
 /// may be that of a key.
 std::size_t first_key(const std::vector<HeadRecords::Record>& records) {
   std::size_t key = 1;
+  if (records.size() > 2 && are_formats(records[1].cells) && !are_formats(records[2].cells)) return 2;
   while (key < records.size() && may_describe(records[key].cells)) ++key;
   for (std::size_t i = 1; i < key; ++i) {
     const auto& cells = records[i].cells;
@@ -347,6 +367,11 @@ void take_descriptions(DelimitedHead& head, std::span<const HeadRecords::Record>
   std::vector<std::string> units, lines;
   for (const HeadRecords::Record& record : records) {
     const bool has_units = are_units(record.cells);
+    if (are_formats(record.cells)) {
+      head.columns.doubts.push_back(
+          fmt::format("the line below the names is taken as formats: {}", listed(record.cells)));
+      continue;
+    }
     if (has_units && units.empty()) units = record.cells;
     if (!has_units) lines.push_back(fmt::format("{}", record.line));
   }
@@ -451,6 +476,7 @@ class RolesByCells {
     if (!requested_.has(Role::time) && !requested_.timeless) take_equal_times();
     if (!requested_.has(Role::time) && !requested_.timeless && !has_rate_) take_time_beside_frames();
     if (!names_.empty()) take_index();
+    if (!names_.empty() && !requested_.has(Role::position)) leave_counters();
     if (!requested_.has(Role::time) && !requested_.timeless) names_.empty() ? leave_labels() : take_dates();
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (names_[i].empty()) names_[i] = fmt::format("column {}", i + 1);
@@ -598,6 +624,29 @@ class RolesByCells {
     notes_.push_back(fmt::format("column {} is taken as the index of the rows, not as a position", shown(0)));
   }
 
+  /// Columns of whole numbers that rise are counters by names such as event_id, unless they are the only numbers.
+  void leave_counters() {
+    const auto is_counter = [&](std::size_t cell) {
+      double before = -1;
+      for (const HeadCells& row : rows_) {
+        const double number = cell < row.size() ? parse_number(row[cell]).value_or(-1) : -1;
+        if (!(number > before) || number != std::floor(number)) return false;
+        before = number;
+      }
+      return rows_.size() > 2 && names_record(names_[cell]);
+    };
+    std::vector<std::size_t> counters, others;
+    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
+      if (!numeric_[cell] || is_requested(cell) || is_time(cell)) continue;
+      if (role_of_name(names_[cell]) != Role::position || is_usual_counter(names_[cell])) continue;
+      (is_counter(cell) ? counters : others).push_back(cell);
+    }
+    for (const std::size_t cell : others.empty() ? others : counters) {
+      request(Role::unused, cell);
+      notes_.push_back(fmt::format("column {} counts the records, and is not taken as a position", shown(cell)));
+    }
+  }
+
   static bool is_index_name(std::string_view name) {
     constexpr std::array names{"",    "index", "unnamed: 0", "row",   "#",       "rownames", "row_names", "no.",
                                "nr.", "pt",    "point",      "ptnum", "field #", "frame#",   "sample #",  "record"};
@@ -643,7 +692,21 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, cons
     requested = by_cells.complete();
     notes = by_cells.notes();
   }
-  head.columns = find_columns(names, numeric, requested.roles, requested.timeless);
+  try {
+    head.columns = find_columns(names, numeric, requested.roles, requested.timeless);
+  } catch (const Error& error) {
+    const Columns none;
+    const std::string rotation = error.message().starts_with("two columns are called")
+                                     ? quaternion_of({.names = names,
+                                                      .rows = rows,
+                                                      .numeric = numeric,
+                                                      .columns = none,
+                                                      .requested = requested,
+                                                      .marks = head.marks})
+                                     : "";
+    if (rotation.empty() || options.rotation.none || !options.rotation.requests.empty()) throw;
+    throw data_error("{}, with {}, as these columns have the norm 1", error.message(), rotation);
+  }
   if (!head.is_of_format) {
     const FoundColumns found{
         .names = names,

@@ -130,11 +130,9 @@ void require_cells_of_numbers(std::string_view one, std::string_view two, char d
   const bool has_brackets = count("([{<") > count(")]}>");
   if (!has_brackets && (!has_word(text) || std::ranges::any_of(cells, is_value))) return;
   throw data_error(
-      "the numbers are within other text, as in {}; expected cells between delimiters; take the numbers alone, as in "
-      "perl "
-      "-ne '@n = /{}/g and print \"@n\\n\"' FILE | tcbsample, with "
-      "--parameter uniform if none is a time",
-      in_quotes(trimmed(one)), number_in_perl);
+      "the numbers are within other text, as in {}; expected cells between delimiters; {}, with --parameter uniform if "
+      "none is a time",
+      in_quotes(trimmed(one)), numbers_alone());
 }
 
 /// The roles of columns without names by their first rows: where the first counts the rows, and the second has numbers
@@ -159,6 +157,11 @@ std::string roles_by_cells(const std::vector<std::vector<std::string_view>>& row
 }
 
 }  // namespace
+
+std::string numbers_alone() {
+  return fmt::format("take the numbers alone, as in perl -ne '@n = /{}/g and print \"@n\\n\"' FILE | tcbsample",
+                     number_in_perl);
+}
 
 void require_bare_numbers(std::string_view text, const Dialect& dialect) {
   require_no_drawing(text);

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "schema/usual_names.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -229,7 +230,19 @@ bool has_thousands_separators(std::string_view text) {
   return marks && marks->thousands != 0 && !parse_number(text);
 }
 
+std::string_view without_currency(std::string_view cell) {
+  for (const std::string_view currency : {"$", "\u20AC", "\u00A3"}) {
+    if (!cell.starts_with(currency)) continue;
+    cell.remove_prefix(currency.size());
+    cell.remove_prefix(std::min(cell.find_first_not_of(' '), cell.size()));
+  }
+  return cell;
+}
+
 std::string_view without_unit_of_number(std::string_view cell) {
+  if (const std::string_view amount = without_currency(cell); amount.size() < cell.size() && !amount.empty()) {
+    return is_digit(amount[0]) || std::string_view("+-.").find(amount[0]) != std::string_view::npos ? amount : cell;
+  }
   if (has_hemisphere(cell)) return cell;
   const std::size_t last = cell.find_last_of("0123456789.");
   // The digit of a unit such as m/s2 is no part of the number.
@@ -283,6 +296,13 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
   }
   const std::string_view number = without_unit_of_number(cell);
   if (number.size() < cell.size() && !Decimals(marks).number(number) && marks_of(number)) {
+    const std::optional<NumberMarks> other = marks_of(number);
+    if (without_currency(cell).size() < cell.size() && other->decimal == marks.decimal) {
+      return data_error(
+          "{}: {} is an amount with a currency; expected a number alone; remove what is not, or give --units strip "
+          "--thousands {}",
+          column, in_quotes(cell), in_shell({&other->thousands, 1}));
+    }
     return why_not_number(column, number, marks);
   }
   if (number.size() < cell.size() && Decimals(marks).number(number)) {

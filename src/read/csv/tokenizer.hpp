@@ -95,7 +95,10 @@ Error number_beyond_doubles(std::string_view column, std::string_view cell);
 /// Whether a text is a number with marks between thousands, such as 1,234.5, 1.234,5 or 1 234.
 bool has_thousands_separators(std::string_view text);
 
-/// A number without the unit after it, as in 2.35 m; any other text as it is.
+/// A cell without the sign of a currency before it, as in $5.
+std::string_view without_currency(std::string_view cell);
+
+/// A number without the unit after it or the currency before it, as in 2.35 m and $5; any other text as it is.
 std::string_view without_unit_of_number(std::string_view cell);
 
 /// Why a cell of a column is not a number, which was expected. `marks` are those of the input.

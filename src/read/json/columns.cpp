@@ -227,6 +227,7 @@ class FirstKey {
     } else {
       if (!options_.rotation.none && !requested_.has(Role::position)) require_quaternion();
       require_no_lost_arrays();
+      require_no_vectors();
       result.columns = find_columns(header, numeric, requests(), requested_.timeless);
       result.columns.has_time_by_place = !records_.has_names() && !requested_.has(Role::time) && !requested_.timeless;
       std::ranges::for_each(members_, [&](const FoundMember& member) { require_shape(member); });
@@ -740,6 +741,21 @@ class FirstKey {
                                 "positions; rename one, or give {}",
                                 fmt::join(arrays, ", "),
                                 poses.empty() ? "--columns position=NAME for the one that has the positions" : poses));
+  }
+
+  /// Throws: Error (data) where there are no numbers but in texts such as "(1, 2, 3)".
+  void require_no_vectors() const {
+    if (has_any(is_plain_number) || has_any(&FoundMember::is_number_array)) return;
+    for (const FoundMember& member : members_) {
+      if (!member.text || member.node == JsonCell::missing || texts_.contains(member.name)) continue;
+      const std::string_view text = tape_.shown(member.node);
+      if (!text.starts_with('(') || text.find(',') == std::string_view::npos || !text.ends_with(')')) continue;
+      throw at_value(
+          member, data_error("{} is a text of several numbers; expected an array of numbers; change such texts, as "
+                             "in perl -pe 's/\"\\(([^)\"]*)\\)\"/\"[\" . $1 =~ s{{\\w+ *=}}{{}}gr . \"]\"/ge' FILE | "
+                             "tcbsample",
+                             in_quotes(text)));
+    }
   }
 
   /// The path of the first number in a value, also in quotes; the name of the member where there is none.
