@@ -18,7 +18,8 @@ constexpr std::string_view time_names =
     "unixtimestamp posixtime epoch epochtime utc utctime gpstime gmt localtime systime systemtime rostime simtime "
     "simulationtime walltime walltimes sampletime frametimestamps eventtime capturetime recordtime relativetime "
     "reltime absolutetime "
-    "abstime jd tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp frametime frametimestamp zeit "
+    "abstime timefromstart timesincestart jd tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp "
+    "frametime frametimestamp zeit "
     "uhrzeit datum zeitstempel zeitpunkt temps heure horodatage tiempo hora fecha tempo ora "
     "datahora dataora fechahora dateheure tijd tijdstip czas";
 
