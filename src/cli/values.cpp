@@ -161,14 +161,14 @@ std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_v
     throw usage_error("{} is timecode, and no frame rate is given; expected one; give --input-fps", in_quotes(text));
   }
   const std::optional<DateFormat> format = find_date_format(text);
-  const bool is_year_first = !format || format->order == DateOrder::ymd;
-  if (!is_year_first && !units.date_order) {
+  const bool needs_order = format && format->needs_order();
+  if (needs_order && !units.date_order) {
     throw usage_error(
         "the date {} does not tell which number is the day; expected the year first; or give --date-order dmy or "
         "--date-order mdy",
         in_quotes(text));
   }
-  const DateOrder order = is_year_first ? DateOrder::ymd : *units.date_order;
+  const DateOrder order = needs_order ? *units.date_order : DateOrder::ymd;
   const auto seconds = read_time(text, *notation, units.frame_rate.value_or(1), order);
   if (!seconds) throw usage_error("{} is not a time that exists; correct it", in_quotes(text));
   return seconds;

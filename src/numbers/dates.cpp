@@ -2,6 +2,7 @@
 #include "numbers/dates.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -39,11 +40,35 @@ std::int64_t number_of(std::string_view digits) {
   return error == std::errc() ? value : -1;
 }
 
+constexpr std::array<std::string_view, 12> month_names{"january",   "february", "march",    "april",
+                                                       "may",       "june",     "july",     "august",
+                                                       "september", "october",  "november", "december"};
+
+/// The number of a month by its English name or the first three letters of that; 0 for other texts.
+unsigned month_of(std::string_view text) {
+  const std::string name = in_lower_case(text);
+  const auto found = std::ranges::find_if(
+      month_names, [&](std::string_view month) { return name == month || name == month.substr(0, 3); });
+  return found == month_names.end() ? 0 : static_cast<unsigned>(found - month_names.begin()) + 1;
+}
+
+/// The name of a month, as long and with such letters as another one.
+std::string month_like(std::string_view other, unsigned month) {
+  constexpr std::size_t short_size = 3;
+  std::string name(month_names[month - 1].substr(0, other.size() == short_size ? short_size : std::string::npos));
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char like = other[std::min(i, other.size() - 1)];
+    if (like != lower(like)) name[i] = static_cast<char>(name[i] - 'a' + 'A');
+  }
+  return name;
+}
+
 /// The parts of a date as they are written.
 struct DateParts {
   std::array<std::string_view, 3> numbers;  ///< of the year, month and day, in the order of the text
   char mark;
-  char before_clock;  ///< 0: the time of day is missing
+  std::string_view month_name;  ///< in place of the month's number; or empty
+  char before_clock;            ///< 0: the time of day is missing
   std::string_view clock, half_of_day, zone;
 
   bool is_year_first() const { return numbers[0].size() == 4; }
@@ -74,17 +99,26 @@ bool is_zone(std::string_view text) {
 std::optional<DateParts> parts_of(std::string_view text) {
   DateParts parts{};
   parts.numbers[0] = take_digits(text);
-  if (text.empty() || std::string_view("-/.").find(text[0]) == std::string_view::npos) return std::nullopt;
-  parts.mark = text[0];
+  const auto is_one_of = [](char c, std::string_view all) { return all.find(c) != std::string_view::npos; };
+  parts.mark = !text.empty() && is_one_of(text[0], "-/. ") ? text[0] : '\0';
   for (std::size_t i = 1; i < 3; ++i) {
-    if (!text.starts_with(parts.mark)) return std::nullopt;
-    text.remove_prefix(1);
-    parts.numbers[i] = take_digits(text);
+    if (parts.mark != 0 && !text.starts_with(parts.mark)) return std::nullopt;
+    if (parts.mark != 0) text.remove_prefix(1);
+    if (i == 1) {
+      const auto end = std::ranges::find_if(text, [](char c) { return lower(c) < 'a' || lower(c) > 'z'; });
+      parts.month_name = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+      text.remove_prefix(parts.month_name.size());
+    }
+    if (i == 2 || parts.month_name.empty()) parts.numbers[i] = take_digits(text);
   }
+  const bool has_month =
+      parts.month_name.empty() ? parts.mark != 0 && parts.mark != ' ' : month_of(parts.month_name) > 0;
+  if (!has_month) return std::nullopt;
   const auto is_short = [](std::string_view digits) { return digits.size() == 1 || digits.size() == 2; };
   const std::string_view year = parts.numbers[parts.is_year_first() ? 0 : 2];
   const std::string_view other = parts.numbers[parts.is_year_first() ? 2 : 0];
-  if (year.size() != 4 || !is_short(other) || !is_short(parts.numbers[1])) return std::nullopt;
+  const bool is_month = !parts.month_name.empty() || is_short(parts.numbers[1]);
+  if (year.size() != 4 || !is_short(other) || !is_month) return std::nullopt;
   if (text.empty()) return parts;
   parts.before_clock = text[0];
   text.remove_prefix(1);
@@ -176,6 +210,7 @@ std::optional<DateFormat> find_date_format(std::string_view text) {
   const bool is_padded = !has_short_number && (parts->clock.empty() || parts->clock[1] != ':');
   return DateFormat{parts->is_year_first() ? DateOrder::ymd : DateOrder::dmy,
                     parts->mark,
+                    std::string(parts->month_name),
                     is_padded,
                     parts->before_clock,
                     std::string(parts->half_of_day),
@@ -184,12 +219,15 @@ std::optional<DateFormat> find_date_format(std::string_view text) {
 
 std::optional<Rational> read_date(std::string_view text, DateOrder order) {
   const std::optional<DateParts> parts = parts_of(text);
-  if (!parts || parts->is_year_first() != (order == DateOrder::ymd)) return std::nullopt;
+  if (!parts) return std::nullopt;
+  const bool is_year_first = parts->is_year_first(), has_name = !parts->month_name.empty();
+  if (!has_name && is_year_first != (order == DateOrder::ymd)) return std::nullopt;
   auto [year, month, day] = parts->numbers;
-  if (order != DateOrder::ymd) std::swap(year, day);  // d.m.y to y.m.d
-  if (order == DateOrder::mdy) std::swap(month, day);
+  if (!is_year_first) std::swap(year, day);  // d.m.y to y.m.d
+  if (!has_name && order == DateOrder::mdy) std::swap(month, day);
+  const auto number_of_month = has_name ? month_of(parts->month_name) : static_cast<unsigned>(number_of(month));
   const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(number_of(year))),
-                                         std::chrono::month(static_cast<unsigned>(number_of(month))),
+                                         std::chrono::month(number_of_month),
                                          std::chrono::day(static_cast<unsigned>(number_of(day)))};
   const auto clock =
       parts->clock.empty() ? Rational(0) : read_clock(fmt::format("{}{}", parts->clock, parts->half_of_day));
@@ -247,9 +285,11 @@ std::optional<std::string> date_text(const Rational& seconds, const DateFormat& 
   const auto padded = [&](unsigned number) { return fmt::format("{:0{}}", number, format.is_padded ? 2 : 1); };
   std::array numbers{fmt::format("{:04}", year), padded(static_cast<unsigned>(date.month())),
                      padded(static_cast<unsigned>(date.day()))};
+  if (!format.month_name.empty()) numbers[1] = month_like(format.month_name, static_cast<unsigned>(date.month()));
   if (format.order == DateOrder::mdy) std::swap(numbers[1], numbers[2]);
   if (format.order != DateOrder::ymd) std::swap(numbers[0], numbers[2]);
-  std::string text = fmt::format("{}{}{}{}{}", numbers[0], format.mark, numbers[1], format.mark, numbers[2]);
+  const std::string mark(format.mark == 0 ? 0 : 1, format.mark);
+  std::string text = fmt::format("{}", fmt::join(numbers, mark));
   const Rational time_of_day = local - day * seconds_of_day;
   if (format.before_clock == 0 && time_of_day == 0) return text;
   constexpr std::int64_t half_a_day = seconds_of_day / 2;

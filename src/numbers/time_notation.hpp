@@ -96,11 +96,15 @@ inline constexpr std::array date_orders{DateOrderName{"dmy", DateOrder::dmy}, Da
 /// How dates are written.
 struct DateFormat {
   DateOrder order = DateOrder::ymd;
-  char mark = '-';               ///< between year, month and day: - / or .
+  char mark = '-';               ///< between year, month and day: - / . or a blank; 0: none
+  std::string month_name = {};   ///< of a month as written, such as "Mar"; empty: months are numbers
   bool is_padded = true;         ///< months, days and hours have two digits
   char before_clock = 'T';       ///< between the date and the time of day: T or a blank; 0: midnight is not written
   std::string half_of_day = {};  ///< AM or PM as written, with the blank before it; empty: the day has 24 hours
   std::string zone = "Z";        ///< as written, with the blank before it; empty: none, and the time is in UTC
+
+  /// The text does not tell which number is the day.
+  bool needs_order() const { return order != DateOrder::ymd && month_name.empty(); }
 };
 
 /// The seconds of a time in words, which may be no time, such as a minute 60, or a frame number that is dropped or not

@@ -142,7 +142,7 @@ bool KeyBuilder::take(const Columns::Column& column, double number, std::string_
 bool KeyBuilder::set_time_in_words(std::string_view text) {
   const bool has_clock = text.find(':') != std::string_view::npos;
   if (has_clock && half_of_day(text).empty() != units_.dates.half_of_day.empty()) return false;
-  if (is_date(units_.notation) && !keeps_decimals()) {
+  if (is_date(units_.notation) && units_.dates.month_name.empty() && !keeps_decimals()) {
     const bool has_zone = units_.notation == TimeNotation::zoned_date;
     const auto usual = read_usual_date(text, units_.dates.order, has_zone);
     if (usual && usual->fraction.empty()) {
@@ -154,6 +154,10 @@ bool KeyBuilder::set_time_in_words(std::string_view text) {
       if (time) time_ = *time;
       if (time) return true;
     }
+  }
+  if (is_date(units_.notation)) {
+    const auto format = find_date_format(text);
+    if (!format || format->month_name.empty() != units_.dates.month_name.empty()) return false;
   }
   const auto seconds = read_time(text, units_.notation, units_.frame_rate.value_or(1), units_.dates.order);
   if (!seconds) return false;

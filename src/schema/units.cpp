@@ -40,10 +40,11 @@ void require_unit(const UnitOptions& options, const Columns& columns) {
 /// order of its numbers.
 DateFormat date_format_of(const UnitOptions& options, std::string_view date, const std::string& column) {
   DateFormat format = find_date_format(date).value_or(DateFormat{});
-  if (format.order == DateOrder::ymd) {
+  if (!format.needs_order()) {
     if (options.date_order && !options.are_optional)
       throw data_error(
-          "the dates in column {}, such as {}, have the year first; expected dates with the year last; remove the "
+          "the dates in column {}, such as {}, tell their order; expected dates of numbers with the year last; remove "
+          "the "
           "option",
           in_quotes(column), in_quotes(date))
           .about("--date-order");

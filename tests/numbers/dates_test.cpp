@@ -45,6 +45,19 @@ TEST(Dates, have_times_of_day_with_am_or_pm) {
   EXPECT_EQ(half_of_day("0 days 11:30"), "");
 }
 
+TEST(Dates, have_months_as_names) {
+  for (const char* text :
+       {"29 Feb 2024", "29-FEB-2024 12:00:00", "2024-Feb-29 12:00:00.5", "29feb2024", "01 March 2024"}) {
+    EXPECT_EQ(again(text, find_date_format(text)->order), text);
+    EXPECT_EQ(read_date(text, DateOrder::mdy), read_date(text, DateOrder::ymd));
+  }
+  EXPECT_EQ(read_date("01-Mar-2024", DateOrder::dmy), read_date("2024-03-01", DateOrder::ymd));
+  EXPECT_EQ(date_text(noon + 86'400, *find_date_format("29-FEB-2024"), {}), "01-MAR-2024 12:00:00");
+  for (const char* text : {"30-Feb-2024", "29-Fex-2024", "29 2 2024", "2922024", "Feb-29-2024", "29Feb-2024"}) {
+    EXPECT_FALSE(read_date(text, DateOrder::dmy)) << text;
+  }
+}
+
 TEST(Dates, with_the_year_last_have_the_order_that_is_requested) {
   EXPECT_EQ(find_date_format("01.02.2024 12:00")->order, DateOrder::dmy);
   EXPECT_EQ(again("29.02.2024 12:00:00", DateOrder::dmy), "29.02.2024 12:00:00");

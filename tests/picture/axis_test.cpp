@@ -73,7 +73,7 @@ TEST(Axis, dates_of_one_day_are_in_the_title) {
 }
 
 TEST(Axis, days_begin_in_the_zone_of_the_dates) {
-  const DateFormat dates{DateOrder::ymd, '-', true, ' ', "+01:00"};
+  const DateFormat dates{.before_clock = ' ', .zone = "+01:00"};
   const Axis axis = times(1709247600, 1709420400, TimeNotation::zoned_date, dates);  // midnight, two days
   EXPECT_THAT(texts(axis, 3), ElementsAre("2024-03-01", "2024-03-02", "2024-03-03"));
   EXPECT_THAT(texts(axis, 5), ElementsAre("2024-03-01 00:00", "2024-03-01 12:00", "2024-03-02 00:00",

@@ -143,10 +143,9 @@ class RecordReader {
   Error no_time(std::string_view column, std::string_view text) const {
     if (find_notation(text) == head_.units.notation) {
       return data_error(
-          "{}: the time {} does not exist; expected a date of the calendar, a time of day without leap seconds, with "
-          "AM "
-          "or PM if the first time has it, and a frame number that is below the frame rate and is not dropped; correct "
-          "it",
+          "{}: the time {} does not exist, or is not written as the first time is; expected a date of the calendar, a "
+          "time of day without leap seconds, and a frame number that is below the frame rate and is not dropped; "
+          "correct it",
           column, in_quotes(text));
     }
     return data_error("{}: {} is not in the notation of the first time; expected all times in one notation; convert it",

@@ -195,12 +195,10 @@ class KeyReader {
     } else if (columns_.units.notation != find_notation(text)) {
       add_value_fault(value, time_in_other_notation(text));
     } else {
-      add_value_fault(
-          value,
-          data_error(
-              "{} does not exist; expected a date of the calendar, a time of day without "
-              "leap seconds, with AM or PM if the first time has it, and an undropped frame below the rate; correct it",
-              in_quotes(text)));
+      add_value_fault(value, data_error("{} does not exist, or is not written as the first time is; expected a date of "
+                                        "the calendar, a time of day "
+                                        "without leap seconds, and an undropped frame below the rate; correct it",
+                                        in_quotes(text)));
     }
   }
 
