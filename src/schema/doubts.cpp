@@ -575,10 +575,10 @@ std::array<std::size_t, 4> by_letters(const FoundColumns& found, const std::arra
 
 /// Four neighbours of norm 1, without names, or with names that are not those of rotations.
 Found quaternion_by_norm(const FoundColumns& found) {
-  if (found.has_rotations || found.rows.size() < 2) return std::nullopt;
+  if (found.has_rotations || found.rows.size() < 2 || poses_as_matrices(found)) return std::nullopt;
   const std::vector<std::size_t> cells = possible_poses(found);
   const bool may_be_first = found.columns.has_time_by_place, is_named = !found.names.empty() && !may_be_first;
-  for (std::size_t i = 0; i + 4 <= cells.size() && !poses_as_matrices(found); ++i) {
+  for (std::size_t i = 0; i + 4 <= cells.size(); ++i) {
     const std::array four{cells[i], cells[i + 1], cells[i + 2], cells[i + 3]};
     if (four[3] != four[0] + 3 || !are_units(found, four)) continue;
     const auto is_whole = [&](const auto& row) {

@@ -295,10 +295,14 @@ class FirstKey {
     }
   }
 
+  bool takes_nested(const std::string& name) const {
+    const Role role = role_of_name(name);
+    return role == Role::position || role == Role::time || texts_.contains(name);
+  }
+
   void add_value(FoundMember& member, std::size_t value, bool in_array) {
     const bool is_nested = tape_[value].is_nested();
-    const Role role = role_of_name(member.name);
-    if (is_nested && !in_array && role != Role::position && role != Role::time && !texts_.contains(member.name)) {
+    if (is_nested && !in_array && !takes_nested(member.name)) {
       throw at_value(member, data_error("this is not a number; expected one; correct it"));
     }
     const bool is_number = !is_nested && (in_array ? is_element(member, value) : is_one_number(member, value));

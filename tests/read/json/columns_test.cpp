@@ -144,7 +144,7 @@ TEST(JsonMembers, an_object_or_the_only_array_is_the_position) {
   EXPECT_EQ(read(R"([{"time":0,"value":[0,1]},{"time":1,"value":[2,3]}])"), "time x y\n1: 0 0 1\n1: 1 2 3\n");
   EXPECT_EQ(read(R"([{"positions":[0,1],"velocities":[5,6],"time_from_start":{"sec":1,"nanosec":0}}])"),
             "time_from_start x y\n1: 1 0 1\n");
-  EXPECT_THAT(read(R"([{"t":0,"a":[1],"b":[2]}])"), HasSubstr("keys[0].a: this array is not used"));
+  EXPECT_THAT(read(R"([{"t":0,"a":[1],"b":[2]}])"), HasSubstr("keys[0].a: these arrays are not used"));
 }
 
 TEST(JsonMembers, many_members_take_linear_time) {
