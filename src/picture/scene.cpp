@@ -193,11 +193,11 @@ bool Scene::has_samples() const {
   return std::ranges::all_of(curves, [](const SceneCurve& curve) { return curve.samples.size() == curve.rows; });
 }
 
-void Scene::begin(const Schema& schema, std::vector<std::string> names, const std::vector<std::string>& axes,
+void Scene::begin(const Schema& schema, std::vector<std::string> of_channels, const std::vector<std::string>& axes,
                   const std::vector<std::size_t>& metric, bool lacks_metric) {
   time = schema.time.name;
   time_scale = time_scale_of(schema);
-  channels = std::move(names);
+  channels = std::move(of_channels);
   is_path_requested = !axes.empty();
   if (is_path_requested || !lacks_metric) path = path_axes(channels, axes, metric);
 }

@@ -78,7 +78,7 @@ struct Scene {
 
   /// Takes the times of a schema, and channels of these names. The path has the requested axes, or else the first two
   /// of `metric`, unless the curves lack one. Throws: Error (usage) as path_axes().
-  void begin(const Schema& schema, std::vector<std::string> names, const std::vector<std::string>& axes,
+  void begin(const Schema& schema, std::vector<std::string> of_channels, const std::vector<std::string>& axes,
              const std::vector<std::size_t>& metric = {}, bool lacks_metric = false);
 
   /// The number of strips.

@@ -183,14 +183,14 @@ class RecordReader {
                     name, missing_cell(text))
           : column.role == Role::position && head_.begin_empty[index_of(cell)]
               ? data_error("{}: found {}, as at the beginning; expected a number; fill it in, or give --columns {} to "
-                           "leave the column out, or --missing skip-row, skip-cell or break",
+                           "leave the column out, or --missing skip-cell, skip-row or break",
                            name, missing_cell(text),
                            in_shell("ignore=" + requested_as(head_.columns.named ? name : "", index_of(cell))))
           : is_of_time
               ? data_error("{}: found {}; expected a time; fill it in, or give --missing skip-row or break", name,
                            missing_cell(text))
               : data_error(
-                    "{}: found {}; expected a number; fill it in, or give --missing skip-row, skip-cell or break", name,
+                    "{}: found {}; expected a number; fill it in, or give --missing skip-cell, skip-row or break", name,
                     missing_cell(text)));
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
       add_fault(cell, no_time(name, text));

@@ -656,12 +656,14 @@ class FirstKey {
     const auto is_deeper = [](const FoundMember& m) { return is_of_rotation(m) && m.route.size() > 2; };
     if (first == members_.end() || has_any(is_deeper) || has_quaternion(members_)) return;
     const bool is_array = first->array && !first->nested;
+    const bool has_position = has_any([](const FoundMember& m) { return m.name == "position"; });
     if (is_array && first->numbers < 3) return;  // too few for a rotation in any form
     throw at(*first,
              is_array ? data_error("the array has {}; expected four, x, y, z, w of a quaternion; correct it, or give "
-                                   "--rotation axis-angle=rotation or euler=rotation,order=XYZ for another form, or "
-                                   "--columns position=rotation for plain channels",
-                                   how_many(first->numbers, "number"))
+                                   "--rotation axis-angle=rotation or euler=rotation,order=XYZ for another form, with "
+                                   "--angles degrees if its angles are, or --columns position={}rotation for plain "
+                                   "channels",
+                                   how_many(first->numbers, "number"), has_position ? "position:" : "")
                       : data_error(
                             "\"rotation\" has members other than x, y, z and w; expected the four numbers of a "
                             "quaternion; correct them, or give --columns position=NAME:NAME for the members to take"));
@@ -863,12 +865,12 @@ Member& Member::add(Member member) {
   return inner.emplace_back(std::move(member));
 }
 
-const Member* Member::find(std::string_view name, Kind kind) const {
-  const auto [first, last] = places.equal_range(name);
+const Member* Member::find(std::string_view wanted, Kind kind) const {
+  const auto [first, last] = places.equal_range(wanted);
   const auto has_kind = [&](const auto& place) { return inner[place.second].is_nested() == (kind == Kind::object); };
-  const auto found = std::find_if(first, last, has_kind);
+  const auto match = std::find_if(first, last, has_kind);
   if (first == last) return nullptr;
-  return &inner[(found == last ? first : found)->second];
+  return &inner[(match == last ? first : match)->second];
 }
 
 JsonColumns find_members(const JsonTable& records, const InputOptions& options,

@@ -223,8 +223,8 @@ class KeyReader {
   /// A number is missing. `sign`: as a message shows it.
   void miss(const Column& column, const std::string& sign, std::size_t value) {
     if (keys_.miss(column)) return;
-    add_value_fault(value, data_error("found {}; expected a number; fill it in, or give --missing skip-row{} or break",
-                                      sign, column.role == Role::time ? "" : ", skip-cell"));
+    add_value_fault(value, data_error("found {}; expected a number; fill it in, or give --missing {}skip-row or break",
+                                      sign, column.role == Role::time ? "" : "skip-cell, "));
   }
 
   /// A number, or one in quotes.
@@ -256,8 +256,8 @@ class KeyReader {
     }
     if (is_full()) return;
     add_fault(data_error("the key has no member {}; expected the members of the first key; add it, or give --missing "
-                         "skip-row{} or break",
-                         in_quotes(member.title), begin->role == Role::time ? "" : ", skip-cell")
+                         "{}skip-row or break",
+                         in_quotes(member.title), begin->role == Role::time ? "" : "skip-cell, ")
                   .at(tape_.position(place)));
   }
 

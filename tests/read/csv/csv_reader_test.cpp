@@ -67,9 +67,7 @@ TEST(Csv, rows_of_another_length_are_errors) {
       "f:3:1: error: the number of cells in the row is 1, but 2 in the rows above; expected the same number" + remedy);
   EXPECT_EQ(read("t,x\n\n0,1,2\n"),
             "f:3:1: error: the number of cells in the first row is 3, but 2 in the header; expected the same number; "
-            "add a name to the header if the first cells name the rows, as R writes them, correct one of them, "
-            "or give the "
-            "delimiter with --delimiter");
+            "add a name to the header if the first cells name the rows, as R writes them, or correct line 1 or line 3");
 }
 
 // The result does not depend on how the bytes arrive.

@@ -41,7 +41,7 @@ TEST(JsonKeys, a_value_that_is_not_a_number_is_an_error) {
   const std::string first = R"({"t":0,"x":1})";
   EXPECT_EQ(second(first, R"({"t":1,"x":null})"),
             "f:2:12: error: keys[1].x: found null; expected a number; fill it in, or give --missing "
-            "skip-row, skip-cell or break");
+            "skip-cell, skip-row or break");
   EXPECT_EQ(second(first, R"({"t":"é","x":1})"),
             "f:2:6: error: keys[1].t: \"é\" is no time in a known notation; expected a number, or a time such as "
             "2024-03-01T13:00:00Z or 13:00:00, with years of four digits; convert it");
@@ -49,7 +49,7 @@ TEST(JsonKeys, a_value_that_is_not_a_number_is_an_error) {
             "f:2:20: error: keys[1].x: \"true\" is not a number; expected a number; correct it");
   EXPECT_EQ(read(R"([{"t":0,"x":null}])"),
             "f:1:13: error: keys[0].x: found null; expected a number; fill it in, or give --missing "
-            "skip-row, skip-cell or break");
+            "skip-cell, skip-row or break");
   EXPECT_EQ(read(R"([{"t":0,"position":[1,"b",3]}])"),
             "f:1:23: error: keys[0].position[1]: \"b\" is not a number; expected a number; correct it");
 }
@@ -70,8 +70,8 @@ TEST(JsonKeys, numbers_may_be_in_quotes) {
 
 TEST(JsonKeys, nan_is_a_missing_number) {
   EXPECT_EQ(second(R"({"t":0,"x":1})", R"({"t":1,"x":NaN})"),
-            "f:2:12: error: keys[1].x: found \"NaN\"; expected a number; fill it in, or give --missing skip-row, "
-            "skip-cell or break");
+            "f:2:12: error: keys[1].x: found \"NaN\"; expected a number; fill it in, or give --missing skip-cell, "
+            "skip-row or break");
   InputOptions options;
   options.keys.missing = Missing::skip_row;
   EXPECT_EQ(read(R"([{"t":0,"x":NaN},{"t":1,"x":2},{"t":NaN,"x":2}])", options), "t x\n1: 1 2\n");
@@ -82,7 +82,7 @@ TEST(JsonKeys, a_missing_new_or_repeated_member_is_an_error) {
   EXPECT_EQ(
       second(first, R"({"t":1})"),
       "f:2:1: error: the key has no member \"x\"; expected the members of the first key; add it, or give --missing "
-      "skip-row, skip-cell or break");
+      "skip-cell, skip-row or break");
   EXPECT_EQ(second(first, R"({"t":1,"x":2,"y":3})"),
             "f:2:18: error: keys[1].y: the first key has no such number; expected the same members in every key; add "
             "it there");
@@ -146,7 +146,7 @@ TEST(JsonKeys, faults_do_not_end_the_reading) {
       "2024-03-01T13:00:00Z or 13:00:00, with years of four digits; convert it\n"
       "f:2:14: error: keys[1].x: \"b\" is not a number; expected a number; correct it\n"
       "f:4:1: error: the key has no member \"x\"; expected the members of the first key; add it, or give --missing "
-      "skip-row, skip-cell or break\n"
+      "skip-cell, skip-row or break\n"
       "f:4:12: error: keys[3].y: the first key has no such number; expected the same members in every key; add it "
       "there");
   EXPECT_THAT(read("{\"t\":0,\"x\":1}\n{\"t\":1 \"x\":2}\n{\"t\":2}\n"),
