@@ -416,7 +416,7 @@ class Errors(unittest.TestCase):
 
     def test_messages_speak_python(self):
         for message, expected in [
-            ("give --missing skip-cell, skip-row or break", 'give missing="skip-row", "skip-cell" or "break"'),
+            ("give --missing skip-cell, skip-row or break", 'give missing="skip-cell", "skip-row" or "break"'),
             ("expected one of --step, --rate or --from", "expected one of step, rate or from_"),
             ('"--sort" is a text; or give --sort', '"--sort" is a text; or give sort=True'),
             ("give --columns time=2; see --help", 'give columns="time=2"; see help(tcbsample.Options)'),
