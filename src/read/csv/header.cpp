@@ -168,9 +168,9 @@ std::vector<std::size_t> repeated_words(const HeadRecords& first, const Delimite
 }
 
 /// A column holds numbers unless both of the first two data records have text in it, or it has neither cells nor a
-/// name.
+/// name. Without names that is told of the first column of keys alone: a column of samples may begin without numbers.
 std::vector<bool> numeric_columns(const HeadRecords& first, std::size_t data, const std::vector<std::string>& names,
-                                  DelimitedHead& head) {
+                                  bool are_samples, DelimitedHead& head) {
   const auto& one = first.records[data].cells;
   const auto& two = data + 1 < first.records.size() ? first.records[data + 1].cells : one;
   std::vector<bool> numeric(one.size());
@@ -178,7 +178,7 @@ std::vector<bool> numeric_columns(const HeadRecords& first, std::size_t data, co
   for (std::size_t i = 0; i < one.size(); ++i) {
     const std::string_view below = i < two.size() ? std::string_view(two[i]) : "";
     head.begin_empty[i] = one[i].empty() && below.empty();
-    const bool nothing = head.begin_empty[i] && (names.empty() ? i == 0 : names[i].empty());
+    const bool nothing = head.begin_empty[i] && (names.empty() ? i == 0 && !are_samples : names[i].empty());
     numeric[i] = !nothing && (may_be_number(one[i], head) || (i < two.size() && may_be_number(below, head)));
   }
   return numeric;
@@ -734,7 +734,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.marks};
   head.is_of_format = !options.delimited.names.empty();
   head.strips_units = options.delimited.strips_units;
-  if (first.records.empty() && first.ends_in_comment()) {
+  if (first.records.empty() && first.ends_in_comment() && options.delimited.names.empty()) {
     throw data_error(
         "all lines begin with {}, as comments do; expected a row for each key; give --comment none if they are keys",
         in_quotes(dialect.comment));
@@ -786,7 +786,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
               std::move_iterator(first.chunks.end()));
   rest[0].text.erase(0, row.offset);
   rest[0].line = row.line;
-  const auto numeric = numeric_columns(first, data, names, head);
+  const auto numeric = numeric_columns(first, data, names, columns.samples.has_value(), head);
   require_numbers(row, names, numeric, head);
   at_position(position, [&] {
     if (columns.samples) {

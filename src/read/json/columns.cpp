@@ -660,9 +660,8 @@ class FirstKey {
     if (is_array && first->numbers < 3) return;  // too few for a rotation in any form
     throw at(*first,
              is_array ? data_error("the array has {}; expected four, x, y, z, w of a quaternion; correct it, or give "
-                                   "--rotation axis-angle=rotation or euler=rotation,order=XYZ for another form, with "
-                                   "--angles degrees if its angles are, or --columns position={}rotation for plain "
-                                   "channels",
+                                   "--rotation axis-angle=rotation or euler=rotation,order=XYZ for another form, or "
+                                   "--columns position={}rotation for plain channels",
                                    how_many(first->numbers, "number"), has_position ? "position:" : "")
                       : data_error(
                             "\"rotation\" has members other than x, y, z and w; expected the four numbers of a "
