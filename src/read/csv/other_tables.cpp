@@ -27,15 +27,18 @@ bool has_words(std::string_view line, std::size_t count) {
 /// Throws: Error (data) where lines are drawn between the cells, as programs print tables for people.
 void require_no_drawing(std::string_view text) {
   constexpr std::string_view corner = "\xE2\x94", double_corner = "\xE2\x95";  // of box-drawing characters
-  const std::vector<std::string_view> lines = split(text, '\n');
+  constexpr int most_lines = 4;
+  std::size_t end = 0;
+  for (int line = 0; line < most_lines && end < text.size(); ++line)
+    end = std::min(text.find('\n', end), text.size()) + 1;
+  const std::vector<std::string_view> lines = split(text.substr(0, end), '\n');
   const auto is_drawn = [&](std::string_view line) {
     const bool is_rule = line.find("---") != std::string_view::npos &&
                          line.find_first_of("|+") != std::string_view::npos &&
                          line.find_first_not_of("-+|:= \r") == std::string_view::npos;
     return is_rule || line.starts_with(corner) || line.starts_with(double_corner);
   };
-  const auto first = lines.begin(), end = first + std::min<std::ptrdiff_t>(4, std::ssize(lines));
-  if (std::none_of(first, end, is_drawn)) return;
+  if (std::ranges::none_of(lines, is_drawn)) return;
   throw data_error(
       "the table is drawn with lines between its cells; expected cells between delimiters; export it as CSV, as psql "
       "--csv, mysql --batch, sqlite3 -csv, duckdb -csv and write_csv of polars do");
@@ -107,8 +110,8 @@ void require_no_log(std::string_view one, std::string_view two, char delimiter) 
   if (!has_text || numbers == 0 || without_numbers(*below, numbers_below) != text) return;
   throw data_error(
       "a time and other text begin each line, as in {}; expected cells between delimiters; take the time and the "
-      "numbers "
-      "behind it, as in perl -ne 'if (/^\\W*((?:\\d{{4}}-\\d\\d-\\d\\d[ T])?\\d+:\\d\\d:\\d\\d(?:[.,]\\d+)?)(.*)/) "
+      "numbers behind it, as in perl -ne 'if (/^\\W*((?:\\d{{4}}-\\d\\d-\\d\\d[ "
+      "T])?\\d+:\\d\\d:\\d\\d(?:[.,]\\d+)?)(.*)/) "
       "{{my ($t, $r) = ($1, "
       "$2); $t =~ tr/,/./; print join(\",\", $t, $r =~ /{}/g), \"\\n\"}}' FILE | tcbsample",
       in_quotes(one), number_in_perl);
@@ -156,6 +159,122 @@ std::string roles_by_cells(const std::vector<std::vector<std::string_view>>& row
   return fmt::format("{}", fmt::join(roles, ","));
 }
 
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+/// The lines of a text as cells between a delimiter, and the table that seems to begin among them.
+class LinesOfCells {
+ public:
+  LinesOfCells(std::string_view text, char delimiter, const Dialect& dialect)
+      : lines_(split(text, '\n')), delimiter_(delimiter), dialect_(dialect) {}
+
+  /// The first of two lines that are mostly numbers, below another line.
+  std::optional<std::size_t> first_row() const {
+    for (std::size_t row = 1; row + 1 < lines_.size(); ++row) {
+      const Cells one = cells(row), two = cells(row + 1);
+      if (is_of_numbers(one) && is_of_numbers(two) && one.size() == two.size()) return row;
+    }
+    return std::nullopt;
+  }
+
+  /// The table that has its first row there; nothing where that may be the table of the first line.
+  std::optional<LaterTable> table_at(std::size_t row) const {
+    const std::size_t size = cells(row).size();
+    const std::optional<std::size_t> head = names_above(row);
+    const std::size_t begin = head.value_or(row);
+    const bool may_be_names = begin == 1 && (cells(0).size() > 1 || has_words(lines_[0], size));
+    if (!head && may_be_names) return std::nullopt;  // the first line may be a header with a fault
+    const auto first = lines_.begin();
+    const auto is_text = [&](std::string_view line) { return !is_blank(line) && !dialect_.is_comment(line); };
+    if (std::none_of(first, at(begin), is_text)) return std::nullopt;
+    const auto is_other = [&](std::string_view line) { return is_text(line) && cells_of(line).size() != size; };
+    const auto other = std::find_if(at(row), lines_.end(), is_other);
+    const auto has_no_number = [&](std::string_view line) {
+      return is_text(line) && std::ranges::none_of(cells_of(line), begins_like_number);
+    };
+    return LaterTable{begin + 1,
+                      other == lines_.end() ? 0 : static_cast<std::uint64_t>(other - first),
+                      size,
+                      head.has_value(),
+                      head ? "" : roles_by_cells(rows_from(row)),
+                      comment_above(row),
+                      std::any_of(at(1), at(row), has_no_number)};
+  }
+
+ private:
+  using Cells = std::vector<std::string_view>;
+
+  std::vector<std::string_view>::const_iterator at(std::size_t line) const {
+    return lines_.begin() + static_cast<std::ptrdiff_t>(line);
+  }
+
+  Cells cells(std::size_t line) const { return cells_of(lines_[line]); }
+  Cells cells_of(std::string_view line) const {
+    Cells cells;
+    for (std::size_t begin = 0, end = 0; begin <= line.size(); begin = end + 1) {
+      const bool is_quoted = begin < line.size() && line[begin] == '"';
+      const std::size_t quote = is_quoted ? line.find('"', begin + 1) : begin;
+      end = std::min(line.find(delimiter_, std::min(quote, line.size())), line.size());
+      const std::string_view cell = trimmed(line.substr(begin, end - begin));
+      if (delimiter_ != ' ' || !cell.empty()) cells.push_back(cell);
+    }
+    return cells;
+  }
+
+  bool is_number(std::string_view cell) const {
+    const std::string_view text = bare(cell);
+    return parse_number(text) || (delimiter_ != ',' && Decimals({','}).number(text)) ||
+           (delimiter_ != ' ' && find_notation(text));
+  }
+
+  bool is_of_numbers(const Cells& cells) const {
+    const auto numbers = std::ranges::count_if(cells, [&](std::string_view cell) { return is_number(cell); });
+    return numbers > 0 && cells.size() > 1 && 2 * numbers > std::ssize(cells) - std::ranges::count(cells, "");
+  }
+
+  static bool begins_like_number(std::string_view cell) {
+    const std::size_t digit = bare(cell).find_first_of("0123456789");
+    return digit == 0 || (digit == 1 && std::string_view("+-.").find(bare(cell)[0]) != std::string_view::npos);
+  }
+
+  /// The line above a row that names its columns, above blank lines and units.
+  std::optional<std::size_t> names_above(std::size_t row) const {
+    const std::size_t size = cells(row).size();
+    std::size_t below = row;  // the line below that of the names
+    while (below > 0 && is_blank(lines_[below - 1])) --below;
+    if (below == 0) return std::nullopt;
+    Cells names = cells(below - 1);
+    while (below > 1 && names.size() == size && are_units(names)) names = cells(--below - 1);
+    const auto is_value = [&](std::string_view cell) { return is_number(cell); };
+    const bool are_names = names.size() == size && !is_of_numbers(names) &&
+                           (std::ranges::none_of(names, is_value) || std::ranges::any_of(names, is_usual_time));
+    return are_names ? std::optional(below - 1) : std::nullopt;
+  }
+
+  /// The first rows of as many cells.
+  std::vector<Cells> rows_from(std::size_t row) const {
+    constexpr std::size_t enough = 16;
+    std::vector<Cells> rows{cells(row)};
+    for (std::size_t next = row + 1; next < std::min(lines_.size(), row + enough); ++next) {
+      Cells more = cells(next);
+      if (more.size() != rows[0].size()) break;
+      rows.push_back(std::move(more));
+    }
+    return rows;
+  }
+
+  /// The mark of comments with which all lines above a row begin; empty: there is none.
+  std::string comment_above(std::size_t row) const {
+    const char mark = lines_[0].empty() ? ' ' : lines_[0][0];
+    const bool are_comments = std::string_view("%!;@*\\/$").find(mark) != std::string_view::npos &&
+                              std::all_of(lines_.begin(), at(row), [&](auto line) { return line.starts_with(mark); });
+    return are_comments ? std::string(1, mark) : "";
+  }
+
+  const std::vector<std::string_view> lines_;
+  const char delimiter_;
+  const Dialect& dialect_;
+};
+
 }  // namespace
 
 std::string numbers_alone() {
@@ -165,10 +284,16 @@ std::string numbers_alone() {
 
 void require_bare_numbers(std::string_view text, const Dialect& dialect) {
   require_no_drawing(text);
-  std::vector<std::string_view> lines = split(text.substr(0, text.find_last_of('\n')), '\n');
-  std::erase_if(lines, [&](std::string_view line) { return trimmed(line).empty() || dialect.is_comment(line); });
-  if (lines.size() < 2) return;
-  const std::string_view one = trimmed(lines[0]), two = trimmed(lines[1]);
+  const auto take_line = [&] {  // that is neither blank nor a comment; the last one of the text may be a part of a line
+    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+      const std::string_view line = text.substr(0, end);
+      text.remove_prefix(end + 1);
+      if (!trimmed(line).empty() && !dialect.is_comment(line)) return trimmed(line);
+    }
+    return std::string_view();
+  };
+  const std::string_view one = take_line(), two = take_line();
+  if (two.empty()) return;
   require_no_log(one, two, dialect.delimiter);
   const auto are_quoted = [&](std::string_view line) {
     const auto cells = split(line, dialect.delimiter);
@@ -177,85 +302,18 @@ void require_bare_numbers(std::string_view text, const Dialect& dialect) {
   };
   if (are_quoted(one) && are_quoted(two)) {
     throw data_error(
-        "the cells are in single quotes, as in {}; expected double quotes, or none; change them, as in tr "
-        "\\' '\"' <FILE | tcbsample",
+        "the cells are in single quotes, as in {}; expected double quotes, or none; change them, as in "
+        "tr \\' '\"' <FILE | tcbsample",
         one);
   }
   require_cells_of_numbers(one, two, dialect.delimiter);
 }
 
 std::optional<LaterTable> find_later_table(std::string_view text, const Dialect& dialect) {
-  const std::vector<std::string_view> lines = split(text, '\n');
   for (const char delimiter : std::string_view("\t;, ")) {
     if (text.find(delimiter) == std::string_view::npos) continue;
-    const auto cells_in = [&](std::string_view line) {
-      std::vector<std::string_view> cells;
-      for (std::size_t begin = 0, end = 0; begin <= line.size(); begin = end + 1) {
-        const bool is_quoted = begin < line.size() && line[begin] == '"';
-        const std::size_t quote = is_quoted ? line.find('"', begin + 1) : begin;
-        end = std::min(line.find(delimiter, std::min(quote, line.size())), line.size());
-        const std::string_view cell = trimmed(line.substr(begin, end - begin));
-        if (delimiter != ' ' || !cell.empty()) cells.push_back(cell);
-      }
-      return cells;
-    };
-    const auto is_number = [&](std::string_view cell) {
-      const std::string_view text = bare(cell);
-      return parse_number(text) || (delimiter != ',' && Decimals({','}).number(text)) ||
-             (delimiter != ' ' && find_notation(text));
-    };
-    const auto is_of_numbers = [&](const std::vector<std::string_view>& cells) {
-      const auto numbers = std::ranges::count_if(cells, is_number);
-      return numbers > 0 && cells.size() > 1 && 2 * numbers > std::ssize(cells) - std::ranges::count(cells, "");
-    };
-    for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
-      const auto one = cells_in(lines[i]), two = cells_in(lines[i + 1]);
-      if (!is_of_numbers(one) || !is_of_numbers(two) || one.size() != two.size()) continue;
-      std::size_t head = i;  // the last line above that is not blank, if it names the columns
-      while (head > 0 && lines[head - 1].find_first_not_of(" \t\r") == std::string_view::npos) --head;
-      auto names = head > 0 ? cells_in(lines[head - 1]) : std::vector<std::string_view>{};
-      while (head > 1 && names.size() == one.size() && are_units(names)) names = cells_in(lines[--head - 1]);
-      const bool are_names = names.size() == one.size() && !is_of_numbers(names) &&
-                             (std::ranges::none_of(names, is_number) || std::ranges::any_of(names, is_usual_time));
-      const std::size_t line = are_names ? head : i + 1;
-      const bool may_be_names = line == 2 && (cells_in(lines[0]).size() > 1 || has_words(lines[0], one.size()));
-      if (!are_names && may_be_names) return std::nullopt;  // the first line may be a header with a fault
-      const auto is_text = [&](std::string_view above) {
-        return above.find_first_not_of(" \t\r") != std::string_view::npos && !dialect.is_comment(above);
-      };
-      const auto begins_like_number = [](std::string_view cell) {
-        const std::size_t digit = bare(cell).find_first_of("0123456789");
-        return digit == 0 || (digit == 1 && std::string_view("+-.").find(bare(cell)[0]) != std::string_view::npos);
-      };
-      const bool follows_text =
-          std::any_of(lines.begin() + 1, lines.begin() + static_cast<std::ptrdiff_t>(i), [&](std::string_view above) {
-            return is_text(above) && std::ranges::none_of(cells_in(above), begins_like_number);
-          });
-      const bool has_preamble =
-          std::any_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(line - 1), is_text);
-      if (!has_preamble) return std::nullopt;
-      std::vector<std::vector<std::string_view>> rows;
-      constexpr std::size_t enough = 16;
-      for (std::size_t row = i; row < std::min(lines.size(), i + enough); ++row) {
-        rows.push_back(cells_in(lines[row]));
-        if (rows.back().size() != one.size()) break;
-      }
-      if (rows.back().size() != one.size()) rows.pop_back();
-      const char first = lines[0].empty() ? ' ' : lines[0][0];
-      const bool are_comments = std::string_view("%!;@*\\/$").find(first) != std::string_view::npos &&
-                                std::all_of(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(i),
-                                            [&](std::string_view above) { return above.starts_with(first); });
-      const auto end =
-          std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(i), lines.end(),
-                       [&](std::string_view below) { return is_text(below) && cells_in(below).size() != one.size(); });
-      return LaterTable{line,
-                        end == lines.end() ? 0 : static_cast<std::uint64_t>(end - lines.begin()),
-                        one.size(),
-                        are_names,
-                        are_names ? "" : roles_by_cells(rows),
-                        are_comments ? std::string(1, first) : "",
-                        follows_text};
-    }
+    const LinesOfCells lines(text, delimiter, dialect);
+    if (const auto row = lines.first_row()) return lines.table_at(*row);
   }
   return std::nullopt;
 }
@@ -271,15 +329,13 @@ Error unlike_table(const LaterTable& table, std::uint64_t first, std::string_vie
     const std::uint64_t end = first + table.end - 1;
     return data_error(
                "lines {} to {} seem to be a table, with other lines around it{}; expected one table; take it alone, as "
-               "in sed -n "
-               "{},{}p FILE | tcbsample{}",
+               "in sed -n {},{}p FILE | tcbsample{}",
                line, end, also, line, end, nameless)
         .at({"", first, 0});
   }
   return data_error(
              "the lines above line {} are not part of the table that seems to begin there{}; expected a table from the "
-             "first "
-             "line on; give {} {}{}",
+             "first line on; give {} {}{}",
              line, also, table.mark.empty() ? "--skip-lines" : "--comment",
              table.mark.empty() ? fmt::format("{}", line - 1) : in_shell(table.mark),
              table.mark.empty() ? nameless : "")
