@@ -85,8 +85,7 @@ constexpr std::string_view
     by_after_effects = "take the keys of a property, as in awk '!/^\\t/ {p = /Position/} p && /^\\t/' FILE | tcbsample",
     by_anim =
         "take the keys of its curves, as in awk '/^anim /{c = $3} /keys {/{k = 1; next} /}/{k = 0} k {print c, $1, "
-        "$2}' "
-        "FILE | tcbsample --columns group=1,time=2,position=3",
+        "$2}' FILE | tcbsample --columns group=1,time=2,position=3",
     by_clip =
         "take its tracks as columns, as in sed -n 's/.*data = //p' FILE | python3 -c 'import sys; "
         "print(*map(\",\".join, zip(*map(str.split, sys.stdin))), sep=\"\\n\")' | tcbsample --parameter uniform",
@@ -102,8 +101,7 @@ constexpr std::string_view
         "substr($0, 12); p = 1; next} /^ITEM/ {p = 0} p {print t, $0}' FILE | tcbsample --group id",
     by_nuke =
         "take the keys of a curve, as in grep -oE '\\{curve[^}]*' FILE | sed -n 1p | awk '{for (i = 2; i <= NF; ++i) "
-        "if "
-        "($i ~ /^x/) f = substr($i, 2); else if ($i ~ /^[-0-9]/) print f++, $i}' | tcbsample",
+        "if ($i ~ /^x/) f = substr($i, 2); else if ($i ~ /^[-0-9]/) print f++, $i}' | tcbsample",
     by_srt =
         "take its times and the numbers in brackets, as in awk '/-->/ {t = $1; sub(/,/, \".\", t)} /\\[/ "
         "{gsub(/[^-+.0-9]+/, \" \"); print t, $0}' FILE | tcbsample",

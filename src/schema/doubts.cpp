@@ -377,8 +377,7 @@ Found times_as_names(const FoundColumns& found) {
   if (count || !all_steps(std::less<>())) return std::nullopt;
   return error(
       "the columns are called {}, as times are; expected a row for each time; transpose the table{}, or give "
-      "--parameter "
-      "uniform if the rows are keys without times",
+      "--parameter uniform if the rows are keys without times",
       listed(channels), transposed(found, "--columns time=1"));
 }
 
@@ -598,8 +597,7 @@ Found quaternion_by_norm(const FoundColumns& found) {
       return error(
           "the first column would be the time, but columns 1 to 4 have the norm 1, as quaternions do; expected times; "
           "give --parameter uniform --rotation quaternion=1:2:3:4 for poses without times, or --columns time=1 if it "
-          "is "
-          "the time");
+          "is the time");
     }
     const bool is_by_name = ordered != four && in_lower_case(found.names[four[0]]).find('q') != std::string::npos;
     if (is_by_name) return std::nullopt;

@@ -44,8 +44,7 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
     if (options.date_order && !options.are_optional)
       throw data_error(
           "the dates in column {}, such as {}, tell their order; expected dates of numbers with the year last; remove "
-          "the "
-          "option",
+          "the option",
           in_quotes(column), in_quotes(date))
           .about("--date-order");
     return format;

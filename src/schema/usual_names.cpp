@@ -261,10 +261,9 @@ bool is_unit(std::string_view text) {
       "degree degrees \u00B0 rad % km/h kmh kph mph kn knots m/s mm/s ft/s m/s2 m/s^2 m/s\u00B2 g kg n nm v mv a ma w "
       "kw hz khz rpm 1/min c \u00B0c degc k f \u00B0f pa kpa hpa bar mbar psi j deg/s rad/s \u00B0/s rad/s2 px pixel "
       "pixels ut \u00B5t lx lux db l l/min ml frames utc usd \u2103 mw uw \u00B5w w/m2 w/m\u00B2 ua \u00B5a na uv "
-      "\u00B5v j kj wh "
-      "kwh ah mah mg ug \u00B5g ppm ppb mol ohm kohm \u03A9 k\u03A9 us/cm \u00B5s/cm ms/cm mg/l ghz dbm gpa n/mm2 "
-      "n/mm\u00B2 \u20AC $ \u00A3 "
-      "inhg mmhg torr atm yd in/s g/cm3 g/cm\u00B3 m2 m\u00B2 cm2 cm\u00B2 mm2 mm\u00B2 um2 \u00B5m\u00B2 px2";
+      "\u00B5v j kj wh kwh ah mah mg ug \u00B5g ppm ppb mol ohm kohm \u03A9 k\u03A9 us/cm \u00B5s/cm ms/cm mg/l ghz "
+      "dbm gpa n/mm2 n/mm\u00B2 \u20AC $ \u00A3 inhg mmhg torr atm yd in/s g/cm3 g/cm\u00B3 m2 m\u00B2 cm2 cm\u00B2 "
+      "mm2 mm\u00B2 um2 \u00B5m\u00B2 px2";
   return has(units, in_lower_case(without_brackets(text)));
 }
 
@@ -282,8 +281,7 @@ bool are_units(std::span<const std::string_view> cells) {
 bool may_be_angle(std::string_view name) {
   constexpr std::string_view names =
       "lon lng longitude ra rightascension az cog course track pan theta hue rx ry rz rotx roty rotz rotatex rotatey "
-      "rotatez rotationx "
-      "rotationy rotationz angle phi direction headyaw winddir tilt steering";
+      "rotatez rotationx rotationy rotationz angle phi direction headyaw winddir tilt steering";
   constexpr std::string_view spaces = "rotation rotate rot euler angle orientation";
   if (is_usual_angle(name) || ends_with_one(names, name)) return true;
   const std::string_view alone = without_unit(name);
