@@ -164,8 +164,8 @@ std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_v
   const bool needs_order = format && format->needs_order();
   if (needs_order && !units.date_order) {
     throw usage_error(
-        "the date {} does not tell which number is the day; expected the year first; or give --date-order dmy or "
-        "--date-order mdy",
+        "the date {} does not tell which number is the day; expected the year first, in four digits; or give "
+        "--date-order dmy, mdy or ymd",
         in_quotes(text));
   }
   const DateOrder order = needs_order ? *units.date_order : DateOrder::ymd;

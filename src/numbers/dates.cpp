@@ -72,6 +72,7 @@ struct DateParts {
   std::string_view clock, half_of_day, zone;
 
   bool is_year_first() const { return numbers[0].size() == 4; }
+  bool has_short_year() const { return !is_year_first() && numbers[2].size() != 4; }
 };
 
 /// Takes AM or PM off the beginning of a text, with the blank before it.
@@ -118,7 +119,8 @@ std::optional<DateParts> parts_of(std::string_view text) {
   const std::string_view year = parts.numbers[parts.is_year_first() ? 0 : 2];
   const std::string_view other = parts.numbers[parts.is_year_first() ? 2 : 0];
   const bool is_month = !parts.month_name.empty() || is_short(parts.numbers[1]);
-  if (year.size() != 4 || !is_short(other) || !is_month) return std::nullopt;
+  const bool is_year = year.size() == 4 || (is_short(year) && (year.size() == 2 || other.size() == 2));
+  if (!is_year || !is_short(other) || !is_month) return std::nullopt;
   if (text.empty()) return parts;
   parts.before_clock = text[0];
   text.remove_prefix(1);
@@ -209,6 +211,7 @@ std::optional<DateFormat> find_date_format(std::string_view text) {
   const bool has_short_number = std::ranges::any_of(parts->numbers, [](auto digits) { return digits.size() == 1; });
   const bool is_padded = !has_short_number && (parts->clock.empty() || parts->clock[1] != ':');
   return DateFormat{parts->is_year_first() ? DateOrder::ymd : DateOrder::dmy,
+                    parts->has_short_year(),
                     parts->mark,
                     std::string(parts->month_name),
                     is_padded,
@@ -220,13 +223,17 @@ std::optional<DateFormat> find_date_format(std::string_view text) {
 std::optional<Rational> read_date(std::string_view text, DateOrder order) {
   const std::optional<DateParts> parts = parts_of(text);
   if (!parts) return std::nullopt;
-  const bool is_year_first = parts->is_year_first(), has_name = !parts->month_name.empty();
+  const bool has_name = !parts->month_name.empty(), is_short = parts->has_short_year();
+  const bool is_year_first = is_short ? order == DateOrder::ymd : parts->is_year_first();
   if (!has_name && is_year_first != (order == DateOrder::ymd)) return std::nullopt;
   auto [year, month, day] = parts->numbers;
   if (!is_year_first) std::swap(year, day);  // d.m.y to y.m.d
   if (!has_name && order == DateOrder::mdy) std::swap(month, day);
+  constexpr std::size_t short_size = 2;
+  if (is_short && year.size() != short_size) return std::nullopt;
+  const std::int64_t last = number_of(year), full = !is_short ? last : last < 69 ? 2000 + last : 1900 + last;
   const auto number_of_month = has_name ? month_of(parts->month_name) : static_cast<unsigned>(number_of(month));
-  const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(number_of(year))),
+  const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(full)),
                                          std::chrono::month(number_of_month),
                                          std::chrono::day(static_cast<unsigned>(number_of(day)))};
   const auto clock =

@@ -28,11 +28,12 @@ std::optional<Rational> read_clock(std::string_view text);
 /// hh:mm:ss.fff, with `decimals` decimals or as many as the time has. Requires: seconds >= 0.
 std::string clock_text(const Rational& seconds, std::optional<int> decimals);
 
-/// The format of a date by its form; its order is dmy if the year is last. Nothing if the text is no date.
+/// The format of a date by its form; its order is dmy if the year is last, or has two digits. Nothing if the text is no
+/// date.
 std::optional<DateFormat> find_date_format(std::string_view text);
 
 /// The seconds of a date that has a form of find_date_format(), with its numbers in this order; nothing if that date
-/// does not exist.
+/// does not exist. Years of two digits are 1969 to 2068, as in POSIX (strptime, %y).
 std::optional<Rational> read_date(std::string_view text, DateOrder order);
 
 /// The whole seconds of a date and the digits of its fraction.

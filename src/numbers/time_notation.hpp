@@ -90,12 +90,15 @@ struct DateOrderName {
   DateOrder order;
 };
 
-/// The orders that have to be requested, as a date with the year last does not tell which number is the day.
-inline constexpr std::array date_orders{DateOrderName{"dmy", DateOrder::dmy}, DateOrderName{"mdy", DateOrder::mdy}};
+/// The orders that can be requested, as a date with the year last, or with a year of two digits, does not tell which
+/// number is the day.
+inline constexpr std::array date_orders{DateOrderName{"dmy", DateOrder::dmy}, DateOrderName{"mdy", DateOrder::mdy},
+                                        DateOrderName{"ymd", DateOrder::ymd}};
 
 /// How dates are written.
 struct DateFormat {
   DateOrder order = DateOrder::ymd;
+  bool has_short_year = false;   ///< years are read from two digits, and written with four
   char mark = '-';               ///< between year, month and day: - / . or a blank; 0: none
   std::string month_name = {};   ///< of a month as written, such as "Mar"; empty: months are numbers
   bool is_padded = true;         ///< months, days and hours have two digits
@@ -104,7 +107,7 @@ struct DateFormat {
   std::string zone = "Z";        ///< as written, with the blank before it; empty: none, and the time is in UTC
 
   /// The text does not tell which number is the day.
-  bool needs_order() const { return order != DateOrder::ymd && month_name.empty(); }
+  bool needs_order() const { return has_short_year || (order != DateOrder::ymd && month_name.empty()); }
 };
 
 /// The seconds of a time in words, which may be no time, such as a minute 60, or a frame number that is dropped or not

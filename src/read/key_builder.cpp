@@ -10,6 +10,7 @@
 #include "numbers/dates.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -61,6 +62,13 @@ Error time_parts_not_whole(std::string_view time) {
       "{}: the two columns of the time are not whole seconds and nanoseconds; expected whole numbers, of nanoseconds "
       "from 0 to 999999999; correct the cells, or give --columns time=NAME",
       time);
+}
+
+Error number_in_empty_column(std::string_view number, std::string_view column, std::string_view request) {
+  return data_error(
+      "{} is a number in column {}, which begins empty and is left out; expected none; give --columns {} to leave it "
+      "out all the same, or --missing skip-cell to take its numbers",
+      in_quotes(number), in_quotes(column), in_shell(fmt::format("ignore={}", request)));
 }
 
 KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyUnits& units)
@@ -157,7 +165,9 @@ bool KeyBuilder::set_time_in_words(std::string_view text) {
   }
   if (is_date(units_.notation)) {
     const auto format = find_date_format(text);
-    if (!format || format->month_name.empty() != units_.dates.month_name.empty()) return false;
+    const DateFormat& first = units_.dates;
+    if (!format || format->month_name.empty() != first.month_name.empty()) return false;
+    if (format->has_short_year != first.has_short_year) return false;
   }
   const auto seconds = read_time(text, units_.notation, units_.frame_rate.value_or(1), units_.dates.order);
   if (!seconds) return false;

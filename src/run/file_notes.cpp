@@ -108,6 +108,9 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   if (input.schema.time.notation == TimeNotation::date) {
     add(important("the dates in column \"{}\" have no zone; they are taken as UTC", input.schema.time.name));
   }
+  if (input.schema.time.dates.has_short_year) {
+    add(important("the years of two digits in column \"{}\" are taken as 1969 to 2068", input.schema.time.name));
+  }
   const UnitOptions& units = options.input.units;
   if (!units.rate_as_decimal.empty()) add(broadcast_note(units.rate_as_decimal, *units.frame_rate));
   if (!request.rate_as_decimal.empty() && request.rate_as_decimal != units.rate_as_decimal) {

@@ -63,7 +63,8 @@ struct Columns {
     Role role = Role::ignored;
     std::size_t channel = 0;  ///< of positions and of roles in one; of groups and labels, the index among the texts of
                               ///< a key; of others, among the marks
-    bool is_text = false;     ///< it has no role because it holds texts
+    bool is_text = false;     ///< it has no role because it holds texts,
+    bool is_empty = false;    ///< or because its first cells have no number; another one with a number is a fault
   };
   std::vector<Column> cells;             ///< one per cell of a record
   bool named = false;                    ///< the input names its columns

@@ -43,17 +43,28 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
   if (!format.needs_order()) {
     if (options.date_order && !options.are_optional)
       throw data_error(
-          "the dates in column {}, such as {}, tell their order; expected dates of numbers with the year last; remove "
-          "the option",
+          "the dates in column {}, such as {}, tell their order; expected dates of numbers with the year last, or years "
+          "of two digits; remove the option",
           in_quotes(column), in_quotes(date))
           .about("--date-order");
     return format;
   }
+  if (!options.date_order && format.has_short_year)
+    throw data_error(
+        "the dates in column {}, such as {}, have years of two digits; expected years of four digits, or the order of "
+        "the dates; give --date-order dmy, mdy or ymd, which takes years as 1969 to 2068",
+        in_quotes(column), in_quotes(date));
   if (!options.date_order)
     throw data_error(
         "the dates in column {}, such as {}, have the year last; expected dates with the year first, or the order of "
         "day and month; give --date-order dmy if the day is first, or --date-order mdy if the month is",
         in_quotes(column), in_quotes(date));
+  if (!format.has_short_year && *options.date_order == DateOrder::ymd)
+    throw data_error(
+        "the dates in column {}, such as {}, have the year last; expected dates with years of two digits; give dmy if "
+        "the day is first, or mdy if the month is",
+        in_quotes(column), in_quotes(date))
+        .about("--date-order");
   format.order = *options.date_order;
   return format;
 }

@@ -25,7 +25,7 @@ struct UnitOptions {
   std::optional<Rational> frame_rate = {};   ///< the times are frames, so many of them a second
   std::string rate_as_decimal = {};          ///< such as "29.97", where that rate is 30000/1001; else empty
   std::vector<ChannelScale> scales = {};     ///< factors of channels
-  std::optional<DateOrder> date_order = {};  ///< of dates with the year last
+  std::optional<DateOrder> date_order = {};  ///< of dates that do not tell it
   bool are_optional = false;  ///< a file may have other units and notations of time: frames only by the column's name
 };
 

@@ -95,7 +95,7 @@ class RecordReader {
   void read_cell(std::string_view cell, const Columns::Column& column) {
     switch (column.role) {
       case Role::ignored:
-        if (column.is_text && tokenizer_.line() <= last_line_of_roles) require_text(cell);
+        if (column.is_empty || (column.is_text && tokenizer_.line() <= last_line_of_roles)) require_text(cell, column);
         keys_.set_mark(column, cell);
         break;
       case Role::group:
@@ -158,9 +158,13 @@ class RecordReader {
     return !signs.empty() && std::ranges::count(signs, number) > 0;
   }
 
-  /// A number in a column of text is a fault: that is a column of numbers with other texts in it.
-  void require_text(std::string_view cell) {
-    if (!decimals_.number(number_text(cell))) return;
+  /// A number in a column of text is a fault: that is a column of numbers with other texts in it, or without the first.
+  void require_text(std::string_view cell, const Columns::Column& column) {
+    if (!decimals_.number(number_text(cell)) || is_missing_sign(number_text(cell), head_.rules.signs)) return;
+    if (column.is_empty) {
+      const std::string& name = head_.columns.ignored[column.channel];
+      return add_fault(cell, number_in_empty_column(unquoted(cell), name, requested_as(name, index_of(cell))));
+    }
     add_fault(
         cell,
         data_error("{}: {} is a number in a column of text; expected only numbers or only text; give the text that "

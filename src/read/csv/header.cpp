@@ -177,7 +177,7 @@ std::vector<bool> numeric_columns(const HeadRecords& first, std::size_t data, co
   head.begin_empty.resize(one.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     const std::string_view below = i < two.size() ? std::string_view(two[i]) : "";
-    head.begin_empty[i] = one[i].empty() && below.empty();
+    head.begin_empty[i] = is_missing_sign(one[i], head.rules.signs) && is_missing_sign(below, head.rules.signs);
     const bool nothing = head.begin_empty[i] && (names.empty() ? i == 0 && !are_samples : names[i].empty());
     numeric[i] = !nothing && (may_be_number(one[i], head) || (i < two.size() && may_be_number(below, head)));
   }
@@ -677,10 +677,25 @@ class RolesByCells {
   std::vector<std::string> notes_;
 };
 
+/// The columns of numbers without those that are positions by their names alone and have no number in the first records.
+std::vector<bool> without_empty(std::vector<bool> numeric, const std::vector<std::string>& names, const HeadRows& rows,
+                                const DelimitedHead& head, const ColumnOptions& requested) {
+  for (std::size_t cell = 0; cell < names.size(); ++cell) {
+    const auto is_empty = [&](const HeadCells& row) {
+      return cell >= row.size() || is_missing_sign(row[cell], head.rules.signs);
+    };
+    const bool is_requested = requested.has(names[cell]) || requested.has(fmt::format("{}", cell + 1));
+    if (!head.begin_empty[cell] || is_requested || role_of_name(names[cell]) != Role::position) continue;
+    if (std::ranges::all_of(rows, is_empty)) numeric[cell] = false;
+  }
+  return numeric;
+}
+
 /// Sets the columns of keys, with the doubts about them. `unread`: those that are not read unless they are requested.
-void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, const std::vector<bool>& numeric,
+void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std::vector<bool> numeric,
                       const HeadRows& rows, const InputOptions& options, const std::vector<std::size_t>& unread) {
   ColumnOptions requested = options.columns;
+  if (options.keys.missing == Missing::error) numeric = without_empty(std::move(numeric), names, rows, head, requested);
   for (const std::size_t cell : unread) {
     const std::string column = fmt::format("{}", cell + 1);
     const bool is_requested = requested.has(column) || (cell < names.size() && requested.has(names[cell]));
@@ -706,6 +721,10 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, cons
                                      : "";
     if (rotation.empty() || options.rotation.none || !options.rotation.requests.empty()) throw;
     throw data_error("{}, with {}, as these columns have the norm 1", error.message(), rotation);
+  }
+  for (std::size_t cell = 0; cell < numeric.size(); ++cell) {
+    Columns::Column& column = head.columns.cells[cell];
+    column.is_empty = column.is_text && head.begin_empty[cell];
   }
   if (!head.is_of_format) {
     const FoundColumns found{

@@ -69,25 +69,6 @@ std::optional<NumberMarks> marks_of(std::string_view text) {
   return found == other_marks.end() ? std::nullopt : std::optional(*found);
 }
 
-/// Whether a text begins with a date such as 31.12.24 or 1/2/24.
-bool has_short_year(std::string_view text) {
-  std::array<std::size_t, 3> sizes{};
-  char mark = 0;
-  std::size_t part = 0;
-  for (const char c : text) {
-    const bool is_mark = c == '.' || c == '/' || c == '-';
-    if (c >= '0' && c <= '9') {
-      ++sizes[part];
-    } else if (is_mark && part < 2 && (mark == 0 || c == mark)) {
-      mark = c;
-      ++part;
-    } else {
-      break;
-    }
-  }
-  return part == 2 && sizes[0] > 0 && sizes[0] <= 2 && sizes[1] > 0 && sizes[1] <= 2 && sizes[2] == 2;
-}
-
 /// Whether a number is followed by the letter of a hemisphere, which is no unit: 26.9W is -26.9.
 bool has_hemisphere(std::string_view cell) {
   const std::size_t end = cell.find_first_not_of("0123456789.,+- ");
@@ -281,12 +262,6 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
                      column, in_quotes(cell))
                : number_with_marks(column, cell, other->decimal == marks.decimal ? '\0' : other->decimal,
                                    other->thousands);
-  }
-  if (has_short_year(cell)) {
-    return data_error(
-        "{}: {} is a date with a year of two digits, whose century is unknown; expected a year of four digits; write "
-        "the years in full",
-        column, in_quotes(cell));
   }
   if (has_hemisphere(cell)) {
     return data_error(

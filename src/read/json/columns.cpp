@@ -42,7 +42,8 @@ struct FoundMember {
   std::size_t node = JsonCell::missing;   ///< its value
   std::size_t place = JsonCell::missing;  ///< of its name on the tape
   bool array = false;                     ///< it is an array with numbers
-  bool text = false;                      ///< it is one text, or true or false
+  bool text = false;                      ///< it is one text, or true or false,
+  bool is_empty = false;                  ///< or has no value in the first keys
   bool nested = false;                    ///< it is an object, or an array with arrays or objects
   std::size_t numbers = 0;                ///< the count of its numbers, also missing ones
   bool is_of_whole = false;               ///< all numbers around it are columns
@@ -229,6 +230,9 @@ class FirstKey {
       require_no_lost_arrays();
       require_no_vectors();
       result.columns = find_columns(header, numeric, requests(), requested_.timeless);
+      for (const FoundMember& member : members_) {
+        if (member.is_empty) result.columns.cells[member.cell].is_empty = result.columns.cells[member.cell].is_text;
+      }
       result.columns.has_time_by_place = !records_.has_names() && !requested_.has(Role::time) && !requested_.timeless;
       std::ranges::for_each(members_, [&](const FoundMember& member) { require_shape(member); });
     }
@@ -338,9 +342,17 @@ class FirstKey {
                                       in_quotes(text), in_shell("ignore=" + member.name)));
   }
 
-  /// Members that are texts in the first key may hold numbers.
+  /// Whether a member is missing in the first key, and need not be a position.
+  bool may_be_empty(const FoundMember& member) const {
+    const bool is_null = member.node == JsonCell::missing || tape_.kind(member.node) == Kind::null;
+    return is_null && options_.keys.missing == Missing::error && !requested_.samples &&
+           role_of_name(member.name) == Role::position && !requested_.has(member.name);
+  }
+
+  /// Members that are texts in the first key may hold numbers; those that are missing in it may hold nothing.
   void find_missing_numbers() {
-    if (std::ranges::none_of(members_, &FoundMember::text)) return;
+    const auto is_open = [&](const FoundMember& member) { return member.text || may_be_empty(member); };
+    if (std::ranges::none_of(members_, is_open)) return;
     constexpr std::size_t most_records = 1000;
     std::unordered_set<std::string_view> numbers, missing, texts;
     JsonCells cells;
@@ -355,6 +367,8 @@ class FirstKey {
       }
     }
     for (FoundMember& member : members_) {
+      const bool is_empty = !numbers.contains(member.name) && !texts.contains(member.name);
+      if (is_empty && may_be_empty(member)) member.text = member.is_empty = true;
       const bool has_numbers =
           numbers.contains(member.name) || (missing.contains(member.name) && !texts.contains(member.name));
       if (!member.text || !has_numbers) continue;

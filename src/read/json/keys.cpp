@@ -174,6 +174,10 @@ class KeyReader {
     const Kind kind = tape_.kind(value);
     const bool is_quoted = kind == Kind::string || kind == Kind::name;
     const std::string_view text = tape_.shown(value);
+    if (column.is_empty && (kind == Kind::number || (is_quoted && parse_number(text)))) {
+      const std::string& name = columns_.columns.ignored[column.channel];
+      return add_value_fault(value, number_in_empty_column(text, name, name));
+    }
     if (column.role == Role::ignored) return kind == Kind::null ? void() : keys_.set_mark(column, text);
     if (is_text(column)) return read_text(column, text, value);
     const bool is_time = column.role == Role::time && is_quoted;
