@@ -74,12 +74,17 @@ void assign(Columns& columns, std::size_t cell, Role role, const std::string& na
                                             : role == Role::group  ? &columns.groups
                                             : role == Role::carry  ? &columns.labels
                                                                    : nullptr;
-  if (several == nullptr && !is_of_channel(role) && role != Role::unused && columns.has(role)) {
+  const bool may_repeat = is_of_channel(role) || role == Role::unused || role == Role::clock;
+  if (several == nullptr && !may_repeat && columns.has(role)) {
     throw two_columns_for_role(role_name(role), name);
   }
-  columns.cells[cell] = {role, several == nullptr ? 0 : several->size()};
+  const auto clocks = std::ranges::count(columns.cells, Role::clock, &Columns::Column::role);
+  columns.cells[cell] = {role, several != nullptr      ? several->size()
+                               : role == Role::clock ? static_cast<std::size_t>(clocks)
+                                                     : 0};
   if (several != nullptr) several->push_back(name);
   if (role == Role::time) columns.time = name;
+  if (clocks > 0 && role == Role::clock) columns.time = "time";  // and no longer the year
 }
 
 /// The texts of a key are those of its groups, then its labels.
@@ -439,7 +444,8 @@ Columns requested_columns(std::span<const std::string> header, const std::vector
       if (request.unless_taken && (request.option.empty() ? role != Role::ignored : role == request.role)) continue;
       if (is_of_channel(request.role)) of_channels.push_back({cell, {request.role, request.channel}, name, true});
       const bool is_text = request.role == Role::group || request.role == Role::carry;
-      assign(columns, cell, request.role,
+      const bool is_after_date = request.role == Role::time && &name != &request.columns.front();
+      assign(columns, cell, is_after_date ? Role::clock : request.role,
              !header.empty() ? header[cell] : fmt::format("{}{}", is_text ? "column" : "", cell + 1));
     }
   }
@@ -511,6 +517,16 @@ Columns requested_columns(std::span<const std::string> header, const std::vector
 std::string requested_as(std::span<const std::string> names, std::size_t cell) {
   const bool is_named = cell < names.size() && std::ranges::count(names, names[cell]) == 1;
   return requested_as(is_named ? std::string_view(names[cell]) : "", cell);
+}
+
+std::vector<std::size_t> Columns::time_cells() const {
+  std::vector<std::size_t> found;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    if (cells[cell].role == Role::time || cells[cell].role == Role::clock) found.push_back(cell);
+  }
+  const auto place = [&](std::size_t cell) { return cells[cell].role == Role::time ? 0 : cells[cell].channel + 1; };
+  std::ranges::sort(found, {}, place);
+  return found;
 }
 
 std::string requested_as(std::string_view role, std::span<const std::string> names,

@@ -62,7 +62,7 @@ struct Columns {
   struct Column {
     Role role = Role::ignored;
     std::size_t channel = 0;  ///< of positions and of roles in one; of groups and labels, the index among the texts of
-                              ///< a key; of others, among the marks
+                              ///< a key; of clocks, among these; of others, among the marks
     bool is_text = false;     ///< it has no role because it holds texts,
     bool is_empty = false;    ///< or because its first cells have no number; another one with a number is a fault
   };
@@ -81,6 +81,8 @@ struct Columns {
   bool are_segments = false;  ///< each record is a segment: start, duration, positions and velocities of its ends
 
   bool has(Role role) const;
+  /// The cells that make the time of a record, in this order.
+  std::vector<std::size_t> time_cells() const;
   /// The names of the roles that shape a curve, such as tension and tension_x, and that a column has.
   std::vector<std::string> shape_roles() const;
   std::size_t texts() const { return groups.size() + labels.size(); }  ///< of each key

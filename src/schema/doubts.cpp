@@ -404,39 +404,21 @@ Found time_in_two_numbers(const FoundColumns& found) {
       "time=1,nanoseconds=2 if they are, or --columns time=1 if column 2 is a position");
 }
 
-/// The columns of a year, a month and a day: by their names, or the first three without names.
-std::optional<std::array<std::size_t, 3>> date_in_three(const FoundColumns& found) {
-  using Names = std::array<std::string_view, 4>;
-  constexpr std::array<Names, 3> parts{Names{"year", "yyyy", "yy", "yr"}, Names{"month", "mo", "mm", "mon"},
-                                       Names{"day", "dd", "dy", "da"}};
-  std::array<std::size_t, 3> cells{0, 1, 2};
-  for (std::size_t part = 0; part < parts.size() && !found.names.empty(); ++part) {
-    const auto at = std::ranges::find_if(found.names, [&](std::string_view name) {
-      if (name.starts_with('#')) name.remove_prefix(1);
-      return std::ranges::any_of(parts[part], [&](auto known) { return same_in_any_case(name, known); });
-    });
-    if (at == found.names.end()) return std::nullopt;
-    cells[part] = static_cast<std::size_t>(at - found.names.begin());
-  }
-  const bool are_dates = std::ranges::all_of(found.rows, [&](const auto& row) {
-    const auto is_whole_within = [&](std::size_t part, double least, double most) {
-      const double number = number_in(found, row, cells[part]);
-      return number >= least && number <= most && number == std::floor(number);
-    };
-    return is_whole_within(0, found.names.empty() ? 1900 : 0, 2100) && is_whole_within(1, 1, 12) &&
-           is_whole_within(2, 1, 31);
-  });
-  return are_dates && found.rows.size() > 1 ? std::optional(cells) : std::nullopt;
-}
-
 Found date_in_three_numbers(const FoundColumns& found) {
-  if (found.requested.timeless || !found.requested.roles.empty()) return std::nullopt;
-  const auto cells = date_in_three(found);
-  if (!cells) return std::nullopt;
+  if (found.requested.timeless || !found.requested.roles.empty() || found.columns.has(Role::clock)) return std::nullopt;
+  const std::vector<std::size_t> cells = parts_of_date(found.names, found.rows);
+  if (cells.empty()) return std::nullopt;
+  if (found.delimiter == 0) {
+    return error(
+        "the year, the month and the day seem to be in {}, {} and {}; expected one column of times, such as "
+        "2024-03-01T13:00; join them, or give --columns time=NAME if one of them is the time",
+        shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2]));
+  }
   return error(
-      "the year, the month and the day seem to be in {}, {} and {}; expected one column of times, such as "
-      "2024-03-01T13:00; join them, or give --columns time=NAME if one of them is the time",
-      shown(found, (*cells)[0]), shown(found, (*cells)[1]), shown(found, (*cells)[2]));
+      "the year, the month and the day seem to be in {}, {} and {}; expected to know the time; give --columns {} to join "
+      "them, with columns of the hour, the minute and the second if there are such, or --columns time=NAME if one of "
+      "them is the time",
+      shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2]), roles_of(found, "time", cells));
 }
 
 Found dates_as_numbers(const FoundColumns& found) {
@@ -828,9 +810,45 @@ std::string quaternion_of(const FoundColumns& found) {
   return "";
 }
 
+std::vector<std::size_t> parts_of_date(std::span<const std::string> names,
+                                       std::span<const std::vector<std::string_view>> rows) {
+  struct Part {
+    std::array<std::string_view, 4> names;
+    double least, most;
+  };
+  constexpr std::size_t needed = 3;
+  constexpr std::array<Part, 6> parts{Part{{"year", "yyyy", "yy", "yr"}, 0, 2100},
+                                      Part{{"month", "mo", "mm", "mon"}, 1, 12},
+                                      Part{{"day", "dd", "dy", "da"}, 1, 31},
+                                      Part{{"hour", "hh", "hr", "hours"}, 0, 23},
+                                      Part{{"minute", "mm", "mn", "min"}, 0, 59},
+                                      Part{{"second", "ss", "sec", "seconds"}, 0, 60}};
+  std::vector<std::size_t> cells;
+  for (const Part& part : parts) {
+    if (names.empty() && cells.size() == needed) break;
+    // The minute may have the name of the month, and follows the hour.
+    const std::size_t first = cells.size() <= needed ? 0 : cells.back() + 1;
+    std::size_t cell = names.empty() ? cells.size() : first;
+    for (; cell < names.size(); ++cell) {
+      std::string_view name = names[cell];
+      if (name.starts_with('#')) name.remove_prefix(1);
+      if (std::ranges::any_of(part.names, [&](auto known) { return same_in_any_case(name, known); })) break;
+    }
+    const double least = names.empty() && cells.empty() ? 1900 : part.least;
+    const bool fits = std::ranges::all_of(rows, [&](const auto& row) {
+      const double number = cell < row.size() ? parse_number(row[cell]).value_or(-1) : -1;
+      return number >= least && number <= part.most && (number == std::floor(number) || &part == &parts.back());
+    });
+    if (!fits || (!names.empty() && cell == names.size())) break;
+    cells.push_back(cell);
+  }
+  const bool is_clear = !names.empty() || rows.size() > 1;
+  return cells.size() >= needed && is_clear ? cells : std::vector<std::size_t>();
+}
+
 std::optional<double> first_time_gap(const FoundColumns& found) {
-  const std::vector<std::size_t> cells = cells_with(found, Role::time);
-  if (cells.empty() || found.rows.size() < 2 || found.columns.has(Role::nanoseconds)) return std::nullopt;
+  const std::vector<std::size_t> cells = found.columns.time_cells();
+  if (cells.size() != 1 || found.rows.size() < 2 || found.columns.has(Role::nanoseconds)) return std::nullopt;
   double first = nan, last = nan;
   for (const auto& row : found.rows) {
     const double time = number_in(found, row, cells[0]);

@@ -43,6 +43,11 @@ std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::
 /// The option that takes four neighbours of norm 1 as a quaternion; empty where there are none.
 std::string quaternion_of(const FoundColumns& found);
 
+/// The columns of a year, a month and a day, by their names, or the first three without names, as far as their numbers
+/// in the first records are such; with names, also of an hour, a minute and a second. Empty where there are none.
+std::vector<std::size_t> parts_of_date(std::span<const std::string> names,
+                                       std::span<const std::vector<std::string_view>> rows);
+
 /// The mean gap between the times of the first records; nothing unless they are whole numbers that increase.
 std::optional<double> first_time_gap(const FoundColumns& found);
 

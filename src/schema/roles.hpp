@@ -23,7 +23,7 @@ enum class Role {
   carry,
   unused,       ///< ignored on request
   nanoseconds,  ///< of the time, besides its whole seconds
-  clock,        ///< the time of day, besides the date that is the time
+  clock,        ///< the time of day besides the date that is the time; or what follows the year, each in a column
   // Of one channel:
   channel_tension,
   channel_continuity,

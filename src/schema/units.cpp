@@ -88,6 +88,12 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
   KeyUnits units;
   const bool is_timed = columns.has(Role::time);
   if (is_timed) units.notation = find_notation(first_time).value_or(TimeNotation::seconds);
+  if (columns.has(Role::clock) && !is_date(units.notation)) {
+    throw data_error(
+        "the columns of the time together are {}; expected a date and a time of day, or a year, a month and a day, with "
+        "an hour, a minute and a second if there are such; correct --columns time=",
+        in_quotes(first_time));
+  }
   if (is_date(units.notation)) {
     units.dates = date_format_of(options, first_time, columns.time);
   } else if (options.date_order && !options.are_optional) {

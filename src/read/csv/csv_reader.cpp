@@ -2,6 +2,7 @@
 #include "read/csv/csv_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <memory>
@@ -47,8 +48,7 @@ class RecordReader {
         tokenizer_(chunk, head.dialect),
         decimals_(head.marks),
         keys_(head.columns, head.rules, head.units),
-        time_cell_(cell_of(head.columns, Role::time)),
-        clock_cell_(cell_of(head.columns, Role::clock)) {}
+        time_cells_(head.columns.time_cells()) {}
 
   KeyBlock read() {
     while (!keys_.is_full() && next_record()) {
@@ -86,10 +86,9 @@ class RecordReader {
     }
     keys_.begin_key();
     for (std::size_t i = 0; i < expected; ++i) read_cell(cells_[i], head_.columns.cells[i]);
-    if (!keys_.complete_time()) add_fault(cells_[time_cell_], time_parts_not_whole(head_.columns.time));
+    if (!keys_.complete_time()) add_fault(cells_[time_cells_[0]], time_parts_not_whole(head_.columns.time));
     if (!keys_.end_key()) return;
-    const bool timed = time_cell_ < expected;
-    keys_.set_position(tokenizer_.line(), timed ? tokenizer_.column(cells_[time_cell_]) : 1);
+    keys_.set_position(tokenizer_.line(), time_cells_.empty() ? 1 : tokenizer_.column(cells_[time_cells_[0]]));
   }
 
   void read_cell(std::string_view cell, const Columns::Column& column) {
@@ -100,9 +99,9 @@ class RecordReader {
         break;
       case Role::group:
       case Role::carry: read_text(cell, column); break;
-      case Role::clock: break;  // read with the date
+      case Role::clock: break;  // read with the date, or the year
       case Role::time:
-        if (clock_cell_ < cells_.size()) return read_date_and_clock(cell, column);
+        if (time_cells_.size() > 1) return read_joined_time(column);
         if (!keys_.has_times_as_numbers()) {
           if (!keys_.set_time_in_words(bare(cell))) read_no_number(cell, column);
           return;
@@ -129,14 +128,17 @@ class RecordReader {
     }
   }
 
-  /// The time whose date is in this cell, and whose time of day is in another.
-  void read_date_and_clock(std::string_view cell, const Columns::Column& column) {
-    const std::string_view clock = cells_[clock_cell_];
-    if (is_missing_sign(number_text(clock), head_.rules.signs)) return read_no_number(clock, column);
-    const std::string text = unquoted(cell) + " " + unquoted(clock);
-    if (keys_.set_time_in_words(text)) return;
-    if (is_missing_sign(number_text(cell), head_.rules.signs)) return read_no_number(cell, column);
-    add_fault(cell, no_time(head_.columns.time, text));
+  /// The time whose parts are in several cells.
+  void read_joined_time(const Columns::Column& column) {
+    std::vector<std::string> parts;
+    std::optional<std::string_view> missing;
+    for (const std::size_t cell : time_cells_) {
+      parts.push_back(unquoted(cells_[cell]));
+      if (!missing && is_missing_sign(number_text(cells_[cell]), head_.rules.signs)) missing = cells_[cell];
+    }
+    if (missing) return read_no_number(*missing, column);
+    const std::string text = joined_time(parts);
+    if (!keys_.set_time_in_words(text)) add_fault(cells_[time_cells_[0]], no_time(head_.columns.time, text));
   }
 
   /// Why a text is not the time of a key.
@@ -212,8 +214,8 @@ class RecordReader {
     } else if (is_word(text, column)) {
       const std::string request = requested_as(column.role == Role::position ? name : "", index_of(cell));
       add_fault(cell, data_error("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or "
-                                 "give it to --na if it stands for a missing number, --columns {} to leave the column "
-                                 "out, or --group {} if it tells curves apart",
+                                 "give it to --na, with --missing skip-cell, if it stands for a missing number, "
+                                 "--columns {} to leave the column out, or --group {} if it tells curves apart",
                                  name, in_quotes(text), in_shell("ignore=" + request), in_shell(request)));
     } else {
       add_fault(cell, why_not_number(name, text, head_.marks));
@@ -279,7 +281,7 @@ class RecordReader {
   Decimals decimals_;
   KeyBuilder keys_;
   std::vector<std::string_view> cells_;
-  const std::size_t time_cell_, clock_cell_;
+  const std::vector<std::size_t> time_cells_;  ///< in the order of the parts of a time
 };
 
 /// Drops lines at the beginning. Throws: Error (data) where there are fewer.
@@ -346,6 +348,17 @@ InputOptions options_of_poses(const Format& format, Source<std::string>&, InputO
 }
 
 }  // namespace
+
+std::string joined_time(std::span<const std::string> parts) {
+  if (parts.size() < 3) return fmt::format("{}", fmt::join(parts, " "));
+  const auto part = [&](std::size_t i) { return i < parts.size() ? parts[i] : "0"; };
+  const auto padded = [&](std::size_t i) {
+    const bool has_one_digit = part(i).find_first_not_of("0123456789") == 1 || part(i).size() == 1;
+    return (has_one_digit ? "0" : "") + part(i);
+  };
+  const std::string date = fmt::format("{}-{}-{}", part(0), padded(1), padded(2));
+  return parts.size() == 3 ? date : fmt::format("{} {}:{}:{}", date, padded(3), padded(4), padded(5));
+}
 
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
 

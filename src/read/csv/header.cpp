@@ -9,6 +9,7 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -85,7 +86,7 @@ class HeadRecords {
  public:
   struct Record {
     std::vector<std::string> cells;
-    std::string comment;    ///< the comment line directly above
+    std::string comment;    ///< the one or two comment lines directly above
     std::size_t chunk = 0;  ///< index of its chunk, and the offset there
     std::size_t offset = 0;
     std::uint64_t line = 1;
@@ -110,22 +111,28 @@ class HeadRecords {
     const std::size_t before = records.size();
     bool more = true;
     for (HeadCells cells; records.size() < wanted_ && (more = tokenizer.next(cells));) {
-      if (!tokenizer.comment().empty() || tokenizer.follows_blank()) comment_.clear();
-      if (!tokenizer.comment().empty()) comment_ = tokenizer.comment();
+      add_comment(tokenizer);
       records.push_back(
           {texts(cells), std::exchange(comment_, {}), chunks.size(), tokenizer.offset(), tokenizer.line()});
       constexpr std::size_t most = 6;
       if (records.size() + 1 == wanted_ && wanted_ < most && may_describe(records.back().cells)) ++wanted_;
     }
-    if (!more && tokenizer.follows_blank()) comment_.clear();
-    if (!more && !tokenizer.comment().empty()) comment_ = tokenizer.comment();
+    if (!more) add_comment(tokenizer);
     if (records.size() == before && !tokenizer.broken()) return;
     if (records.size() == before) chunk.text = "\n";
     if (!records.empty()) chunks.push_back(std::move(chunk));
   }
 
+  void add_comment(const Tokenizer& tokenizer) {
+    if (tokenizer.follows_blank()) comment_.clear();
+    if (tokenizer.comment().empty()) return;
+    comment_ += fmt::format("{}{}", comment_.empty() ? "" : "\n", tokenizer.comment());
+    const std::size_t last = comment_.rfind('\n'), second = last == 0 ? last : comment_.rfind('\n', last - 1);
+    if (last != std::string::npos && second != std::string::npos) comment_.erase(0, second + 1);
+  }
+
   std::size_t wanted_ = 3;
-  std::string comment_;  ///< the last line, if it is a comment
+  std::string comment_;  ///< the last two lines, as far as they are comments
 };
 
 /// Whether the cell looks like a number. One with the other decimal mark, or with
@@ -253,14 +260,18 @@ bool has_meaning(const std::string& name, const ColumnOptions& options) {
   return role_of_name(name) != Role::position || options.has(name);
 }
 
-/// Whether a comment names columns: one of its words gives a role or, between delimiters, names a coordinate, and none
-/// is a number. Otherwise it may be any text, or a key that was commented out.
+/// Whether a comment names columns: one of its words gives a role or, between delimiters, names a coordinate, or several
+/// are parts of a date, and none is a number. Otherwise it may be any text, or a key that was commented out.
 bool are_names(const std::vector<std::string>& words, const DelimitedHead& head, const ColumnOptions& options) {
-  const auto is_number = [&](const std::string& word) { return may_be_number(word, head); };
+  const auto is_number = [&](const std::string& word) {
+    return !is_missing_sign(word, head.rules.signs) && may_be_number(word, head);
+  };
   const auto is_known = [&](const std::string& word) {
     return has_meaning(word, options) || is_usual_time(word) || (head.dialect.delimiter != ' ' && is_coordinate(word));
   };
-  return std::ranges::none_of(words, is_number) && (options.timeless || std::ranges::any_of(words, is_known));
+  const bool are_known =
+      options.timeless || std::ranges::any_of(words, is_known) || !parts_of_date(words, {}).empty();
+  return std::ranges::none_of(words, is_number) && are_known;
 }
 
 /// What to do where the first row has another number of cells than the header: with another delimiter the records may
@@ -436,15 +447,11 @@ void require_delimiter(const HeadRecords& first, const Dialect& dialect) {
       .at({"", record.line, 1});
 }
 
-/// The text of the time, without quotes: a date with its time of day where these are two cells; empty where there is
-/// none.
+/// The text of the time, without quotes; empty where there is none.
 std::string first_time(const std::vector<std::string>& cells, const Columns& columns) {
-  const auto text_of = [&](Role role) {
-    const std::size_t cell = cell_of(columns, role);
-    return cell < cells.size() ? cells[cell] : "";
-  };
-  const std::string time = text_of(Role::time);
-  return columns.has(Role::clock) ? time + " " + text_of(Role::clock) : time;
+  std::vector<std::string> parts;
+  for (const std::size_t cell : columns.time_cells()) parts.push_back(cell < cells.size() ? cells[cell] : "");
+  return joined_time(parts);
 }
 
 /// The cells of the first records, without reading further. Requires: `data` outlives them.
@@ -473,6 +480,7 @@ class RolesByCells {
   ColumnOptions complete() {
     const bool is_given = requested_.has(Role::time) || requested_.timeless;
     if (!is_given) take_date_and_clock();
+    if (!is_given && !requested_.has(Role::time)) take_parts_of_date();
     if (!requested_.has(Role::time) && !requested_.timeless) take_equal_times();
     if (!requested_.has(Role::time) && !requested_.timeless && !has_rate_) take_time_beside_frames();
     if (!names_.empty()) take_index();
@@ -520,6 +528,23 @@ class RolesByCells {
     request(Role::clock, *clock);
     notes_.push_back(fmt::format("the dates in column {} and the times of day in column {} are taken as one time",
                                  shown(*day), shown(*clock)));
+  }
+
+  /// A year, a month and a day in columns of these names are one time, with an hour, a minute and a second.
+  void take_parts_of_date() {
+    const std::vector<std::size_t> parts = parts_of_date(names_, rows_);
+    if (names_.empty() || parts.empty() || std::ranges::any_of(parts, [&](auto cell) { return is_requested(cell); }))
+      return;
+    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
+      if (is_time(cell) && std::ranges::count(parts, cell) == 0) return;
+    }
+    std::vector<std::string> columns, shown_columns;
+    for (const std::size_t cell : parts) {
+      columns.push_back(requested_as(names_, cell));
+      shown_columns.push_back(names_[cell]);
+    }
+    requested_.roles.push_back({Role::time, columns});
+    notes_.push_back(fmt::format("columns {} are taken as one time", listed(shown_columns)));
   }
 
   /// Two columns of times with the same cells are one time, as in tables of ROS.
@@ -773,10 +798,22 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   const std::size_t below = data;
   if (header && !columns.samples) data = first_key(first.records);
   if (data == first.records.size()) refuse_header_alone(first.records[0]);
+  std::span<const HeadRecords::Record> described = std::span(first.records).subspan(below, data - below);
+  HeadRecords::Record units;
   if (!header && !options.delimited.header && !first.records[0].comment.empty()) {
-    auto above = comment_names(first.records[0].comment, dialect, first.records[0].cells.size());
-    if (above.size() == first.records[0].cells.size() && are_names(above, head, columns)) {
+    const std::size_t cells = first.records[0].cells.size();
+    std::string_view comment = first.records[0].comment;
+    const std::size_t last = comment.rfind('\n') + 1;
+    std::vector<std::string> above = comment_names(comment.substr(last), dialect, cells);
+    const std::set<std::string> different(above.begin(), above.end());
+    if (last > 0 && above.size() == cells && (are_units(above) || different.size() < cells)) {
+      units.line = position.line - 1;
+      units.cells = std::exchange(above, comment_names(comment.substr(0, last - 1), dialect, cells));
+      --position.line;
+    }
+    if (above.size() == cells && are_names(above, head, columns)) {
       names = std::move(above);
+      if (!units.cells.empty()) described = {&units, 1};
       --position.line;
     }
   }
@@ -813,7 +850,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     } else {
       find_key_columns(head, names, numeric, cells_of(rest[0], dialect), options, unread);
     }
-    take_descriptions(head, std::span(first.records).subspan(below, data - below), options.units);
+    take_descriptions(head, described, options.units);
     if (has_commas) head.columns.doubts.emplace_back("the comma in numbers is taken as the decimal mark");
     head.units = units_of_keys(options.units, head.columns, first_time(row.cells, head.columns));
   });

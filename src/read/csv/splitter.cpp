@@ -129,18 +129,23 @@ Beginning find_delimiter(const Source<std::string>& bytes, std::optional<char> k
   const Dialect any{' ', options.comment};
   Beginning beginning;
   std::string& text = beginning.text;
+  std::optional<std::size_t> last;  // where the line above the record is, if it is a comment
   for (std::size_t record = 0;;) {
     const std::size_t before = text.size();
     const bool more = append_next(text, bytes);
     if (text.size() > longest_record) refuse_long_record(beginning.line);
     if (more && text.find('\n', before) == std::string::npos) continue;
-    std::size_t kept = 0;  // from here on: without the lines before the record, but for a comment directly above it
+    std::size_t kept = 0;  // from here on: without the lines before the record, but for two comments directly above it
     for (std::size_t end = 0; (end = text.find('\n', record)) != std::string::npos; record = end + 1) {
       const std::string_view line = trimmed(std::string_view(text).substr(record, end - record));
       const bool is_comment = any.is_comment(line);
       if (!is_comment && !line.empty() && !any.is_divider(line)) break;
-      if (is_comment || line.empty()) kept = is_comment ? record : end + 1;
+      if (is_comment || line.empty()) {
+        kept = is_comment ? last.value_or(record) : end + 1;
+        last = is_comment ? std::optional(record) : std::nullopt;
+      }
     }
+    if (last) *last -= kept;
     beginning.line += count_lines(std::string_view(text).substr(0, kept));
     text.erase(0, kept);
     record -= kept;

@@ -106,7 +106,8 @@ bool Tokenizer::skip_to_record() {
     const bool divides = dialect_.is_divider(left);
     if (divides || dialect_.is_comment(left)) {
       const std::size_t size = std::min(left.find('\n'), left.size());
-      if (!divides) comment_ = left.substr(0, size);
+      const char* const begin = comment_.empty() ? at_ : comment_.data();
+      comment_ = divides ? std::string_view() : std::string_view(begin, static_cast<std::size_t>(at_ + size - begin));
       broken_ = broken_ || divides;
       at_ += size;
     } else if (at_line_end()) {
