@@ -201,7 +201,7 @@ constexpr OptionRow option_rows[] = {
      "", other, recorded, [](Typed& to, Text text) { to.keys.input.keys.signs = column_list(text); }},
     {"--time-unit", "", "UNIT", input_group,
      "The unit of times: s, ms, us, ns, min, h, d or frames; --rate is then per second. By default the name of the "
-     "column tells the unit, as in time_ms",
+     "column tells the unit, as in time_ms. With min, times such as 06:45 are hours and minutes",
      "", name, recorded,
      [](Typed& to, Text text) { to.keys.input.units.time = named_row(time_units, text).unit; }, names_in<time_units>},
     {"--input-fps", "", "HZ", input_group,

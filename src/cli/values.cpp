@@ -169,7 +169,8 @@ std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_v
         in_quotes(text));
   }
   const DateOrder order = needs_order ? *units.date_order : DateOrder::ymd;
-  const auto seconds = read_time(text, *notation, units.frame_rate.value_or(1), order);
+  const std::string whole = fmt::format("{}{}", text, ends_with_minutes(units, text) ? ":00" : "");
+  const auto seconds = read_time(whole, *notation, units.frame_rate.value_or(1), order);
   if (!seconds) throw usage_error("{} is not a time that exists; correct it", in_quotes(text));
   return seconds;
 }

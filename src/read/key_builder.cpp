@@ -148,6 +148,8 @@ bool KeyBuilder::take(const Columns::Column& column, double number, std::string_
 }
 
 bool KeyBuilder::set_time_in_words(std::string_view text) {
+  const std::string with_seconds = units_.are_hours_and_minutes ? std::string(text) + ":00" : "";
+  if (units_.are_hours_and_minutes) text = with_seconds;
   const bool has_clock = text.find(':') != std::string_view::npos;
   if (has_clock && half_of_day(text).empty() != units_.dates.half_of_day.empty()) return false;
   if (is_date(units_.notation) && units_.dates.month_name.empty() && !keeps_decimals()) {

@@ -12,7 +12,9 @@
 #include "formats/formats.hpp"
 #include "io/atomic_output.hpp"
 #include "io/input_file.hpp"
+#include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
+#include "numbers/time_notation.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
 #include "run/curve_pipeline.hpp"
@@ -189,6 +191,7 @@ Overshoot largest_overshoot(const spline::Curve<double>& curve, const spline::Cu
 
 /// Counts and facts of one curve.
 struct CurveOutcome {
+  TimeSchema time;
   std::size_t keys = 0;
   std::optional<std::uint64_t> rows;  ///< nothing if no samples are requested
   std::optional<Time> first, last;    ///< times of the keys, where they are known
@@ -199,6 +202,16 @@ struct CurveOutcome {
   std::optional<Gap> least_gap, largest_gap;
   std::string overshoot;     ///< in words
   bool has_missing = false;  ///< numbers, so that the cubics of a channel are cut where others have keys
+
+  /// A time as the input writes it, to milliseconds where it is in words.
+  std::string shown(const Time& value) const {
+    const Rational exact = exact_time(value), rate = time.frame_rate.value_or(1);
+    const bool is_number = time.notation == TimeNotation::seconds || time.notation == TimeNotation::frames;
+    const auto decimals = floor(exact) == exact ? std::nullopt : std::optional(3);
+    const auto words = is_number ? std::nullopt : time_in_words(exact, time.notation, rate, decimals, time.dates);
+    return words.value_or(time_text(value));
+  }
+  std::string shown(const Gap& gap) const { return fmt::format("from {} to {}", shown(gap.from), shown(gap.to)); }
 
   void add(const KeyBlock& block) {
     keys += block.size();
@@ -218,9 +231,8 @@ struct CurveOutcome {
 };
 
 /// Places the samples of a curve if they are requested, and reads its keys to the end.
-CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, bool has_samples,
-                        const std::vector<std::string>& channels) {
-  CurveOutcome outcome;
+CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, bool has_samples, const Schema& schema) {
+  CurveOutcome outcome{.time = schema.time};
   const bool no_overshoot = pipeline.spec().rules.no_overshoot;
   const Source<KeyBlock> seen = observed(keys, [&outcome](const KeyBlock& block) { outcome.add(block); });
   if (!has_samples) {
@@ -231,9 +243,8 @@ CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, b
     const Overshoot largest = largest_overshoot(kept->curve(), pipeline.spec().rules);
     if (!no_overshoot && !outcome.has_missing && largest.part > 0.01) {
       const auto times = kept->curve().times();
-      outcome.overshoot =
-          fmt::format("{:.6g} in {} from {} to {}", largest.size, channels[largest.channel],
-                      time_text(Time(times[largest.segment])), time_text(Time(times[largest.segment + 1])));
+      outcome.overshoot = fmt::format("{:.6g} in {} {}", largest.size, schema.channels[largest.channel],
+                                      outcome.shown({Time(times[largest.segment]), Time(times[largest.segment + 1])}));
     }
     return outcome;
   }
@@ -250,21 +261,17 @@ CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, b
   return outcome;
 }
 
-std::string range_text(const CurveOutcome& outcome) {
-  return fmt::format("from {} to {}", time_text(*outcome.first), time_text(*outcome.last));
-}
-
 /// The largest gap between two keys, where it is more than twice the least.
 std::string gap_text(const CurveOutcome& outcome) {
   if (!outcome.largest_gap || !(outcome.least_gap->size() + outcome.least_gap->size() < outcome.largest_gap->size()))
     return "";
-  return fmt::format("from {} to {}", time_text(outcome.largest_gap->from), time_text(outcome.largest_gap->to));
+  return outcome.shown(*outcome.largest_gap);
 }
 
 /// A single curve, in several lines.
 Facts lines_of(const CurveOutcome& outcome) {
   Facts lines{{"keys", fmt::format("{}", outcome.keys)}};
-  if (outcome.first) lines.emplace_back("curve", range_text(outcome));
+  if (outcome.first) lines.emplace_back("curve", outcome.shown({*outcome.first, *outcome.last}));
   if (const std::string gap = gap_text(outcome); !gap.empty()) {
     lines.emplace_back("largest gap", fmt::format("{}; --max-gap begins a new curve at gaps", gap));
   }
@@ -287,7 +294,7 @@ std::string number_of(std::uint64_t count, const char* what) {
 /// One of several curves, in one line.
 std::string line_of(const CurveOutcome& outcome) {
   std::string text = number_of(outcome.keys, "key");
-  if (outcome.first) text += ", " + range_text(outcome);
+  if (outcome.first) text += ", " + outcome.shown({*outcome.first, *outcome.last});
   if (const std::string gap = gap_text(outcome); !gap.empty()) text += ", largest gap " + gap;
   if (!outcome.overshoot.empty()) text += ", largest overshoot " + outcome.overshoot;
   if (outcome.facts.length) text += fmt::format(", length {}", *outcome.facts.length);
@@ -318,7 +325,7 @@ Facts facts_of_curves(const Input& input, const ExplainJob& job, bool live) {
       append(facts, intentions(job, input.schema, input.facts.tcb,
                                has_metric ? pipeline.spec().rules.metric : std::vector<std::size_t>{}));
     }
-    CurveOutcome outcome = outcome_of(pipeline, curve->keys, job.has_samples, input.schema.channels);
+    CurveOutcome outcome = outcome_of(pipeline, curve->keys, job.has_samples, input.schema);
     outcome.ends_at_key = !job.samples.request.to && !pipeline.spec().closed;
     keys += outcome.keys;
     rows += outcome.rows.value_or(0);

@@ -79,7 +79,7 @@ void assign(Columns& columns, std::size_t cell, Role role, const std::string& na
     throw two_columns_for_role(role_name(role), name);
   }
   const auto clocks = std::ranges::count(columns.cells, Role::clock, &Columns::Column::role);
-  columns.cells[cell] = {role, several != nullptr      ? several->size()
+  columns.cells[cell] = {role, several != nullptr    ? several->size()
                                : role == Role::clock ? static_cast<std::size_t>(clocks)
                                                      : 0};
   if (several != nullptr) several->push_back(name);

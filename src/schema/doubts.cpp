@@ -415,7 +415,8 @@ Found date_in_three_numbers(const FoundColumns& found) {
         shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2]));
   }
   return error(
-      "the year, the month and the day seem to be in {}, {} and {}; expected to know the time; give --columns {} to join "
+      "the year, the month and the day seem to be in {}, {} and {}; expected to know the time; give --columns {} to "
+      "join "
       "them, with columns of the hour, the minute and the second if there are such, or --columns time=NAME if one of "
       "them is the time",
       shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2]), roles_of(found, "time", cells));
@@ -628,9 +629,9 @@ Found minutes_and_seconds(const FoundColumns& found) {
   if (found.rows.empty() || times.empty() || times[0] >= found.rows[0].size()) return std::nullopt;
   const std::string_view time = found.rows[0][times[0]];
   const bool is_short = find_notation(time) == TimeNotation::clock && std::ranges::count(time, ':') == 1;
-  if (!is_short || !half_of_day(time).empty()) return std::nullopt;
-  return note("times such as {} are taken as minutes and seconds; those of hours and minutes need seconds, as in {}:00",
-              in_quotes(time), time);
+  if (!is_short || !half_of_day(time).empty() || found.has_time_unit) return std::nullopt;
+  return note("times such as {} are taken as minutes and seconds; --time-unit min takes them as hours and minutes",
+              in_quotes(time));
 }
 
 /// The list. The first error is the one that is shown.
@@ -817,12 +818,10 @@ std::vector<std::size_t> parts_of_date(std::span<const std::string> names,
     double least, most;
   };
   constexpr std::size_t needed = 3;
-  constexpr std::array<Part, 6> parts{Part{{"year", "yyyy", "yy", "yr"}, 0, 2100},
-                                      Part{{"month", "mo", "mm", "mon"}, 1, 12},
-                                      Part{{"day", "dd", "dy", "da"}, 1, 31},
-                                      Part{{"hour", "hh", "hr", "hours"}, 0, 23},
-                                      Part{{"minute", "mm", "mn", "min"}, 0, 59},
-                                      Part{{"second", "ss", "sec", "seconds"}, 0, 60}};
+  constexpr std::array<Part, 6> parts{
+      Part{{"year", "yyyy", "yy", "yr"}, 0, 2100}, Part{{"month", "mo", "mm", "mon"}, 1, 12},
+      Part{{"day", "dd", "dy", "da"}, 1, 31},      Part{{"hour", "hh", "hr", "hours"}, 0, 23},
+      Part{{"minute", "mm", "mn", "min"}, 0, 59},  Part{{"second", "ss", "sec", "seconds"}, 0, 60}};
   std::vector<std::size_t> cells;
   for (const Part& part : parts) {
     if (names.empty() && cells.size() == needed) break;

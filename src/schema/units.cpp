@@ -43,7 +43,8 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
   if (!format.needs_order()) {
     if (options.date_order && !options.are_optional)
       throw data_error(
-          "the dates in column {}, such as {}, tell their order; expected dates of numbers with the year last, or years "
+          "the dates in column {}, such as {}, tell their order; expected dates of numbers with the year last, or "
+          "years "
           "of two digits; remove the option",
           in_quotes(column), in_quotes(date))
           .about("--date-order");
@@ -84,13 +85,19 @@ std::optional<TimeUnit> epoch_unit_of(std::string_view time) {
 
 }  // namespace
 
+bool ends_with_minutes(const UnitOptions& options, std::string_view time) {
+  return options.time == TimeUnit::minutes && find_notation(time) == TimeNotation::clock &&
+         std::ranges::count(time, ':') == 1;
+}
+
 KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::string_view first_time) {
   KeyUnits units;
   const bool is_timed = columns.has(Role::time);
   if (is_timed) units.notation = find_notation(first_time).value_or(TimeNotation::seconds);
   if (columns.has(Role::clock) && !is_date(units.notation)) {
     throw data_error(
-        "the columns of the time together are {}; expected a date and a time of day, or a year, a month and a day, with "
+        "the columns of the time together are {}; expected a date and a time of day, or a year, a month and a day, "
+        "with "
         "an hour, a minute and a second if there are such; correct --columns time=",
         in_quotes(first_time));
   }
@@ -102,6 +109,7 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
         .about("--date-order");
   }
   if (units.notation == TimeNotation::clock) units.dates.half_of_day = half_of_day(first_time);
+  units.are_hours_and_minutes = ends_with_minutes(options, first_time);
   units.frame_rate = options.frame_rate;
   if (counts_frames(units.notation) && !options.frame_rate) throw times_without_rate(columns.time);
   const bool is_number = units.notation == TimeNotation::seconds;

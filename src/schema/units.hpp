@@ -32,6 +32,7 @@ struct UnitOptions {
 struct KeyUnits {
   TimeNotation notation = TimeNotation::seconds;  ///< of the times
   DateFormat dates = {};                          ///< of times that are dates
+  bool are_hours_and_minutes = false;             ///< times such as 06:45, which are else minutes and seconds
   std::optional<TimeUnit> epoch_unit = {};        ///< in which times without a unit seem to count from 1970
   std::optional<Rational> frame_rate = {};        ///< of timecode
   std::vector<Rational> factors = {};             ///< of the numbers of a key, in the order of NumberOfKey; none: all 1
@@ -39,6 +40,9 @@ struct KeyUnits {
 
 /// The times in a column are frames or timecode.
 Error times_without_rate(std::string_view column);
+
+/// Whether a time such as 06:45 is hours and minutes, as --time-unit min says.
+bool ends_with_minutes(const UnitOptions& options, std::string_view time);
 
 /// The units of keys, whose notation of times is that of the first of them. Throws: Error (data) for timecode without a
 /// rate, dates without their order, units of time that contradict each other, and a channel that no column is.

@@ -153,6 +153,7 @@ std::optional<TimeUnit> unit_of_time(std::string_view name) {
   if (alone.size() < name.size()) {  // in brackets
     const std::size_t unit = name.find_first_not_of(" ,/", alone.size());
     found = unit == std::string_view::npos ? nullptr : find_unit(compact(name.substr(unit)), true);
+    if (found == nullptr && compact(alone).size() > 1) found = find_unit(compact(alone));  // as in JD(TT)
   } else if (has(frame_names, whole)) {
     return TimeUnit::frames;
   } else if (separator != std::string_view::npos && is_time(compact(name.substr(0, separator)))) {  // as in t_s

@@ -187,9 +187,9 @@ class RecordReader {
               ? data_error(
                     "{}: found {}; expected a number, as each row is a whole segment; fill it in, or remove the row",
                     name, missing_cell(text))
-          : column.role == Role::position && head_.begin_empty[index_of(cell)]
-              ? data_error("{}: found {}, as at the beginning; expected a number; fill it in, or give --columns {} to "
-                           "leave the column out, or --missing skip-cell, skip-row or break",
+          : column.role == Role::position && head_.columns.channels.size() > 1
+              ? data_error("{}: found {}; expected a number; fill it in, or give --missing skip-cell, skip-row or "
+                           "break, or --columns {} to leave the column out",
                            name, missing_cell(text),
                            in_shell("ignore=" + requested_as(head_.columns.named ? name : "", index_of(cell))))
           : is_of_time

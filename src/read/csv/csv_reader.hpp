@@ -31,7 +31,6 @@ struct DelimitedHead {
   InputFacts facts = {};                   ///< about names, texts and times
   bool strips_units = false;               ///< units after numbers are removed
   std::optional<TimeUnit> time_unit = {};  ///< from a row of units
-  std::vector<bool> begin_empty = {};      ///< for each column, whether its first two cells have no number
   bool is_of_format = false;               ///< the format has the columns, not the text
   bool begins_with_value = false;          ///< the first cell of the first record is a number or a time
 };

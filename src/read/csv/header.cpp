@@ -177,15 +177,13 @@ std::vector<std::size_t> repeated_words(const HeadRecords& first, const Delimite
 /// A column holds numbers unless both of the first two data records have text in it, or it has neither cells nor a
 /// name. Without names that is told of the first column of keys alone: a column of samples may begin without numbers.
 std::vector<bool> numeric_columns(const HeadRecords& first, std::size_t data, const std::vector<std::string>& names,
-                                  bool are_samples, DelimitedHead& head) {
+                                  bool are_samples, const DelimitedHead& head) {
   const auto& one = first.records[data].cells;
   const auto& two = data + 1 < first.records.size() ? first.records[data + 1].cells : one;
   std::vector<bool> numeric(one.size());
-  head.begin_empty.resize(one.size());
   for (std::size_t i = 0; i < one.size(); ++i) {
     const std::string_view below = i < two.size() ? std::string_view(two[i]) : "";
-    head.begin_empty[i] = is_missing_sign(one[i], head.rules.signs) && is_missing_sign(below, head.rules.signs);
-    const bool nothing = head.begin_empty[i] && (names.empty() ? i == 0 && !are_samples : names[i].empty());
+    const bool nothing = one[i].empty() && below.empty() && (names.empty() ? i == 0 && !are_samples : names[i].empty());
     numeric[i] = !nothing && (may_be_number(one[i], head) || (i < two.size() && may_be_number(below, head)));
   }
   return numeric;
@@ -260,8 +258,8 @@ bool has_meaning(const std::string& name, const ColumnOptions& options) {
   return role_of_name(name) != Role::position || options.has(name);
 }
 
-/// Whether a comment names columns: one of its words gives a role or, between delimiters, names a coordinate, or several
-/// are parts of a date, and none is a number. Otherwise it may be any text, or a key that was commented out.
+/// Whether a comment names columns: one of its words gives a role or, between delimiters, names a coordinate, or
+/// several are parts of a date, and none is a number. Otherwise it may be any text, or a key that was commented out.
 bool are_names(const std::vector<std::string>& words, const DelimitedHead& head, const ColumnOptions& options) {
   const auto is_number = [&](const std::string& word) {
     return !is_missing_sign(word, head.rules.signs) && may_be_number(word, head);
@@ -269,8 +267,7 @@ bool are_names(const std::vector<std::string>& words, const DelimitedHead& head,
   const auto is_known = [&](const std::string& word) {
     return has_meaning(word, options) || is_usual_time(word) || (head.dialect.delimiter != ' ' && is_coordinate(word));
   };
-  const bool are_known =
-      options.timeless || std::ranges::any_of(words, is_known) || !parts_of_date(words, {}).empty();
+  const bool are_known = options.timeless || std::ranges::any_of(words, is_known) || !parts_of_date(words, {}).empty();
   return std::ranges::none_of(words, is_number) && are_known;
 }
 
@@ -294,6 +291,14 @@ std::string remedy_for_row(const HeadRecords& first, std::size_t data, const Dia
   return is_table
              ? fmt::format("{}, or give --skip-lines {} if what is above the row is no header", lines, row.line - 1)
              : lines;
+}
+
+/// Whether the names lack that of the first cells, which are in quotes and name the rows, as R writes them.
+bool has_row_names(const std::vector<std::string>& names, const HeadRecords& first, std::size_t data) {
+  return std::all_of(first.records.begin() + static_cast<std::ptrdiff_t>(data), first.records.end(),
+                     [&](const auto& row) {
+                       return row.cells.size() == names.size() + 1 && first.chunks[row.chunk].text[row.offset] == '"';
+                     });
 }
 
 /// Throws: Error (data) if the first record has another number of cells than there are names, if there are any.
@@ -702,16 +707,17 @@ class RolesByCells {
   std::vector<std::string> notes_;
 };
 
-/// The columns of numbers without those that are positions by their names alone and have no number in the first records.
-std::vector<bool> without_empty(std::vector<bool> numeric, const std::vector<std::string>& names, const HeadRows& rows,
-                                const DelimitedHead& head, const ColumnOptions& requested) {
+/// The columns of numbers without those that are positions by their names alone and have no number in the first
+/// records.
+std::vector<bool> with_numbers(std::vector<bool> numeric, const std::vector<std::string>& names, const HeadRows& rows,
+                               const DelimitedHead& head, const ColumnOptions& requested) {
   for (std::size_t cell = 0; cell < names.size(); ++cell) {
-    const auto is_empty = [&](const HeadCells& row) {
-      return cell >= row.size() || is_missing_sign(row[cell], head.rules.signs);
+    const auto has_none = [&](const HeadCells& row) {
+      return cell >= row.size() || is_missing_sign(row[cell], head.rules.signs) || !begins_like_number(row[cell]);
     };
     const bool is_requested = requested.has(names[cell]) || requested.has(fmt::format("{}", cell + 1));
-    if (!head.begin_empty[cell] || is_requested || role_of_name(names[cell]) != Role::position) continue;
-    if (std::ranges::all_of(rows, is_empty)) numeric[cell] = false;
+    if (is_requested || role_of_name(names[cell]) != Role::position) continue;
+    if (std::ranges::all_of(rows, has_none)) numeric[cell] = false;
   }
   return numeric;
 }
@@ -720,7 +726,7 @@ std::vector<bool> without_empty(std::vector<bool> numeric, const std::vector<std
 void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std::vector<bool> numeric,
                       const HeadRows& rows, const InputOptions& options, const std::vector<std::size_t>& unread) {
   ColumnOptions requested = options.columns;
-  if (options.keys.missing == Missing::error) numeric = without_empty(std::move(numeric), names, rows, head, requested);
+  if (options.keys.missing == Missing::error) numeric = with_numbers(std::move(numeric), names, rows, head, requested);
   for (const std::size_t cell : unread) {
     const std::string column = fmt::format("{}", cell + 1);
     const bool is_requested = requested.has(column) || (cell < names.size() && requested.has(names[cell]));
@@ -749,7 +755,9 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
   }
   for (std::size_t cell = 0; cell < numeric.size(); ++cell) {
     Columns::Column& column = head.columns.cells[cell];
-    column.is_empty = column.is_text && head.begin_empty[cell];
+    column.is_empty = column.is_text && std::ranges::all_of(rows, [&](const HeadCells& row) {
+                        return cell >= row.size() || is_missing_sign(row[cell], head.rules.signs);
+                      });
   }
   if (!head.is_of_format) {
     const FoundColumns found{
@@ -762,7 +770,8 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
         .delimiter = head.dialect.delimiter,
         .has_rotations = options.rotation.none || !options.rotation.requests.empty(),
         .has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown || options.has_shown_tcb_scale,
-        .has_header = options.delimited.header.has_value()};
+        .has_header = options.delimited.header.has_value(),
+        .has_time_unit = options.units.time.has_value()};
     std::ranges::copy(doubts_of_columns(found), std::back_inserter(notes));
     head.columns.time_gap = first_time_gap(found);
   }
@@ -834,6 +843,8 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     auto between = names_between_blanks(first.chunks[first.records[0].chunk], first.records[0].offset);
     if (between.size() == row.cells.size()) names = std::move(between);
   }
+  const bool lacks_name = !names.empty() && !head.is_of_format && has_row_names(names, first, data);
+  if (lacks_name) names.insert(names.begin(), "");
   require_names_for_cells(names, first, data, head);
   head.begins_with_value = may_be_value(row.cells[0], head);
   head.facts.encoding = convert_names(names, position);
@@ -851,6 +862,9 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
       find_key_columns(head, names, numeric, cells_of(rest[0], dialect), options, unread);
     }
     take_descriptions(head, described, options.units);
+    if (lacks_name) {
+      head.columns.doubts.emplace_back("the header has no name for the first column, which is taken as names of rows");
+    }
     if (has_commas) head.columns.doubts.emplace_back("the comma in numbers is taken as the decimal mark");
     head.units = units_of_keys(options.units, head.columns, first_time(row.cells, head.columns));
   });

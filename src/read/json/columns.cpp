@@ -851,6 +851,7 @@ class FirstKey {
         .has_rotations = options_.rotation.none || !options_.rotation.requests.empty(),
         .has_tcb_scale = options_.keys.tcb_scale != TcbScale::unknown || options_.has_shown_tcb_scale,
         .has_header = true,
+        .has_time_unit = options_.units.time.has_value(),
         .meant = std::move(meant),
         .array = arrays.size() == 1 ? arrays[0] : ""};
     columns.columns.doubts = doubts_of_columns(found);
