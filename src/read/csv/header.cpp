@@ -9,7 +9,6 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
-#include <set>
 #include <span>
 #include <utility>
 
@@ -813,17 +812,16 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     const std::size_t cells = first.records[0].cells.size();
     std::string_view comment = first.records[0].comment;
     const std::size_t last = comment.rfind('\n') + 1;
-    std::vector<std::string> above = comment_names(comment.substr(last), dialect, cells);
-    const std::set<std::string> different(above.begin(), above.end());
-    if (last > 0 && above.size() == cells && (are_units(above) || different.size() < cells)) {
-      units.line = position.line - 1;
-      units.cells = std::exchange(above, comment_names(comment.substr(0, last - 1), dialect, cells));
-      --position.line;
-    }
-    if (above.size() == cells && are_names(above, head, columns)) {
-      names = std::move(above);
-      if (!units.cells.empty()) described = {&units, 1};
-      --position.line;
+    std::vector<std::string> below_names = comment_names(comment.substr(last), dialect, cells), above;
+    if (last > 0) above = comment_names(comment.substr(0, last - 1), dialect, cells);
+    const auto are_of_row = [&](const auto& words) { return words.size() == cells && are_names(words, head, columns); };
+    const bool are_above = are_of_row(above) && below_names.size() == cells;  // with units below them
+    if (are_above || are_of_row(below_names)) names = are_above ? above : below_names;
+    if (!names.empty()) position.line -= are_above ? 2 : 1;
+    if (are_above) {
+      units.cells = std::move(below_names);
+      units.line = position.line + 1;
+      described = {&units, 1};
     }
   }
   const auto& row = first.records[data];

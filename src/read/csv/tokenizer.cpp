@@ -106,8 +106,9 @@ bool Tokenizer::skip_to_record() {
     const bool divides = dialect_.is_divider(left);
     if (divides || dialect_.is_comment(left)) {
       const std::size_t size = std::min(left.find('\n'), left.size());
-      const char* const begin = comment_.empty() ? at_ : comment_.data();
-      comment_ = divides ? std::string_view() : std::string_view(begin, static_cast<std::size_t>(at_ + size - begin));
+      const bool follows_comment = !comment_.empty() && comment_.data() + comment_.size() + 1 == record_;
+      const char* const begin = follows_comment ? comment_.data() : at_;
+      if (!divides) comment_ = {begin, static_cast<std::size_t>(at_ + size - begin)};
       broken_ = broken_ || divides;
       at_ += size;
     } else if (at_line_end()) {

@@ -230,6 +230,10 @@ class FirstKey {
       require_no_lost_arrays();
       require_no_vectors();
       result.columns = find_columns(header, numeric, requests(), requested_.timeless);
+      if (result.columns.has(Role::clock))
+        throw data_error(
+            "the time of a record is one member, and cannot be joined from several; expected one; join them")
+            .about("--columns");
       for (const FoundMember& member : members_) {
         if (member.is_empty) result.columns.cells[member.cell].is_empty = result.columns.cells[member.cell].is_text;
       }
