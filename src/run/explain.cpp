@@ -45,9 +45,8 @@ std::string in_words(const spline::RotationNotation& notation) {
     words += ' ';
     for (const std::size_t axis : notation.axes) words += (notation.intrinsic ? "XYZ" : "xyz")[axis];
   }
-  using enum spline::RotationForm;
-  const bool has_angles = notation.form == axis_angle || notation.form == euler || notation.form == rotation_vector;
-  return has_angles ? words + (notation.degrees ? " in degrees" : " in radians") : words;
+
+  return notation.has_angles() ? words + (notation.degrees ? " in degrees" : " in radians") : words;
 }
 
 std::string unit_in_words(const TimeSchema& time) {

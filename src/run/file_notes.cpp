@@ -116,6 +116,11 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   if (!request.rate_as_decimal.empty() && request.rate_as_decimal != units.rate_as_decimal) {
     add(broadcast_note(request.rate_as_decimal, Rational(1) / request.step));
   }
+  const RotationOptions& rotation = options.input.rotation;
+  const auto has_angles = [](const GivenRotation& given) { return given.notation.has_angles(); };
+  if (!rotation.degrees && std::ranges::any_of(rotation.requests, has_angles)) {
+    add(important("the angles of rotations are taken as radians; --angles degrees gives the other unit"));
+  }
   time_name_ = input.schema.time.name;
   const TimeSchema& time = input.schema.time;
   const auto& period = options.rules.period;
@@ -127,8 +132,8 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
                   time.name, row_of(*time.epoch_unit).name));
   } else if (has_duration && !time.unit) {
     add(important(
-        "the unit of the times in column \"{}\" is unknown; they are taken as seconds; --time-unit gives another one",
-        time.name));
+        "the unit of the times in column {} is unknown; they are taken as seconds; --time-unit gives another one",
+        input.schema.named ? in_quotes(time.name) : "1"));
   }
   if (request.is_rate && input.schema.time.unit == TimeUnit::frames) {
     add(important(

@@ -263,6 +263,19 @@ void add_rotation(Schema& schema, GivenRotation given, const Columns& columns) {
   schema.rotations.push_back(std::move(rotation));
 }
 
+/// Throws: Error (data) for angles that are in degrees by the name of their column.
+void require_radians(const GivenRotation& rotation, const Columns& columns) {
+  for (const std::size_t channel : rotation.channels) {
+    const std::string& name = columns.channels[channel];
+    if (!rotation.notation.has_angles() || !is_in_degrees(name)) continue;
+    throw data_error(
+        "column {} is in degrees by its name, but angles of rotations are in radians by default; expected their unit; "
+        "give --angles degrees, or --angles radians if the name is wrong",
+        in_quotes(name))
+        .about("--rotation");
+  }
+}
+
 }  // namespace
 
 Schema with_rotations(Schema schema, const Columns& columns, const RotationOptions& options) {
@@ -276,12 +289,13 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
     }
   }
   for (GivenRotation request : options.requests) {
-    request.notation.degrees = options.degrees;
+    request.notation.degrees = options.degrees.value_or(false);
     request.normalize = options.normalize;
     find_elements(request, columns);
     for (const std::string& column : request.columns) {
       request.channels.push_back(requested_channel(column, columns, "--rotation"));
     }
+    if (!options.degrees) require_radians(request, columns);
     add_rotation(schema, std::move(request), columns);
   }
   require_own_columns(schema, columns);
@@ -295,7 +309,7 @@ Schema with_rotations(Schema schema, const Columns& columns, const RotationOptio
   for (std::size_t i = 0; i < schema.rotations.size(); ++i) {
     const spline::RotationNotation& given = schema.rotations[i].given.notation;
     spline::RotationNotation shown = options.as_curves ? spline::RotationNotation{} : options.shown.value_or(given);
-    shown.degrees = options.degrees;
+    shown.degrees = options.degrees.value_or(false);
     if (!shown.is_quaternion() || !given.is_quaternion()) {
       show_rotation(schema, i, shown);
     }

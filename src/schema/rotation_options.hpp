@@ -39,9 +39,9 @@ struct NamedAngle {
 
 /// Which columns are rotations, and how rows show them.
 struct RotationOptions {
-  bool none = false;       ///< their numbers are plain channels
-  bool normalize = false;  ///< quaternions may have any norm
-  bool degrees = false;    ///< their angles are in degrees, else in radians
+  bool none = false;                 ///< their numbers are plain channels
+  bool normalize = false;            ///< quaternions may have any norm
+  std::optional<bool> degrees = {};  ///< their angles are in degrees, not in radians; nothing: in radians by default
   std::vector<GivenRotation> requests = {};
   std::vector<NamedAngle> angles = {};
   std::optional<spline::RotationNotation> shown = {};  ///< nothing: as they are given

@@ -279,6 +279,12 @@ bool are_units(std::span<const std::string_view> cells) {
   return !std::ranges::all_of(cells, is_empty) && std::ranges::all_of(cells, fits);
 }
 
+bool is_in_degrees(std::string_view name) {
+  constexpr std::string_view units = "deg degs degree degrees \u00B0";
+  const std::string_view alone = without_unit(name);
+  return has(units, compact(name.substr(alone.size()))) || has(units, last_word(name, "_-. "));
+}
+
 bool may_be_angle(std::string_view name) {
   constexpr std::string_view names =
       "lon lng longitude ra rightascension az cog course track pan theta hue rx ry rz rotx roty rotz rotatex rotatey "
@@ -312,11 +318,20 @@ bool is_usual_channel(std::string_view name) {
 
 namespace {
 
+/// A name such as "x_m" without its unit of length.
+std::string_view without_length_unit(std::string_view name) {
+  name = without_unit(name);
+  for (const std::string_view unit : {"_m", "_mm", "_cm", "_km"}) {
+    if (name.ends_with(unit)) name.remove_suffix(unit.size());
+  }
+  return name;
+}
+
 /// The name of a coordinate without what tells it from the others of its space; other names are as they are.
 std::string space_of(std::string_view name) {
   constexpr std::string_view on_earth = "lat lon lng long latitude longitude";
   constexpr std::string_view on_maps = "easting northing east north";
-  std::string text = compact(without_unit(name));
+  std::string text = compact(without_length_unit(name));
   if (has(on_earth, text)) return "earth";
   if (has(on_maps, text)) return "map";
   if (text.size() == 1) return "";
@@ -336,11 +351,7 @@ bool are_of_one_kind(std::string_view one, std::string_view other) { return spac
 std::vector<std::size_t> spatial_channels(const std::vector<std::string>& channels) {
   std::vector<std::string> names;
   for (const std::string& channel : channels) {
-    std::string_view name = without_unit(channel);
-    for (const std::string_view unit : {"_m", "_mm", "_cm", "_km"}) {
-      if (name.ends_with(unit)) name.remove_suffix(unit.size());
-    }
-    names.push_back(compact(name));
+    names.push_back(compact(without_length_unit(channel)));
   }
   const auto find = [&](const std::string& name) { return std::ranges::find(names, name) - names.begin(); };
   // Before the letter of an axis, in the order in which one is chosen.

@@ -72,6 +72,9 @@ bool is_unit(std::string_view text);
 /// Whether the cells below names describe columns: units, or words such as "Avg" of instruments, and nothing else.
 bool are_units(std::span<const std::string_view> cells);
 
+/// Whether a name ends with the unit of degrees, as in "yaw_deg" and "yaw [deg]".
+bool is_in_degrees(std::string_view name);
+
 /// Whether a name may be that of an angle, such as "lon", "course" or "rotation_z".
 bool may_be_angle(std::string_view name);
 

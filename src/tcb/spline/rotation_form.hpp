@@ -23,6 +23,7 @@ struct RotationNotation {
     return counts[static_cast<std::size_t>(form)];
   }
   constexpr bool is_quaternion() const { return form == RotationForm::quaternion; }
+  constexpr bool has_angles() const { return !is_quaternion() && form != RotationForm::matrix; }
   friend bool operator==(const RotationNotation&, const RotationNotation&) = default;
 };
 
