@@ -794,7 +794,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   if (!options.delimited.delimiter) require_delimiter(first, dialect);
   if (!options.delimited.header && !columns.samples && !head.is_of_format) {
     require_no_title(first.records);
-    require_keys_in_rows(first.records, head);
+    if (!columns.has(Role::time) && !columns.timeless) require_keys_in_rows(first.records, head);
   }
   std::vector<std::size_t> unread;
   if (!options.delimited.header && !columns.samples) unread = repeated_words(first, head);
