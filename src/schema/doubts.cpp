@@ -335,16 +335,6 @@ Found time_in_array(const FoundColumns& found) {
               in_quotes(found.array), in_shell(fmt::format("time={0}[0],position={0}[1]", found.array)));
 }
 
-/// A command that makes rows of the columns of a table.
-std::string transposed(const FoundColumns& found, std::string_view options) {
-  if (found.delimiter == 0 || found.delimiter == ' ') return "";
-  const std::string mark = found.delimiter == '\t' ? "\\t" : std::string(1, found.delimiter);
-  return fmt::format(
-      ", as in python3 -c 'import csv, sys; csv.writer(sys.stdout).writerows(zip(*csv.reader(sys.stdin{})))' <FILE | "
-      "tcbsample {}",
-      found.delimiter == ',' ? "" : fmt::format(", delimiter=\"{}\"", mark), options);
-}
-
 /// Names such as Jan and January.
 bool is_month(std::string_view name) {
   constexpr std::array<std::string_view, 12> months{"january",   "february", "march",    "april",
@@ -366,7 +356,7 @@ Found times_as_names(const FoundColumns& found) {
     return error(
         "the columns are called {}, as months are; expected a row for each; transpose the table{}, or give --parameter "
         "uniform if the rows are keys without times",
-        listed(channels), transposed(found, "--columns ignore=1 --parameter uniform"));
+        listed(channels), transposed(found.delimiter, "--columns ignore=1 --parameter uniform"));
   }
   std::vector<double> times;
   for (const std::string& channel : channels) times.push_back(parse_number(channel).value_or(nan));
@@ -378,7 +368,7 @@ Found times_as_names(const FoundColumns& found) {
   return error(
       "the columns are called {}, as times are; expected a row for each time; transpose the table{}, or give "
       "--parameter uniform if the rows are keys without times",
-      listed(channels), transposed(found, "--columns time=1"));
+      listed(channels), transposed(found.delimiter, "--columns time=1"));
 }
 
 Found time_in_two_numbers(const FoundColumns& found) {
@@ -798,15 +788,31 @@ std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::
   return "";
 }
 
-std::string quaternion_of(const FoundColumns& found) {
+std::string transposed(char delimiter, std::string_view options) {
+  if (delimiter == 0 || delimiter == ' ') return "";
+  const std::string mark = delimiter == '\t' ? "\\t" : std::string(1, delimiter);
+  return fmt::format(
+      ", as in python3 -c 'import csv, sys; csv.writer(sys.stdout).writerows(zip(*csv.reader(sys.stdin{})))' <FILE | "
+      "tcbsample {}",
+      delimiter == ',' ? "" : fmt::format(", delimiter=\"{}\"", mark), options);
+}
+
+std::string pose_of(const FoundColumns& found) {
   for (std::size_t i = 0; i + 4 <= found.numeric.size(); ++i) {
     const std::array four{i, i + 1, i + 2, i + 3};
     const bool has_fraction = std::ranges::any_of(found.rows, [&](const auto& row) {
       const double number = number_in(found, row, i + 3);
       return number != std::floor(number);
     });
-    if (has_fraction && are_units(found, four))
-      return "--rotation " + roles_of(found, "quaternion", by_letters(found, four));
+    if (!has_fraction || !are_units(found, four)) continue;
+    std::vector<std::size_t> behind;
+    for (std::size_t cell = i + 4; behind.size() < 3 && cell < found.names.size(); ++cell) {
+      if (found.names[cell] != found.names[i + behind.size()]) break;
+      behind.push_back(cell);
+    }
+    return fmt::format("--columns {} for the position, and --rotation {} for the rotation",
+                       behind.empty() ? "position=NUMBER:NUMBER" : roles_of(found, "position", behind),
+                       roles_of(found, "quaternion", by_letters(found, four)));
   }
   return "";
 }

@@ -41,8 +41,12 @@ std::vector<std::string> doubts_of_columns(const FoundColumns& found);
 /// columns whose last one is 0, 0, 0, 1, in all rows. Empty for others.
 std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::size_t size);
 
-/// The option that takes four neighbours of norm 1 as a quaternion; empty where there are none.
-std::string quaternion_of(const FoundColumns& found);
+/// The options that take four neighbours of norm 1 as a rotation, and those of the same names behind them as the
+/// position, in words; empty where there are no such four.
+std::string pose_of(const FoundColumns& found);
+
+/// A command that makes rows of the columns of a table, and reads them with options; empty without a delimiter.
+std::string transposed(char delimiter, std::string_view options);
 
 /// The columns of a year, a month and a day, by their names, or the first three without names, as far as their numbers
 /// in the first records are such; with names, also of an hour, a minute and a second. Empty where there are none.

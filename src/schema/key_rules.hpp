@@ -24,15 +24,14 @@ inline constexpr auto missing_names = std::to_array<Named<Missing>>({{"error", M
                                                                      {"break", Missing::break_curve}});
 
 /// Besides those of is_missing(). Sources: pandas, R, SQL, Excel and LibreOffice, printf of Microsoft's C library,
-/// Home Assistant.
-inline constexpr std::array<std::string_view, 45> common_signs{
-    "n/a",          "n.a.",         "n.a",         "#n/a",   "#n/a n/a", "#na",       "<na>",
-    "<n/a>",        "none",         "nil",         "nul",    "undef",    "undefined", "missing",
-    "<missing>",    "<null>",       "(null)",      "[null]", "\\n",      "nat",       "+nan",
-    "-nan",         "nan(ind)",     "-nan(ind)",   "1.#ind", "-1.#ind",  "1.#qnan",   "-1.#qnan",
-    "#null!",       "#div/0!",      "#value!",     "#ref!",  "#name?",   "#num!",     "-",
-    "--",           "---",          "?",           "??",     ".",        "..",        "*",
-    "\xE2\x80\x93", "\xE2\x80\x94", "unavailable",
+/// Home Assistant, Praat.
+inline constexpr std::array<std::string_view, 46> common_signs{
+    "n/a",          "n.a.",   "n.a",     "#n/a",      "#n/a n/a", "#na",       "<na>",   "<n/a>",   "none",
+    "nil",          "nul",    "undef",   "undefined", "missing",  "<missing>", "<null>", "(null)",  "[null]",
+    "\\n",          "nat",    "+nan",    "-nan",      "nan(ind)", "-nan(ind)", "1.#ind", "-1.#ind", "1.#qnan",
+    "-1.#qnan",     "#null!", "#div/0!", "#value!",   "#ref!",    "#name?",    "#num!",  "-",       "--undefined--",
+    "unavailable",  "--",     "---",     "?",         "??",       ".",         "..",     "*",       "\xE2\x80\x93",
+    "\xE2\x80\x94",
 };
 
 /// Whether a cell is a sign of a missing one: an empty cell, NA, nan, null, a common sign such as

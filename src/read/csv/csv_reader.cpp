@@ -378,7 +378,7 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   constexpr std::size_t most_of_preamble = 1UL << 16;
   const std::string first = beginning.text.substr(0, most_of_preamble);
   const bool is_any = options.delimited.names.empty() && !options.columns.samples;
-  if (is_any) require_bare_numbers(first, dialect);
+  if (is_any) require_bare_numbers(first, dialect, beginning.line);
   const std::uint64_t first_line = beginning.line;
   Source<Chunk> chunks =
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
@@ -399,7 +399,7 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
       const auto table = find_table_below(first);
       if (!table || error.exit() != Exit::data) throw;
       const std::string_view reason = error.message();
-      throw unlike_table(*table, first_line, delimiter ? "" : reason.substr(0, reason.find(';')));
+      throw unlike_table(*table, first_line, options.columns.roles.empty() ? "" : reason.substr(0, reason.find(';')));
     }
   }());
   const bool crlf = has_crlf(rest.front().text);

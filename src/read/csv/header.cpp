@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -239,19 +240,6 @@ bool name_quaternion(std::vector<std::string>& names) {
   return false;
 }
 
-/// The names in the line of a record, between two blanks at least, as each of them may have blanks.
-std::vector<std::string> names_between_blanks(const Chunk& chunk, std::size_t offset) {
-  std::string_view line = std::string_view(chunk.text).substr(offset);
-  line = line.substr(0, line.find_first_of("\r\n"));
-  std::vector<std::string> names;
-  for (std::size_t at = line.find_first_not_of(" \t"); at < line.size(); at = line.find_first_not_of(" \t", at)) {
-    const std::size_t end = std::min({line.find("  ", at), line.find('\t', at), line.size()});
-    names.emplace_back(line.substr(at, end - at));
-    at = end;
-  }
-  return names;
-}
-
 /// Whether the name gives its column a role, or is requested.
 bool has_meaning(const std::string& name, const ColumnOptions& options) {
   return role_of_name(name) != Role::position || options.has(name);
@@ -307,7 +295,7 @@ void require_names_for_cells(const std::vector<std::string>& names, const HeadRe
   const std::size_t cells = row.cells.size();
   if (names.empty() || names.size() == cells) return;
   if (head.is_of_format) throw line_unlike_format(cells, names.size()).at({"", row.line, 1});
-  require_bare_numbers(std::string_view(first.chunks[row.chunk].text).substr(row.offset), head.dialect);
+  require_bare_numbers(std::string_view(first.chunks[row.chunk].text).substr(row.offset), head.dialect, row.line);
   const std::string_view names_of_rows =
       cells == names.size() + 1 ? "add a name to the header if the first cells name the rows, as R writes them, or "
                                 : "";
@@ -364,9 +352,11 @@ std::size_t first_key(const std::vector<HeadRecords::Record>& records) {
   if (records.size() > 2 && are_formats(records[1].cells) && !are_formats(records[2].cells)) return 2;
   while (key < records.size() && may_describe(records[key].cells)) ++key;
   for (std::size_t i = 1; i < key; ++i) {
-    const auto& cells = records[i].cells;
+    auto names = records[0].cells, cells = records[i].cells;
     const auto& numbers = records[std::min(key, records.size() - 1)].cells;
-    const bool has_cells = cells.size() == records[0].cells.size() && cells.size() == numbers.size();
+    remove_unused(names, numbers.size());
+    remove_unused(cells, numbers.size());
+    const bool has_cells = cells.size() == names.size() && cells.size() == numbers.size();
     const bool is_rule = cells.size() == 1 && cells[0].find_first_not_of("-=_+*") == std::string::npos;
     bool describes = is_rule || (are_units(cells) && (key == records.size() || !has_cells));
     for (std::size_t cell = 0; has_cells && cell < cells.size(); ++cell) {
@@ -401,6 +391,44 @@ void take_descriptions(DelimitedHead& head, std::span<const HeadRecords::Record>
   if (cell >= units.size() || options.time || unit_of_time(head.columns.time)) return;
   const std::string_view unit = without_brackets(units[cell]);
   head.time_unit = unit_of_time(fmt::format("t [{}]", unit));
+}
+
+/// Throws: Error (data) if only the first cell of the first record has a text, above a record of names.
+void require_no_title(const std::vector<HeadRecords::Record>& records) {
+  if (records.size() < 2 || records[0].cells.size() < 2) return;
+  const auto are_empty = [](const auto& cells) { return std::ranges::count(cells, "") + 1 == std::ssize(cells); };
+  const auto &one = records[0].cells, &two = records[1].cells;
+  if (one[0].empty() || is_usual_time(one[0])) return;
+  if (!are_empty(one) || are_empty(two) || are_units(two) || !may_describe(two)) return;
+  throw data_error("the line has one cell, {}, as titles do; expected the names of the columns; give --skip-lines {}",
+                   in_quotes(one[0]), records[1].line - 1)
+      .at({"", records[0].line, 1});
+}
+
+/// Throws: Error (data) where each record has a word first and numbers behind it, which rise in the first one, as where
+/// the columns are the keys.
+void require_keys_in_rows(const std::vector<HeadRecords::Record>& records, const DelimitedHead& head) {
+  const auto& names = records[0].cells;
+  const std::size_t least = is_text(names[0]) ? 4 : 3;
+  if (records.size() < 2 || head.dialect.delimiter == ' ' || names.size() < least) return;
+  double before = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const std::optional<double> number = parse_number(names[i]);
+    if (!number || !(*number > before)) return;
+    before = *number;
+  }
+  const auto is_number = [&](const std::string& cell) { return may_be_number(cell, head); };
+  for (const HeadRecords::Record& record : records) {
+    const auto& cells = record.cells;
+    const bool is_word = &cells == &names ? !parse_number(cells[0]) : !may_be_value(cells[0], head);
+    if (!is_word || cells.size() != names.size() || !std::all_of(cells.begin() + 1, cells.end(), is_number)) return;
+  }
+  throw data_error(
+      "the numbers in the first row rise from {}, and each other row has a word and numbers, as where the keys run "
+      "across the columns; expected a row for each key; transpose the table{}, or give --no-header if the rows are "
+      "keys",
+      names[1], transposed(head.dialect.delimiter, "--columns time=1"))
+      .at({"", records[0].line, 1});
 }
 
 /// Throws: Error (data) if the first record may be a header, or a key with a misspelt number: one of its cells is
@@ -677,8 +705,8 @@ class RolesByCells {
   }
 
   static bool is_index_name(std::string_view name) {
-    constexpr std::array names{"",    "index", "unnamed: 0", "row",   "#",       "rownames", "row_names", "no.",
-                               "nr.", "pt",    "point",      "ptnum", "field #", "frame#",   "sample #",  "record"};
+    constexpr std::array names{"",   "index", "unnamed: 0", "row",     "#",      "rownames", "row_names", "no.", "nr.",
+                               "pt", "point", "ptnum",      "field #", "frame#", "sample #", "record",    "---"};
     return std::ranges::any_of(names, [&](std::string_view known) { return same_in_any_case(known, name); });
   }
 
@@ -741,16 +769,17 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
     head.columns = find_columns(names, numeric, requested.roles, requested.timeless);
   } catch (const Error& error) {
     const Columns none;
-    const std::string rotation = error.message().starts_with("two columns are called")
-                                     ? quaternion_of({.names = names,
-                                                      .rows = rows,
-                                                      .numeric = numeric,
-                                                      .columns = none,
-                                                      .requested = requested,
-                                                      .marks = head.marks})
-                                     : "";
-    if (rotation.empty() || options.rotation.none || !options.rotation.requests.empty()) throw;
-    throw data_error("{}, with {}, as these columns have the norm 1", error.message(), rotation);
+    const std::string pose = error.message().starts_with("two columns are called") ? pose_of({.names = names,
+                                                                                              .rows = rows,
+                                                                                              .numeric = numeric,
+                                                                                              .columns = none,
+                                                                                              .requested = requested,
+                                                                                              .marks = head.marks})
+                                                                                   : "";
+    if (pose.empty() || options.rotation.none || !options.rotation.requests.empty()) throw;
+    const std::string_view fault = error.message();
+    throw data_error("{}; expected different names; give {}, whose columns have the norm 1",
+                     fault.substr(0, fault.find(';')), pose);
   }
   for (std::size_t cell = 0; cell < numeric.size(); ++cell) {
     Columns::Column& column = head.columns.cells[cell];
@@ -795,6 +824,10 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     throw columns.samples ? data_error("the file is empty; expected samples; give the file that has them")
                           : data_error("the input is empty; expected a row for each key; see --help");
   if (!options.delimited.delimiter) require_delimiter(first, dialect);
+  if (!options.delimited.header && !columns.samples && !head.is_of_format) {
+    require_no_title(first.records);
+    if (!columns.has(Role::time) && !columns.timeless) require_keys_in_rows(first.records, head);
+  }
   std::vector<std::size_t> unread;
   if (!options.delimited.header && !columns.samples) unread = repeated_words(first, head);
   const bool is_named = unread.empty() && is_header(first.records[0], head, columns.samples);
@@ -838,13 +871,16 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     }
   }
   if (header && dialect.delimiter == ' ' && names.size() > row.cells.size()) {
-    auto between = names_between_blanks(first.chunks[first.records[0].chunk], first.records[0].offset);
-    if (between.size() == row.cells.size()) names = std::move(between);
+    const std::string_view text = first.chunks[first.records[0].chunk].text;
+    const std::string_view line = text.substr(first.records[0].offset);
+    const auto between = names_between_blanks(line.substr(0, line.find_first_of("\r\n")));
+    if (between.size() == row.cells.size()) names.assign(between.begin(), between.end());
   }
+  head.begins_with_value = may_be_value(row.cells[0], head);
+  if (header && head.begins_with_value) remove_unused(names, row.cells.size());
   const bool lacks_name = !names.empty() && !head.is_of_format && has_row_names(names, first, data);
   if (lacks_name) names.insert(names.begin(), "");
   require_names_for_cells(names, first, data, head);
-  head.begins_with_value = may_be_value(row.cells[0], head);
   head.facts.encoding = convert_names(names, position);
   head.facts.names_quaternion = !columns.samples && name_quaternion(names);
   rest.assign(std::move_iterator(first.chunks.begin() + static_cast<std::ptrdiff_t>(row.chunk)),

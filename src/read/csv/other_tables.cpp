@@ -8,6 +8,7 @@
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
 #include "read/csv/csv_reader.hpp"
+#include "schema/key_rules.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
@@ -25,23 +26,26 @@ bool has_words(std::string_view line, std::size_t count) {
 }
 
 /// Throws: Error (data) where lines are drawn between the cells, as programs print tables for people.
-void require_no_drawing(std::string_view text) {
+void require_no_drawing(std::string_view text, std::uint64_t first) {
   constexpr std::string_view corner = "\xE2\x94", double_corner = "\xE2\x95";  // of box-drawing characters
   constexpr int most_lines = 4;
   std::size_t end = 0;
   for (int line = 0; line < most_lines && end < text.size(); ++line)
     end = std::min(text.find('\n', end), text.size()) + 1;
   const std::vector<std::string_view> lines = split(text.substr(0, end), '\n');
-  const auto is_drawn = [&](std::string_view line) {
-    const bool is_rule = line.find("---") != std::string_view::npos &&
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string_view line = lines[i];
+    const bool is_rule = line.find("--") != std::string_view::npos &&
                          line.find_first_of("|+") != std::string_view::npos &&
                          line.find_first_not_of("-+|:= \r") == std::string_view::npos;
-    return is_rule || line.starts_with(corner) || line.starts_with(double_corner);
-  };
-  if (std::ranges::none_of(lines, is_drawn)) return;
-  throw data_error(
-      "the table is drawn with lines between its cells; expected cells between delimiters; export it as CSV, as psql "
-      "--csv, mysql --batch, sqlite3 -csv, duckdb -csv and write_csv of polars do");
+    const bool is_box = line.starts_with(corner) || line.starts_with(double_corner);
+    if (!is_rule && !is_box) continue;
+    throw data_error("the table is drawn with lines between its cells; expected cells between delimiters; {}",
+                     is_box ? "export it as CSV, as sqlite3 -csv, duckdb -csv and write_csv of polars do"
+                            : "take the cells, as in sed '/|/!d; /[[:alnum:]]/!d; s/^ *|//; s/|[[:space:]]*$//' FILE | "
+                              "tcbsample --delimiter pipe")
+        .at({"", first + i, 0});
+  }
 }
 
 /// The text of a line with # for each number, which are counted unless they are parts of words; empty where a mark of
@@ -156,7 +160,7 @@ std::string roles_by_cells(const std::vector<std::vector<std::string_view>>& row
     return std::ranges::all_of(rows, [&](const auto& row) { return row[cell].empty(); });
   };
   for (std::size_t i = cells; i > 2 && is_empty(i - 1); --i) roles.push_back(fmt::format("ignore={}", i));
-  return fmt::format("{}", fmt::join(roles, ","));
+  return roles.empty() ? "" : fmt::format(" --columns {}", fmt::join(roles, ","));
 }
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
@@ -167,13 +171,27 @@ class LinesOfCells {
   LinesOfCells(std::string_view text, char delimiter, const Dialect& dialect)
       : lines_(split(text, '\n')), delimiter_(delimiter), dialect_(dialect) {}
 
-  /// The first of two lines that are mostly numbers, below another line.
+  /// The first row of a table below another line: two rows at least of the same number of cells that are mostly
+  /// numbers. More rows, of another number of cells and with names, are preferred, as what is above describes them
+  /// then.
   std::optional<std::size_t> first_row() const {
-    for (std::size_t row = 1; row + 1 < lines_.size(); ++row) {
-      const Cells one = cells(row), two = cells(row + 1);
-      if (is_of_numbers(one) && is_of_numbers(two) && one.size() == two.size()) return row;
+    constexpr std::size_t enough = 16;
+    Rows best{0, 0, 1}, rows;
+    for (std::size_t line = 1; line < lines_.size() && best.count < enough; ++line) {
+      if (!is_text(lines_[line])) continue;
+      const Cells row = cells(line);
+      if (!is_of_numbers(row)) {
+        rows = {};
+        continue;
+      }
+      if (row.size() != rows.cells) rows = {line, row.size(), 0};
+      if (++rows.count != best.count + 1) continue;
+      const bool is_other = best.first > 0 && rows.first != best.first;
+      if (is_other && (rows.cells == best.cells || !names_above(rows.first))) continue;
+      if (is_other && !table_at(best.first)) break;
+      best = rows;
     }
-    return std::nullopt;
+    return best.first > 0 ? std::optional(best.first) : std::nullopt;
   }
 
   /// The table that has its first row there; nothing where that may be the table of the first line.
@@ -184,24 +202,36 @@ class LinesOfCells {
     const bool may_be_names = begin == 1 && (cells(0).size() > 1 || has_words(lines_[0], size));
     if (!head && may_be_names) return std::nullopt;  // the first line may be a header with a fault
     const auto first = lines_.begin();
-    const auto is_text = [&](std::string_view line) { return !is_blank(line) && !dialect_.is_comment(line); };
-    if (std::none_of(first, at(begin), is_text)) return std::nullopt;
+    if (std::none_of(first, at(begin), [&](std::string_view line) { return is_text(line); })) return std::nullopt;
     const auto is_other = [&](std::string_view line) { return is_text(line) && cells_of(line).size() != size; };
-    const auto other = std::find_if(at(row), lines_.end(), is_other);
+    const auto end = lines_.end() - 1;  // what is behind the last line end may be a part of a line
+    const auto other = std::find_if(at(row), end, is_other);
     const auto has_no_number = [&](std::string_view line) {
       return is_text(line) && std::ranges::none_of(cells_of(line), begins_like_number);
     };
+    const bool is_labview = head && names_in(begin, size)[0] == "X_Value";  // as it calls the times
     return LaterTable{begin + 1,
-                      other == lines_.end() ? 0 : static_cast<std::uint64_t>(other - first),
+                      other == end ? 0 : static_cast<std::uint64_t>(other - first),
                       size,
                       head.has_value(),
-                      head ? "" : roles_by_cells(rows_from(row)),
+                      is_labview ? " --columns time=X_Value"
+                      : head     ? ""
+                                 : (has_text(cells(row)) ? " --no-header" : "") + roles_by_cells(rows_from(row)),
                       comment_above(row),
                       std::any_of(at(1), at(row), has_no_number)};
   }
 
  private:
   using Cells = std::vector<std::string_view>;
+
+  /// Lines of the same number of cells that are mostly numbers.
+  struct Rows {
+    std::size_t first = 0;
+    std::size_t cells = 0;
+    std::size_t count = 0;
+  };
+
+  bool is_text(std::string_view line) const { return !is_blank(line) && !dialect_.is_comment(line); }
 
   std::vector<std::string_view>::const_iterator at(std::size_t line) const {
     return lines_.begin() + static_cast<std::ptrdiff_t>(line);
@@ -228,7 +258,13 @@ class LinesOfCells {
 
   bool is_of_numbers(const Cells& cells) const {
     const auto numbers = std::ranges::count_if(cells, [&](std::string_view cell) { return is_number(cell); });
-    return numbers > 0 && cells.size() > 1 && 2 * numbers > std::ssize(cells) - std::ranges::count(cells, "");
+    const auto missing = std::ranges::count_if(cells, [](auto cell) { return is_missing_sign(bare(cell), {}); });
+    return numbers > 0 && cells.size() > 1 && 2 * numbers > std::ssize(cells) - missing;
+  }
+
+  /// Whether a row has words, so that it could be the names of the columns.
+  bool has_text(const Cells& row) const {
+    return std::ranges::any_of(row, [&](auto cell) { return !is_number(cell) && !is_missing_sign(bare(cell), {}); });
   }
 
   static bool begins_like_number(std::string_view cell) {
@@ -236,17 +272,32 @@ class LinesOfCells {
     return digit == 0 || (digit == 1 && std::string_view("+-.").find(bare(cell)[0]) != std::string_view::npos);
   }
 
-  /// The line above a row that names its columns, above blank lines and units.
+  /// The cells of a line above rows of a number of cells.
+  Cells names_in(std::size_t line, std::size_t size) const {
+    Cells names = cells(line);
+    remove_unused(names, size);
+    return delimiter_ == ' ' && names.size() != size ? names_between_blanks(trimmed(lines_[line])) : names;
+  }
+
+  /// The line above a row that names its columns, above blank lines and units, and above other names if it alone names
+  /// the time.
   std::optional<std::size_t> names_above(std::size_t row) const {
     const std::size_t size = cells(row).size();
     std::size_t below = row;  // the line below that of the names
     while (below > 0 && is_blank(lines_[below - 1])) --below;
     if (below == 0) return std::nullopt;
-    Cells names = cells(below - 1);
-    while (below > 1 && names.size() == size && are_units(names)) names = cells(--below - 1);
-    const auto is_value = [&](std::string_view cell) { return is_number(cell); };
-    const bool are_names = names.size() == size && !is_of_numbers(names) &&
-                           (std::ranges::none_of(names, is_value) || std::ranges::any_of(names, is_usual_time));
+    const auto has_number = [&](const Cells& cells) {
+      return std::ranges::any_of(cells, [&](std::string_view cell) { return is_number(cell); });
+    };
+    const auto has_time = [](const Cells& names) { return std::ranges::any_of(names, is_usual_time); };
+    Cells names = names_in(below - 1, size);
+    for (; below > 1 && names.size() == size; --below) {
+      Cells above = names_in(below - 2, size);
+      const bool has_time_above = above.size() == size && has_time(above) && !has_number(above) && !has_time(names);
+      if (!are_units(names) && !has_time_above) break;
+      names = std::move(above);
+    }
+    const bool are_names = names.size() == size && !is_of_numbers(names) && (!has_number(names) || has_time(names));
     return are_names ? std::optional(below - 1) : std::nullopt;
   }
 
@@ -282,13 +333,23 @@ std::string numbers_alone() {
                      number_in_perl);
 }
 
-void require_bare_numbers(std::string_view text, const Dialect& dialect) {
-  require_no_drawing(text);
+std::vector<std::string_view> names_between_blanks(std::string_view line) {
+  std::vector<std::string_view> names;
+  for (std::size_t at = line.find_first_not_of(" \t"); at < line.size(); at = line.find_first_not_of(" \t", at)) {
+    const std::size_t end = std::min({line.find("  ", at), line.find('\t', at), line.size()});
+    names.push_back(line.substr(at, end - at));
+    at = end;
+  }
+  return names;
+}
+
+void require_bare_numbers(std::string_view text, const Dialect& dialect, std::uint64_t line) {
+  require_no_drawing(text, line);
   const auto take_line = [&] {  // that is neither blank nor a comment; the last one of the text may be a part of a line
     for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-      const std::string_view line = text.substr(0, end);
+      const std::string_view taken = text.substr(0, end);
       text.remove_prefix(end + 1);
-      if (!trimmed(line).empty() && !dialect.is_comment(line)) return trimmed(line);
+      if (!trimmed(taken).empty() && !dialect.is_comment(taken)) return trimmed(taken);
     }
     return std::string_view();
   };
@@ -321,24 +382,22 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
 Error unlike_table(const LaterTable& table, std::uint64_t first, std::string_view reason) {
   const std::uint64_t line = first + table.line - 1;
   const std::string also = reason.empty() ? "" : fmt::format(" ({})", reason);
-  const std::string nameless = table.has_names ? ""
-                               : table.roles.empty()
-                                   ? ", with which columns have no names and the first is the time"
-                                   : fmt::format(" --columns {}, as columns have no names then", table.roles);
+  const bool is_plain = !table.has_names && table.options.empty();
+  const std::string options = is_plain ? ", with which columns have no names and the first is the time"
+                                       : table.options + (table.has_names ? "" : ", as columns have no names then");
   if (table.end > 0) {
     const std::uint64_t end = first + table.end - 1;
     return data_error(
                "lines {} to {} seem to be a table, with other lines around it{}; expected one table; take it alone, as "
                "in sed -n {},{}p FILE | tcbsample{}",
-               line, end, also, line, end, nameless)
+               line, end, also, line, end, options)
         .at({"", first, 0});
   }
   return data_error(
              "the lines above line {} are not part of the table that seems to begin there{}; expected a table from the "
              "first line on; give {} {}{}",
              line, also, table.mark.empty() ? "--skip-lines" : "--comment",
-             table.mark.empty() ? fmt::format("{}", line - 1) : in_shell(table.mark),
-             table.mark.empty() ? nameless : "")
+             table.mark.empty() ? fmt::format("{}", line - 1) : in_shell(table.mark), table.mark.empty() ? options : "")
       .at({"", first, 0});
 }
 
