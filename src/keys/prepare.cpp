@@ -9,6 +9,7 @@
 
 #include "error.hpp"
 #include "schema/roles.hpp"
+#include "schema/usual_names.hpp"
 #include "tcb/spline/scalar.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -186,26 +187,29 @@ class Steps {
 };
 
 /// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases
-/// from key to key, up to the thousandth: then it may be the time.
+/// from key to key, up to the thousandth: then it may be the time. A coordinate that counts the keys says the same.
 Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel, std::string request) {
-  return [blocks = std::move(blocks), channel = std::move(channel), request = std::move(request),
-          held = std::deque<KeyBlock>(), is_clear = false]() mutable -> std::optional<KeyBlock> {
+  return [blocks = std::move(blocks), counts = is_coordinate(channel), channel = std::move(channel),
+          request = std::move(request), held = std::deque<KeyBlock>(),
+          is_clear = false]() mutable -> std::optional<KeyBlock> {
     constexpr std::size_t most = 1000;
     std::size_t keys = 0;
     for (double before = 0; !is_clear;) {
       std::optional<KeyBlock> block = blocks();
       for (std::size_t i = 0; block && i < block->size() && keys < most && !is_clear; ++i) {
         const double now = block->keys.positions[i * block->keys.channels];
+        counts = counts && now == static_cast<double>(keys);
         is_clear = keys++ > 0 && !(before < now);
         before = now;
       }
-      if (!is_clear && keys > 1 && (!block || keys == most)) {
+      const bool is_known = is_clear || !block || keys == most;
+      if (is_known && !is_clear && !counts && keys > 1) {
         throw data_error(
             "there is no time column, but column {} may be one; expected a column called time; give --columns {}, or "
             "--parameter uniform if the keys have no times",
             in_quotes(channel), in_shell("time=" + request));
       }
-      is_clear = is_clear || !block;
+      is_clear = is_known;
       if (block) held.push_back(std::move(*block));
     }
     if (held.empty()) return blocks();

@@ -39,6 +39,7 @@ struct InputFacts {
   std::map<std::vector<std::string>, EulerTrack> euler_tracks = {};  ///< by the groups of their curves, as texts
   std::vector<std::string> ignored = {};                             ///< names of columns without a role
   std::optional<double> time_gap = {};                               ///< as in Columns
+  std::string shown_rate = {};                                       ///< a frame rate that is not used; empty: none
   std::vector<std::string> doubts = {};                              ///< notes: what its columns may mean besides
 };
 

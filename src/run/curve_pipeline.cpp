@@ -88,6 +88,12 @@ CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size
   return needs;
 }
 
+/// Whether the first channel may be the time that the request means: one called x only where the request has times.
+bool needs_likely_time(const SamplingRequest& request, const Schema& schema) {
+  const bool has_range = !by_length(request.mode) && (request.from || request.to);
+  return has_range || request.mode == Mode::step || request.mode == Mode::at || !is_coordinate(schema.channels[0]);
+}
+
 /// About how many rows a curve will have, by the part of it that is known.
 class RowEstimate {
  public:
@@ -147,7 +153,7 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
       threads_(request.threads),
       preparation_{.turns = {schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
                              spec_.preset == spline::Preset::nel, spec_.closed, spec_.angles, schema.channels},
-                   .likely_time = schema.time.likely,
+                   .likely_time = needs_likely_time(request_, schema) ? schema.time.likely : "",
                    .exponent = schema.time.is_given ? std::nullopt : std::optional(spec_.exponent()),
                    .metric = spec_.rules.metric,
                    .retiming = spec_.retiming,

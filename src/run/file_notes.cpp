@@ -68,6 +68,10 @@ RequestNeeds needs_of(const Input& input, const KeyOptions& options, const Sampl
   const bool is_of_format = !input.facts.format->has_marks && !input.facts.format->is_json;
   needs.chooses_metric = options.rules.metric || input.keys.curve_info.settings.metric || is_of_format;
   needs.time_gap = input.facts.time_gap;
+  if (request.is_rate) {
+    needs.step_of_rate = denominator(request.step) == 1 ? whole_text(request.step) : ratio_text(request.step);
+  }
+  needs.shown_rate = input.facts.shown_rate;
   if (request.mode == Mode::step) {
     (request.in_seconds.step ? needs.step : needs.plain_step) = nearest_double(request.step);
   }
@@ -102,8 +106,10 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
                   "takes them as positions"));
   }
   if (!input.schema.time.is_given && !options.rules.parameter) {
-    const bool needs_seconds = request.is_rate || request.in_seconds.has_duration;
-    add({"there is no time column; the times of the keys are 0, 1, 2, ...", needs_seconds});
+    const bool are_shown =
+        std::ranges::any_of(fields, [](std::size_t field) { return tcb::fields()[field].kind == CellKind::time; });
+    add({"there is no time column; the times of the keys are 0, 1, 2, ...",
+         are_shown || request.is_rate || request.in_seconds.has_duration});
   }
   if (input.schema.time.notation == TimeNotation::date) {
     add(important("the dates in column \"{}\" have no zone; they are taken as UTC", input.schema.time.name));
@@ -134,11 +140,6 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
     add(important(
         "the unit of the times in column {} is unknown; they are taken as seconds; --time-unit gives another one",
         input.schema.named ? in_quotes(time.name) : "1"));
-  }
-  if (request.is_rate && input.schema.time.unit == TimeUnit::frames) {
-    add(important(
-        "the times in column \"{}\" count frames, so the rate is per frame; --input-fps HZ converts them to seconds",
-        time.name));
   }
   const bool chosen = std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
   if (!chosen && options.input.renamings.empty()) {

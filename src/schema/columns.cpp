@@ -11,11 +11,15 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
+#include "numbers/parse_number.hpp"
+#include "numbers/time_notation.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -343,13 +347,15 @@ std::vector<bool> usual_times(const Columns& columns, std::span<const std::strin
   return any_numbers ? numbers : texts;
 }
 
-/// The first channel, as it can be requested, if it comes first among the columns of numbers and might be the time.
+/// The first channel, as it can be requested, if it comes first among the columns of numbers and might be the time: by
+/// any name but those of coordinates, or as x beside a single y.
 std::string likely_time(const Columns& columns, std::span<const std::string> header) {
   if (header.empty() || columns.has(Role::time) || columns.channels.size() < 2) return "";
   const auto first = std::ranges::find_if(columns.cells, [](const auto& column) {
     return column.role != Role::ignored && column.role != Role::group && column.role != Role::carry;
   });
-  const bool is_likely = first->role == Role::position && !is_coordinate(columns.channels[0]);
+  const bool are_x_and_y = columns.channels == std::vector<std::string>{"x", "y"};
+  const bool is_likely = first->role == Role::position && (are_x_and_y || !is_coordinate(columns.channels[0]));
   return is_likely ? requested_as(columns.channels[0], static_cast<std::size_t>(first - columns.cells.begin())) : "";
 }
 
@@ -502,8 +508,11 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
         "there is no position column; expected at least one column of numbers besides the time; {}",
         has_other_numbers               ? std::string("name it with --columns position=NAME")
         : has_numbers && !texts.empty() ? fmt::format("there are none in {}; correct the first cells", listed(texts))
-        : has_numbers && numeric.size() == 1 ? std::string("give --parameter uniform if the only column is a position")
-                                             : std::string("give a table with numbers"));
+        : has_numbers && numeric.size() == 1
+            ? fmt::format(
+                  "give {}--parameter uniform if the only column is a position",
+                  header.empty() ? "" : fmt::format("--columns {} ", in_shell(request_of("position", header, 0))))
+            : std::string("give a table with numbers"));
   }
   return columns;
 }
@@ -551,6 +560,33 @@ std::vector<std::string> default_channel_names(std::size_t channels) {
   std::vector<std::string> names;
   for (std::size_t i = 1; i <= channels; ++i) names.push_back(fmt::format("p{}", i));
   return names;
+}
+
+std::optional<TimesInWords> only_times_in_words(std::span<const std::string_view> record) {
+  std::vector<std::size_t> dates, others;
+  for (std::size_t cell = 0; cell < record.size(); ++cell) {
+    if (const auto found = find_notation(record[cell])) (is_date(*found) ? dates : others).push_back(cell);
+  }
+  const std::vector<std::size_t>& times = dates.empty() ? others : dates;
+  return times.size() == 1 ? std::optional(TimesInWords{times[0], !dates.empty()}) : std::nullopt;
+}
+
+bool counts_records(std::string_view name, std::span<const std::vector<std::string_view>> rows, std::size_t cell) {
+  if (rows.size() < 3 || !names_record(name)) return false;
+  double before = -1;
+  return std::ranges::all_of(rows, [&](const auto& row) {
+    const double number = cell < row.size() ? parse_number(row[cell]).value_or(-1) : -1;
+    const double last = std::exchange(before, number);
+    return number > last && number == std::floor(number);
+  });
+}
+
+std::string times_in_words_are_taken(const TimesInWords& times, std::string_view shown) {
+  return fmt::format("the {} in column {} are taken as the times", times.are_dates ? "dates" : "texts", shown);
+}
+
+std::string counter_is_left(std::string_view shown) {
+  return fmt::format("column {} counts the records, and is not taken as a position", shown);
 }
 
 Error same_column_names(std::string_view name) {

@@ -101,6 +101,22 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
 Columns requested_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                           std::span<const RoleRequest> requests);
 
+/// A column of times in words.
+struct TimesInWords {
+  std::size_t cell;
+  bool are_dates;
+};
+
+/// The only cell of a record with a date, or else with another time in words; nothing where there are several.
+std::optional<TimesInWords> only_times_in_words(std::span<const std::string_view> record);
+
+/// Whether a column counts records by its name, and its cells are whole numbers that rise.
+bool counts_records(std::string_view name, std::span<const std::vector<std::string_view>> rows, std::size_t cell);
+
+// Notes about such columns, `shown` as messages show them.
+std::string times_in_words_are_taken(const TimesInWords& times, std::string_view shown);
+std::string counter_is_left(std::string_view shown);
+
 // Errors about names of columns. `columns`: the names that exist.
 Error same_column_names(std::string_view name);
 Error no_such_column(std::string_view name, std::span<const std::string> columns);

@@ -394,6 +394,25 @@ Found time_in_two_numbers(const FoundColumns& found) {
       "time=1,nanoseconds=2 if they are, or --columns time=1 if column 2 is a position");
 }
 
+/// Two numbers of which the second one counts seconds or milliseconds since 1970, and the first one does not.
+Found time_in_second_number(const FoundColumns& found) {
+  if (!found.columns.has_time_by_place || found.numeric.size() != 2 || found.rows.size() < 2) return std::nullopt;
+  const auto is_epoch = [](double number) {
+    constexpr double in_2000 = 946'684'800, in_2100 = 4'102'444'800, ms = 1000;
+    return number == std::floor(number) &&
+           ((number >= in_2000 && number < in_2100) || (number >= in_2000 * ms && number < in_2100 * ms));
+  };
+  double before = 0;
+  for (const auto& row : found.rows) {
+    const double time = number_in(found, row, 1);
+    if (!is_epoch(time) || is_epoch(number_in(found, row, 0)) || !(time > before)) return std::nullopt;
+    before = time;
+  }
+  return error(
+      "the first column would be the time, but the second one seems to be a time since 1970; expected the time; give "
+      "--columns time=2,position=1 for the second one, or --columns time=1 for the first");
+}
+
 Found date_in_three_numbers(const FoundColumns& found) {
   if (found.requested.timeless || !found.requested.roles.empty() || found.columns.has(Role::clock)) return std::nullopt;
   const std::vector<std::size_t> cells = parts_of_date(found.names, found.rows);
@@ -625,12 +644,25 @@ Found minutes_and_seconds(const FoundColumns& found) {
 }
 
 /// The list. The first error is the one that is shown.
-constexpr std::array about_columns{coefficients_of_pieces,    labels_of_curves,        time_in_array,
-                                   near_miss_of_role,         letters_that_are_data,   parameters_that_are_data,
-                                   column_numbers_above_rows, times_as_names,          times_without_role,
-                                   durations_without_times,   time_in_two_numbers,     date_in_three_numbers,
-                                   dates_as_numbers,          rotation_vector_by_name, poses_as_matrices,
-                                   quaternion_by_norm,        minutes_and_seconds,     slopes_by_name};
+constexpr std::array about_columns{coefficients_of_pieces,
+                                   labels_of_curves,
+                                   time_in_array,
+                                   near_miss_of_role,
+                                   letters_that_are_data,
+                                   parameters_that_are_data,
+                                   column_numbers_above_rows,
+                                   times_as_names,
+                                   times_without_role,
+                                   durations_without_times,
+                                   time_in_two_numbers,
+                                   time_in_second_number,
+                                   date_in_three_numbers,
+                                   dates_as_numbers,
+                                   rotation_vector_by_name,
+                                   poses_as_matrices,
+                                   quaternion_by_norm,
+                                   minutes_and_seconds,
+                                   slopes_by_name};
 
 // The rows about a request.
 
@@ -743,8 +775,20 @@ Found step_in_small_units(const Schema& schema, const RequestNeeds& needs) {
       row_of(*schema.time.unit).name, in_quotes(schema.time.name), rows);
 }
 
-constexpr std::array about_requests{lengths_of_degrees, lengths_of_space,         lengths_of_unlike_things,
-                                    time_by_its_place,  seconds_of_unknown_times, step_in_small_units};
+/// Rates are in seconds; times that count frames have none.
+Found rate_of_frames(const Schema& schema, const RequestNeeds& needs) {
+  if (needs.step_of_rate.empty() || schema.time.unit != TimeUnit::frames) return std::nullopt;
+  const std::string rate =
+      needs.shown_rate.empty() ? "HZ, as in --input-fps 24" : fmt::format("{}, as the file says", needs.shown_rate);
+  return error(
+      "the times in column {} count frames, and the rate of rows is in seconds; expected the frame rate of the times; "
+      "give --input-fps {}, or --step {} for a step in frames",
+      in_quotes(schema.time.name), rate, needs.step_of_rate);
+}
+
+constexpr std::array about_requests{lengths_of_degrees, lengths_of_space, lengths_of_unlike_things,
+                                    time_by_its_place,  rate_of_frames,   seconds_of_unknown_times,
+                                    step_in_small_units};
 
 /// Appends a note, or throws the error of a doubt.
 void take(std::vector<std::string>& notes, Found found) {

@@ -64,6 +64,8 @@ struct RequestNeeds {
   std::optional<double> step = {};        ///< between rows, where it is in seconds
   std::optional<double> plain_step = {};  ///< where it is in the unit of the times
   std::optional<double> time_gap = {};    ///< as in Columns
+  std::string step_of_rate = {};          ///< as 1/60, where the rows are at a rate; else empty
+  std::string_view shown_rate = {};       ///< the frame rate that the file shows; empty: none
 };
 
 /// The notes of the doubts about a request. Throws: Error (data) for a doubt that the request has to decide.

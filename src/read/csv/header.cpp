@@ -613,16 +613,13 @@ class RolesByCells {
 
   /// The only column of dates, or of times in words, is the time, where no name says which is.
   void take_dates() {
-    std::vector<std::size_t> dates, others;
     for (std::size_t cell = 0; cell < names_.size(); ++cell) {
       if (is_time(cell)) return;
-      if (const auto found = notation(cell)) (is_date(*found) ? dates : others).push_back(cell);
     }
-    const std::vector<std::size_t>& times = dates.empty() ? others : dates;
-    if (times.size() != 1 || is_requested(times[0])) return;
-    request(Role::time, times[0]);
-    notes_.push_back(
-        fmt::format("the {} in column {} are taken as the times", dates.empty() ? "texts" : "dates", shown(times[0])));
+    const auto times = only_times_in_words(std::span(rows_[0]).first(std::min(rows_[0].size(), names_.size())));
+    if (!times || is_requested(times->cell)) return;
+    request(Role::time, times->cell);
+    notes_.push_back(times_in_words_are_taken(*times, shown(times->cell)));
   }
 
   /// Columns of words before the first number or time, where columns have no names, are the names of the rows. A text
@@ -683,24 +680,15 @@ class RolesByCells {
 
   /// Columns of whole numbers that rise are counters by names such as event_id, unless they are the only numbers.
   void leave_counters() {
-    const auto is_counter = [&](std::size_t cell) {
-      double before = -1;
-      for (const HeadCells& row : rows_) {
-        const double number = cell < row.size() ? parse_number(row[cell]).value_or(-1) : -1;
-        if (!(number > before) || number != std::floor(number)) return false;
-        before = number;
-      }
-      return rows_.size() > 2 && names_record(names_[cell]);
-    };
     std::vector<std::size_t> counters, others;
     for (std::size_t cell = 0; cell < names_.size(); ++cell) {
       if (!numeric_[cell] || is_requested(cell) || is_time(cell)) continue;
       if (role_of_name(names_[cell]) != Role::position || is_usual_counter(names_[cell])) continue;
-      (is_counter(cell) ? counters : others).push_back(cell);
+      (counts_records(names_[cell], rows_, cell) ? counters : others).push_back(cell);
     }
     for (const std::size_t cell : others.empty() ? others : counters) {
       request(Role::unused, cell);
-      notes_.push_back(fmt::format("column {} counts the records, and is not taken as a position", shown(cell)));
+      notes_.push_back(counter_is_left(shown(cell)));
     }
   }
 

@@ -33,6 +33,7 @@ namespace {
 
 using Kind = JsonNode::Kind;
 using Member = JsonColumns::Member;
+using Rows = std::vector<std::vector<std::string_view>>;  ///< the cells of the first records
 
 /// A member of the first key, or a number deeper in it.
 struct FoundMember {
@@ -223,13 +224,17 @@ class FirstKey {
       add_member(result.key, member);
       if (member.columns.empty() && !is_empty(member)) unused_.push_back(member.name);
     }
+    const Rows rows = first_rows(result.key, header.size());
+    std::vector<std::string> notes;
     if (requested_.samples) {
       result.columns = find_sample_columns(header, numeric, *requested_.samples, requested_.timeless);
     } else {
       if (!options_.rotation.none && !requested_.has(Role::position)) require_quaternion();
       require_no_lost_arrays();
       require_no_vectors();
-      result.columns = find_columns(header, numeric, requests(), requested_.timeless);
+      std::vector<RoleRequest> roles = requests();
+      if (!rows.empty()) add_roles_by_cells(header, rows, roles, notes);
+      result.columns = find_columns(header, numeric, roles, requested_.timeless);
       if (result.columns.has(Role::clock))
         throw data_error(
             "the time of a record is one member, and cannot be joined from several; expected one; join them")
@@ -246,7 +251,8 @@ class FirstKey {
     if (has_array && lacks_time) require_no_lost_time(result.columns);
     result.columns.ignored.insert(result.columns.ignored.end(), unused_.begin(), unused_.end());
     result.found = result.columns.cells.size();
-    if (!requested_.samples) find_doubts(result, header, numeric);
+    result.columns.doubts = std::move(notes);
+    if (!requested_.samples) find_doubts(result, header, numeric, rows);
     if (!requested_.samples) find_unused_rotation(result.columns.doubts);
     add_optional_members(result);
     complete(result, result.key);
@@ -627,6 +633,46 @@ class FirstKey {
     return columns;
   }
 
+  /// The cells of the first records.
+  Rows first_rows(const Member& key, std::size_t columns) const {
+    constexpr std::size_t most = 50;
+    Rows rows(std::min(records_.size(), most));
+    JsonCells cells;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].resize(columns);
+      records_.get_cells(i, cells);
+      for (const JsonCell& cell : cells) take_cells(rows[i], tape_, key, cell.name, cell.value);
+    }
+    return rows;
+  }
+
+  /// Adds the roles that follow from cells, as in delimited text: the only dates are the time where no member is by its
+  /// name, and members that count the records are no positions beside others.
+  void add_roles_by_cells(const std::vector<std::string>& header, const Rows& rows, std::vector<RoleRequest>& roles,
+                          std::vector<std::string>& notes) const {
+    const bool lacks_time = !requested_.has(Role::time) && !requested_.timeless && !has_any(has_time_name);
+    const auto times = lacks_time ? only_times_in_words(rows[0]) : std::nullopt;
+    const auto request = [&](Role role, std::size_t cell) { roles.push_back({role, {requested_as(header, cell)}}); };
+    std::vector<std::size_t> counters;
+    bool has_others = false;
+    for (const FoundMember& member : members_) {
+      if (member.columns.empty() || is_requested(member)) continue;
+      if (times && member.cell == times->cell && member.text) {
+        request(Role::time, member.cell);
+        notes.push_back(times_in_words_are_taken(*times, in_quotes(member.name)));
+      } else if (is_plain_number(member)) {
+        const bool is_counter = counts_records(member.name, rows, member.cell);
+        has_others = has_others || !is_counter;
+        if (is_counter) counters.push_back(member.cell);
+      }
+    }
+    if (!has_others || requested_.has(Role::position) || has_any(&FoundMember::is_of_positions)) return;
+    for (const std::size_t cell : counters) {
+      request(Role::unused, cell);
+      notes.push_back(counter_is_left(in_quotes(header[cell])));
+    }
+  }
+
   /// The requests with the names of cells in the place of those of arrays at any depth.
   std::vector<RoleRequest> requests() const {
     std::vector<RoleRequest> requests = requested_.roles;
@@ -747,8 +793,10 @@ class FirstKey {
 
   /// Throws: Error (data) where an array that is not used holds poses, or several are not used.
   void require_no_poses() const {
+    constexpr std::array<std::string_view, 6> tangents{"to", "ti", "in", "out", "i", "o"};
     std::vector<std::string> arrays;
-    std::string poses;
+    std::string poses, likely;
+    bool are_alike = true;  // in size
     const FoundMember* first = nullptr;
     for (const FoundMember& member : members_) {
       if (member.node == JsonCell::missing || may_be_rotation(member) || has_role(member.name)) continue;
@@ -758,12 +806,19 @@ class FirstKey {
       arrays.push_back(in_quotes(member.name));
       if (member.array) arrays.back() += fmt::format(" of {}", how_many(member.numbers, "number"));
       if (!options.empty()) poses = fmt::format("{} for the poses in {}", options, in_quotes(member.name));
+      const bool is_tangent = std::ranges::count(tangents, member.name) > 0;
+      if (likely.empty() && member.is_number_array() && !is_tangent) likely = member.name;
+      are_alike = are_alike && member.numbers == first->numbers;
     }
     if (poses.empty() && arrays.size() < 2) return;
     throw at(*first, data_error("these arrays are not used: {}; expected \"position\" as the name of an array of "
                                 "positions; rename one, or give {}",
                                 fmt::join(arrays, ", "),
-                                poses.empty() ? "--columns position=NAME for the one that has the positions" : poses));
+                                !poses.empty() ? poses
+                                : likely.empty() || !are_alike
+                                    ? "--columns position=NAME for the one that has the positions"
+                                    : fmt::format("--columns {}, or the name of another one that has the positions",
+                                                  in_shell("position=" + likely))));
   }
 
   /// Throws: Error (data) where there are no numbers but in texts such as "(1, 2, 3)".
@@ -831,16 +886,8 @@ class FirstKey {
   }
 
   /// Finds the notes of the doubts about the columns. Throws: Error (data) for one that the request has to decide.
-  void find_doubts(JsonColumns& columns, const std::vector<std::string>& header,
-                   const std::vector<bool>& numeric) const {
-    constexpr std::size_t most = 50;
-    std::vector<std::vector<std::string_view>> rows(std::min(records_.size(), most));
-    JsonCells cells;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      rows[i].resize(header.size());
-      records_.get_cells(i, cells);
-      for (const JsonCell& cell : cells) take_cells(rows[i], tape_, columns.key, cell.name, cell.value);
-    }
+  void find_doubts(JsonColumns& columns, const std::vector<std::string>& header, const std::vector<bool>& numeric,
+                   const Rows& rows) const {
     std::vector<std::string> meant, arrays;
     for (const FoundMember& member : members_) {
       if (member.array) meant.insert(meant.end(), member.columns.begin(), member.columns.end());
@@ -858,7 +905,7 @@ class FirstKey {
         .has_time_unit = options_.units.time.has_value(),
         .meant = std::move(meant),
         .array = arrays.size() == 1 ? arrays[0] : ""};
-    columns.columns.doubts = doubts_of_columns(found);
+    std::ranges::move(doubts_of_columns(found), std::back_inserter(columns.columns.doubts));
     columns.columns.time_gap = first_time_gap(found);
   }
 

@@ -28,9 +28,13 @@ struct JsonCurveInfo {
   CurveInfo curve_info;
   std::vector<std::string> channels;  ///< names of the numbers of "position"
   std::vector<std::string> unused;    ///< members with numbers that are no settings
+  std::string shown_rate;             ///< the number of the first of them that is a frame rate; empty: none
   std::string path;                   ///< of the object, empty for the outermost one
   TextPosition position;              ///< where it begins
 };
+
+/// Whether a member is a frame rate by its name, and a number.
+bool is_frame_rate(const JsonTape& tape, std::size_t name);
 
 /// Throws: Error (data) at a member that is wrong, or whose name is a near miss.
 JsonCurveInfo read_curve_info(const JsonPart& part);

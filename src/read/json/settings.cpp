@@ -61,6 +61,7 @@ class SettingsReader {
     const std::string nearest = nearest_name(member_, known_members);
     if (!nearest.empty()) throw at(name_, data_error("there is no such setting; did you mean {}?", nearest));
     const bool has_number = tape_.holds(value, Kind::number);
+    if (found.shown_rate.empty() && is_frame_rate(tape_, name_)) found.shown_rate = tape_.written(value);
     if (has_number && member_ != "meta" && others_.insert(member_).second) found.unused.emplace_back(member_);
   }
 
@@ -139,6 +140,13 @@ class SettingsReader {
 };
 
 }  // namespace
+
+bool is_frame_rate(const JsonTape& tape, std::size_t name) {
+  constexpr std::array<std::string_view, 4> names{"fps", "framerate", "frame_rate", "frames_per_second"};
+  const bool has_number =
+      tape.kind(name) == Kind::name && name + 1 < tape.size() && tape.kind(name + 1) == Kind::number;
+  return has_number && std::ranges::any_of(names, [&](auto known) { return same_in_any_case(known, tape.text(name)); });
+}
 
 JsonCurveInfo read_curve_info(const JsonPart& part) { return std::move(SettingsReader(part).found); }
 

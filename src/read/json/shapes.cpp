@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <memory>
@@ -243,6 +242,7 @@ Records open_objects(Source<Task> source, JsonShape shape, const InputOptions& o
   if (!curve) throw no_text();
   if (curve->columns.key.inner.empty()) throw no_keys(curve->members);
   Records records = records_of(curve->columns, shape);
+  records.facts.shown_rate = curve->members.shown_rate;
   std::vector<std::string>& ignored = records.columns.ignored;
   ignored.insert(ignored.end(), curve->members.unused.begin(), curve->members.unused.end());
   if (shape == JsonShape::object) {
@@ -305,6 +305,22 @@ class TableKeys {
   LineCounter lines_ = begin();
 };
 
+/// Finds the frame rate that a text has beside its keys, and adds a note where their times may be frames.
+void find_rate(const JsonTape& tape, const UnitOptions& units, Records& records) {
+  Columns& columns = records.columns;
+  if (units.time || units.frame_rate || !columns.time_gap) return;
+  for (std::size_t at = 0; at < tape.size() && records.facts.shown_rate.empty(); ++at) {
+    if (!is_frame_rate(tape, at)) continue;
+    const std::string_view name = tape.text(at), rate = tape.written(at + 1);
+    const bool is_column = std::ranges::count(columns.channels, name) + std::ranges::count(columns.ignored, name) > 0;
+    if (is_column) continue;
+    records.facts.shown_rate = rate;
+    if (unit_of_time(columns.time)) continue;
+    columns.doubts.push_back(fmt::format("{} is {}, and is not used; --input-fps {} takes the times as frames at it",
+                                         in_quotes(name), rate, rate));
+  }
+}
+
 Records open_tables(std::shared_ptr<const WholeJson> text, std::vector<JsonTable> tables, const InputOptions& options,
                     JsonShape shape = JsonShape::any) {
   JsonColumns columns = find_members(tables[0], options, {});
@@ -323,6 +339,7 @@ Records open_tables(std::shared_ptr<const WholeJson> text, std::vector<JsonTable
     records.keys.traits.own_curves = true;
   }
   records.facts.records = tables.size() > 1 ? options.records : tables[0].path();
+  find_rate(text->tape, options.units, records);
   records.keys.blocks = TableKeys(std::move(text), std::move(tables), std::move(columns), options);
   return records;
 }
@@ -337,21 +354,6 @@ std::optional<Records> open_one_key(const Chunk& text, const InputOptions& optio
   } catch (const Error& error) {
     reason = error;
     return std::nullopt;
-  }
-}
-
-/// Adds a note where a text has a frame rate, and its times may be frames.
-void add_rate_note(const JsonTape& tape, const UnitOptions& units, Columns& columns) {
-  constexpr std::array<std::string_view, 4> names{"fps", "framerate", "frame_rate", "frames_per_second"};
-  if (units.time || units.frame_rate || !columns.time_gap || unit_of_time(columns.time)) return;
-  for (std::size_t at = 0; at + 1 < tape.size(); ++at) {
-    if (tape.kind(at) != Kind::name || tape.kind(at + 1) != Kind::number) continue;
-    const std::string_view name = tape.text(at);
-    const bool is_column = std::ranges::count(columns.channels, name) + std::ranges::count(columns.ignored, name) > 0;
-    if (is_column || std::ranges::none_of(names, [&](auto known) { return same_in_any_case(known, name); })) continue;
-    columns.doubts.push_back(fmt::format("{} is {}, and is not used; --input-fps {} takes the times as frames at it",
-                                         in_quotes(name), tape.written(at + 1), tape.written(at + 1)));
-    return;
   }
 }
 
@@ -377,11 +379,7 @@ Records open_whole(JsonPart part, const InputOptions& options) {
     key = open_one_key(text->part.chunk, options, reason);
   }
   std::vector<JsonTable> tables = find_tables(tape, options);
-  if (!tables.empty()) {
-    Records records = open_tables(text, std::move(tables), options);
-    add_rate_note(tape, options.units, records.columns);
-    return records;
-  }
+  if (!tables.empty()) return open_tables(text, std::move(tables), options);
   const bool has_time = key && key->columns.has(Role::time) && tape.member(0, key->columns.time);
   if (key && (has_time || options.columns.timeless)) return *std::move(key);
   if (reason) throw *reason;

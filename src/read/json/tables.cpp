@@ -11,6 +11,7 @@
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
 #include "read/other_files.hpp"
+#include "schema/key_rules.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
@@ -126,9 +127,11 @@ bool JsonTable::find_layout(std::size_t table, bool is_root, bool is_timeless) {
   for (const std::size_t name : tape.inside(table)) {
     const std::size_t value = name + 1;
     const std::string_view text = tape.text(name);
-    const bool begins_with_object = value + 1 < tape[value].next && tape.kind(value + 1) == Kind::object;
+    const bool is_empty = value + 1 == tape[value].next;
+    const bool begins_with_object = !is_empty && tape.kind(value + 1) == Kind::object;
     if (tape.kind(value) == Kind::array && !begins_with_object) {
-      if (is_usual_time(text) || !is_root) return read_lists(table), true;
+      const bool are_times = is_usual_time(text) && (is_empty || tape.kind(value + 1) != Kind::array);
+      if (are_times || !is_root) return read_lists(table), true;
       if (is_root && tape.holds(value, Kind::object)) return false;
     } else if (is_root) {
       return false;
@@ -432,11 +435,15 @@ Fit fit_of_array(const JsonTape& tape, std::size_t array) {
     const std::size_t first = row + 1;
     const bool is_string = tape.kind(first) == Kind::string;
     const bool is_in_words = is_string && find_notation(tape.text(first));
+    const auto is_missing = [&](std::size_t value) {
+      return tape.kind(value) == Kind::null ||
+             (tape.kind(value) == Kind::string && is_missing_sign(tape.text(value), {}));
+    };
     const auto is_cell = [&](std::size_t value) {
-      return is_number(tape, value) || (value == first ? is_in_words : tape.kind(value) == Kind::null);
+      return is_number(tape, value) || is_missing(value) || (value == first && is_in_words);
     };
     if (tape.count(row) != columns || !std::ranges::all_of(tape.inside(row), is_cell)) return Fit::none;
-    if (is_in_words) continue;
+    if (is_in_words || is_missing(first)) continue;
     const auto number = parse_number(is_string ? tape.text(first) : tape.written(first));
     rises = rises && (!before || *number > *before);
     before = number;
@@ -558,6 +565,37 @@ std::string listed_paths(const std::vector<Place>& places) {
   return listed(paths);
 }
 
+/// The names of the first record of a list, or how many numbers it has.
+std::vector<std::string_view> names_of_record(const JsonTape& tape, std::size_t list) {
+  std::vector<std::string_view> names;
+  for (const std::size_t inner : tape.inside(list + 1)) {
+    names.push_back(tape.kind(inner) == Kind::name ? tape.text(inner) : "");
+  }
+  return names;
+}
+
+/// The path of the first place with * for the one step in which those of the others differ; empty where they differ in
+/// more, or their records do.
+std::string path_of_all(const JsonTape& tape, const std::vector<Place>& places) {
+  const auto are_alike = [&](const Place& place) {
+    return tape.kind(place.value) == Kind::array &&
+           names_of_record(tape, place.value) == names_of_record(tape, places[0].value);
+  };
+  if (!std::ranges::all_of(places, are_alike)) return "";
+  const std::string& path = places[0].path;
+  for (std::size_t begin = 0; begin < path.size();) {
+    const bool is_index = path[begin] == '[';
+    const std::size_t end = std::min(path.find_first_of(".[", begin + 1), path.size());
+    const std::string all = path.substr(0, begin) + (is_index ? "[*]" : "*") + path.substr(end);
+    std::vector<std::size_t> found;
+    std::string current;
+    follow(tape, 0, current, all, [&](std::size_t value) { found.push_back(value); });
+    if (std::ranges::equal(found, places, {}, {}, &Place::value)) return all;
+    begin = end < path.size() && path[end] == '.' ? end + 1 : end;
+  }
+  return "";
+}
+
 }  // namespace
 
 void refuse_other_json(const JsonTape& tape, const ColumnOptions& requested, std::string_view list) {
@@ -608,10 +646,13 @@ std::vector<JsonTable> find_tables(const JsonTape& tape, const InputOptions& opt
     if (!are_named) refuse_other_json(tape, requested_columns, fitting.empty() ? "" : fitting[0].path);
   }
   if (path.empty() && fitting.size() > 1) {
+    const std::string all = path_of_all(tape, fitting);
     throw data_error(
-        "{} lists may be the keys: {}; expected one; give --records {}, another one of these, or a path with * for any "
-        "name or number, which makes a curve of each list",
-        fitting.size(), listed_paths(fitting), in_shell(fitting[0].path))
+        "{} lists may be the keys: {}; expected one; give --records {}, another one of these, or {} a curve "
+        "of each list",
+        fitting.size(), listed_paths(fitting), in_shell(fitting[0].path),
+        all.empty() ? "a path with * for any name or number, which makes"
+                    : fmt::format("--records {}, which makes", in_shell(all)))
         .at({"", 1, 1});
   }
   std::vector<JsonTable> tables;
