@@ -254,7 +254,7 @@ std::optional<InputCurve> Curves::next() {
   }
   const bool any = fill();
   if (!any && !first_) return std::nullopt;
-  first_ = false;
+  if (!std::exchange(first_, false) && block_->has_break_before(at_)) ++breaks_;
   const bool continues = any && has_gap(at_);
   if (any && block_->curve_info != nullptr && at_ == 0) curve_info_ = std::exchange(block_->curve_info, nullptr);
   started_ = true;
@@ -281,12 +281,12 @@ std::optional<KeyBlock> Curves::next_keys() {
     for (last_ = block_->keys.times[key++]; key < end && !has_gap(key); ++key) last_ = block_->keys.times[key];
     end = key;
   }
-  if (at_ == 0 && end == block_->size()) {
-    std::optional<KeyBlock> whole = std::exchange(block_, std::nullopt);
-    whole->breaks.before.clear();
-    return whole;
-  }
-  return block_->range(std::exchange(at_, end), end);
+  if (at_ == 0 && end == block_->size()) return std::exchange(block_, std::nullopt);
+  KeyBlock part = block_->range(at_, end);
+  if (block_->has_break_before(at_)) part.breaks.before = {0};
+  part.breaks.at_end = next != block_->breaks.before.end() && *next == end;
+  at_ = end;
+  return part;
 }
 
 std::vector<std::string> Curves::group() const {

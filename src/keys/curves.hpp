@@ -95,6 +95,8 @@ class Curves {
   /// How many gaps divided curves so far, and the largest one.
   std::uint64_t gaps() const { return gaps_; }
   double largest_gap() const { return largest_gap_; }
+  /// How many curves began at a break so far.
+  std::uint64_t breaks() const { return breaks_; }
 
  private:
   std::optional<KeyBlock> next_keys();
@@ -119,7 +121,7 @@ class Curves {
   std::optional<Time> last_;  ///< the time of the last key that was handed out of the current curve
   Time origin_;               ///< the time of the first key of the first part of the current curve
   std::size_t part_ = 0;      ///< of the curve that gaps divide
-  std::uint64_t gaps_ = 0;
+  std::uint64_t gaps_ = 0, breaks_ = 0;
   double largest_gap_ = 0;
 };
 
