@@ -106,11 +106,10 @@ std::optional<Rational> largest_allowed_gap(const TimeSchema& time, const CurveO
 }
 
 /// The keys in order, without faults; `midnights` is as for past_midnight().
-Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live,
-                          std::uint64_t& midnights) {
-  const KeyTraits& traits = keys.traits;
+Source<KeyBlock> arranged(Source<KeyBlock> blocks, const Schema& schema, const KeyTraits& traits,
+                          const CurveOptions& options, bool live, std::uint64_t& midnights) {
   const bool is_ordered = schema.time.is_given && !options.any_order;
-  Source<KeyBlock> blocks = is_ordered ? with_time_digits(keys.blocks) : keys.blocks;
+  if (is_ordered) blocks = with_time_digits(std::move(blocks));
   const bool is_grouped = traits.has_whole_curves && !options.sort;
   const bool by_text = !schema.groups.empty() && !traits.own_curves && !is_grouped;
   if (!schema.time.is_given) require_times(options);
@@ -239,7 +238,8 @@ std::vector<LikelySign> ObservedChannels::likely_signs() const {
 
 Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
     : channels_(schema),
-      blocks_(observed(arranged(schema, keys, options, live, midnights_),
+      blocks_(observed(arranged(observed(keys.blocks, [this](const KeyBlock& block) { count_breaks(block); }), schema,
+                                keys.traits, options, live, midnights_),
                        [this](const KeyBlock& block) { channels_.add(block); })),
       may_break_(keys.traits.may_break || !schema.groups.empty() || options.duplicates == Duplicates::break_curve ||
                  options.max_gap),
@@ -248,13 +248,25 @@ Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& 
       curve_info_(std::make_shared<const CurveInfo>(keys.curve_info)),
       own_curves_(keys.traits.own_curves) {}
 
+/// Counts those between two keys.
+void Curves::count_breaks(const KeyBlock& block) {
+  if (block.curve_info != nullptr) any_read_ = is_broken_ = false;
+  if (!block.empty()) {
+    const bool at_front = block.has_break_before(0);
+    breaks_ += block.breaks.before.size() - (at_front ? 1 : 0) + (any_read_ && (at_front || is_broken_) ? 1 : 0);
+    any_read_ = true;
+    is_broken_ = false;
+  }
+  is_broken_ = is_broken_ || block.breaks.at_end;
+}
+
 std::optional<InputCurve> Curves::next() {
   if (!first_ && !may_break_) return std::nullopt;
   while (!first_ && next_keys()) {  // the rest of the curve before
   }
   const bool any = fill();
   if (!any && !first_) return std::nullopt;
-  if (!std::exchange(first_, false) && block_->has_break_before(at_)) ++breaks_;
+  first_ = false;
   const bool continues = any && has_gap(at_);
   if (any && block_->curve_info != nullptr && at_ == 0) curve_info_ = std::exchange(block_->curve_info, nullptr);
   started_ = true;
@@ -281,12 +293,12 @@ std::optional<KeyBlock> Curves::next_keys() {
     for (last_ = block_->keys.times[key++]; key < end && !has_gap(key); ++key) last_ = block_->keys.times[key];
     end = key;
   }
-  if (at_ == 0 && end == block_->size()) return std::exchange(block_, std::nullopt);
-  KeyBlock part = block_->range(at_, end);
-  if (block_->has_break_before(at_)) part.breaks.before = {0};
-  part.breaks.at_end = next != block_->breaks.before.end() && *next == end;
-  at_ = end;
-  return part;
+  if (at_ == 0 && end == block_->size()) {
+    std::optional<KeyBlock> whole = std::exchange(block_, std::nullopt);
+    whole->breaks.before.clear();
+    return whole;
+  }
+  return block_->range(std::exchange(at_, end), end);
 }
 
 std::vector<std::string> Curves::group() const {

@@ -55,8 +55,10 @@ class Steps {
     if (count_ == 0 && !block.empty()) {
       first_ = {"", block.line(0), 0};
       list_position_ = block.list_position(0);
-      if (!list_position_.empty()) first_ = block.text_position(0);
-      is_broken_ = block.breaks.at_end || block.has_break_before(0);
+      if (!list_position_.empty()) {
+        first_ = block.text_position(0);
+        may_follow_break_ = needs_.only_breaks && block.text_positions.numbers[0] > 0;
+      }
     }
     count_ += block.size();
     return block;
@@ -64,11 +66,10 @@ class Steps {
 
   void end() const {
     if (count_ >= needs_.least) return;
-    const bool is_in_list = !list_position_.empty() && count_ > 0;
     const Error error =
         data_error("there {}; a curve needs at least two; add keys{}", count_ == 0 ? "are no keys" : "is only one key",
-                   is_in_list && is_broken_ ? ", or remove the break beside it, such as null in place of a key" : "");
-    throw(is_in_list ? error.about(list_position_) : error).at(first_);
+                   may_follow_break_ ? ", or remove null in place of the key before it, which begins a new curve" : "");
+    throw(list_position_.empty() ? error : error.about(list_position_)).at(first_);
   }
 
  private:
@@ -192,7 +193,7 @@ class Steps {
   std::size_t count_ = 0;
   TextPosition first_ = {"", 0, 0};  ///< of the first key, and in a list the column, too
   std::string list_position_;
-  bool is_broken_ = false;  ///< there is a break beside it
+  bool may_follow_break_ = false;  ///< it is not the first one of its list
 };
 
 /// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases

@@ -117,8 +117,7 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
     add(broadcast_note(request.rate_as_decimal, Rational(1) / request.step));
   }
   time_name_ = input.schema.time.name;
-  has_nulls_ = input.facts.format->is_json && options.input.keys.missing != Missing::break_curve &&
-               options.curves.duplicates != Duplicates::break_curve;
+  has_nulls_ = input.facts.format->is_json;
   const TimeSchema& time = input.schema.time;
   const auto& period = options.rules.period;
   const bool has_duration = request.in_seconds.has_duration || (period && period->value.in_seconds);
@@ -195,8 +194,8 @@ void FileNotes::end(const Curves& curves) {
                   curves.largest_gap()));
   }
   if (const std::uint64_t breaks = has_nulls_ ? curves.breaks() : 0; breaks > 0) {
-    add(important("null in place of a key begins {}; remove it where a curve goes on",
-                  breaks == 1 ? "a new curve" : fmt::format("{} new curves", breaks)));
+    add(important("null in place of a key begins a new curve{}; remove it where a curve goes on",
+                  breaks == 1 ? "" : fmt::format(", {} times", breaks)));
   }
   if (curves.midnights() > 0) {
     add(important("the times in column \"{}\" pass midnight, and count on from 24:00:00", time_name_));
