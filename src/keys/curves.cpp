@@ -106,11 +106,10 @@ std::optional<Rational> largest_allowed_gap(const TimeSchema& time, const CurveO
 }
 
 /// The keys in order, without faults; `midnights` is as for past_midnight().
-Source<KeyBlock> arranged(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live,
-                          std::uint64_t& midnights) {
-  const KeyTraits& traits = keys.traits;
+Source<KeyBlock> arranged(Source<KeyBlock> blocks, const Schema& schema, const KeyTraits& traits,
+                          const CurveOptions& options, bool live, std::uint64_t& midnights) {
   const bool is_ordered = schema.time.is_given && !options.any_order;
-  Source<KeyBlock> blocks = is_ordered ? with_time_digits(keys.blocks) : keys.blocks;
+  if (is_ordered) blocks = with_time_digits(std::move(blocks));
   const bool is_grouped = traits.has_whole_curves && !options.sort;
   const bool by_text = !schema.groups.empty() && !traits.own_curves && !is_grouped;
   if (!schema.time.is_given) require_times(options);
@@ -239,7 +238,8 @@ std::vector<LikelySign> ObservedChannels::likely_signs() const {
 
 Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
     : channels_(schema),
-      blocks_(observed(arranged(schema, keys, options, live, midnights_),
+      blocks_(observed(arranged(observed(keys.blocks, [this](const KeyBlock& block) { count_breaks(block); }), schema,
+                                keys.traits, options, live, midnights_),
                        [this](const KeyBlock& block) { channels_.add(block); })),
       may_break_(keys.traits.may_break || !schema.groups.empty() || options.duplicates == Duplicates::break_curve ||
                  options.max_gap),
@@ -247,6 +247,18 @@ Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& 
       groups_(keys.traits.own_curves ? 0 : schema.groups.size()),
       curve_info_(std::make_shared<const CurveInfo>(keys.curve_info)),
       own_curves_(keys.traits.own_curves) {}
+
+/// Counts those between two keys.
+void Curves::count_breaks(const KeyBlock& block) {
+  if (block.curve_info != nullptr) any_read_ = is_broken_ = false;
+  if (!block.empty()) {
+    const bool at_front = block.has_break_before(0);
+    breaks_ += block.breaks.before.size() - (at_front ? 1 : 0) + (any_read_ && (at_front || is_broken_) ? 1 : 0);
+    any_read_ = true;
+    is_broken_ = false;
+  }
+  is_broken_ = is_broken_ || block.breaks.at_end;
+}
 
 std::optional<InputCurve> Curves::next() {
   if (!first_ && !may_break_) return std::nullopt;

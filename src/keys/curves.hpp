@@ -95,15 +95,19 @@ class Curves {
   /// How many gaps divided curves so far, and the largest one.
   std::uint64_t gaps() const { return gaps_; }
   double largest_gap() const { return largest_gap_; }
+  /// How often the input breaks between two keys, apart from gaps.
+  std::uint64_t breaks() const { return breaks_; }
 
  private:
+  void count_breaks(const KeyBlock& block);
   std::optional<KeyBlock> next_keys();
   std::vector<std::string> group() const;
   bool has_gap(std::size_t key) const;
   std::optional<Time> next_part();
   bool fill();
 
-  std::uint64_t midnights_ = 0;
+  std::uint64_t midnights_ = 0, breaks_ = 0;
+  bool any_read_ = false, is_broken_ = false;  ///< any key was read; a break follows the last one
   ObservedChannels channels_;
   Source<KeyBlock> blocks_;
   bool may_break_;

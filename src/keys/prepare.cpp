@@ -53,15 +53,24 @@ class Steps {
     if (needs_.monotone && !block.empty()) require_rules_alone(block);
     if (!block.keys.velocities.empty()) require_velocities(block);
     for (std::size_t i = 0; i < block.keys.eases.size(); ++i) require_ease(block.keys.eases[i], block.line(i));
-    if (count_ == 0 && !block.empty()) first_line_ = block.line(0);
+    if (count_ == 0 && !block.empty()) {
+      first_ = {"", block.line(0), 0};
+      list_position_ = block.list_position(0);
+      if (!list_position_.empty()) {
+        first_ = block.text_position(0);
+        may_follow_break_ = needs_.only_breaks && block.text_positions.numbers[0] > 0;
+      }
+    }
     count_ += block.size();
     return block;
   }
 
   void end() const {
     if (count_ >= needs_.least) return;
-    throw data_error("there {}; a curve needs at least two; add keys", count_ == 0 ? "are no keys" : "is only one key")
-        .at({"", first_line_, 0});
+    const Error error =
+        data_error("there {}; a curve needs at least two; add keys{}", count_ == 0 ? "are no keys" : "is only one key",
+                   may_follow_break_ ? ", or remove null in place of the key before it, which begins a new curve" : "");
+    throw(list_position_.empty() ? error : error.about(list_position_)).at(first_);
   }
 
  private:
@@ -183,7 +192,9 @@ class Steps {
   std::uint64_t line_ = 0;
   std::vector<KeyInChannel> before_in_;  ///< the last key in each channel
   std::size_t count_ = 0;
-  std::uint64_t first_line_ = 0;
+  TextPosition first_ = {"", 0, 0};  ///< of the first key, and in a list the column, too
+  std::string list_position_;
+  bool may_follow_break_ = false;  ///< it is not the first one of its list
 };
 
 /// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases

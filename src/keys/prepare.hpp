@@ -34,6 +34,7 @@ struct KeyPreparation {
   bool ease = true;                                  ///< that of keys is used
   bool monotone = false;                             ///< the timing, which has no ease, velocities or missing positions
   bool equal_speed = false;                          ///< of incoming and outgoing tangents, which has no velocities
+  bool only_breaks = false;                          ///< begin new curves, and no groups
   std::size_t least = 2;                             ///< number of keys, 1 or 2
 };
 

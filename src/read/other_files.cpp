@@ -8,6 +8,7 @@
 #include <string>
 
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -47,7 +48,17 @@ bool has_positions_of_fanuc(std::string_view text) {
 
 bool has_curves_of_nuke(std::string_view text) { return text.find("{curve ") != std::string_view::npos; }
 
-/// How a file is recognized: some bytes at a place, and texts somewhere in the first ones; members of JSON; or a test.
+bool is_geojson(std::string_view type) {
+  constexpr std::array types{"FeatureCollection"sv, "Feature"sv,      "Point"sv,
+                             "MultiPoint"sv,        "LineString"sv,   "MultiLineString"sv,
+                             "Polygon"sv,           "MultiPolygon"sv, "GeometryCollection"sv};
+  return std::ranges::count(types, type) > 0;
+}
+
+bool is_topojson(std::string_view type) { return type == "Topology"; }
+
+/// How a file is recognized: some bytes at a place, and texts somewhere in the first ones; or a test. JSON is
+/// recognized by its members, and a test of the member "type" of all.
 struct Signature {
   std::string_view bytes = {};
   std::size_t at = 0;
@@ -102,6 +113,10 @@ constexpr std::string_view
     by_nuke =
         "take the keys of a curve, as in grep -oE '\\{curve[^}]*' FILE | sed -n 1p | awk '{for (i = 2; i <= NF; ++i) "
         "if ($i ~ /^x/) f = substr($i, 2); else if ($i ~ /^[-0-9]/) print f++, $i}' | tcbsample",
+    by_feature = "take one of them, as in jq '.features[0]' FILE | tcbsample",
+    by_spine =
+        "take the keys of a bone, as in jq '.animations[\"NAME\"].bones[\"NAME\"].translate | map({time: (.time // 0), "
+        "x: (.x // 0), y: (.y // 0)})' FILE | tcbsample",
     by_srt =
         "take its times and the numbers in brackets, as in awk '/-->/ {t = $1; sub(/,/, \".\", t)} /\\[/ "
         "{gsub(/[^-+.0-9]+/, \" \"); print t, $0}' FILE | tcbsample",
@@ -230,7 +245,30 @@ constexpr OtherFile other_files[] = {
      {.members = {"asset", "accessors", "animations"}},
      "a glTF scene, whose keys are in a buffer",
      "export them as a table"},
-    {{}, {.members = {"type", "coordinates"}}, "GeoJSON, whose places have no times", "give WORD--parameter uniform"},
+    {{},
+     {.members = {"coordinates", "coordTimes"}, .test = is_geojson},
+     "GeoJSON with the times of several tracks",
+     by_feature},
+    {{},
+     {.members = {"coordinates", "times"}, .test = is_geojson},
+     "GeoJSON with the times of several tracks",
+     by_feature},
+    {{},
+     {.members = {"coordinates"}, .test = is_geojson},
+     "GeoJSON, whose places have no times",
+     "give WORD--parameter uniform"},
+    {{},
+     {.members = {"arcs"}, .test = is_topojson},
+     "TopoJSON, whose places are differences without times",
+     "convert an object of it, as in topo2geo NAME=- < FILE | tcbsample --parameter uniform"},
+    {{},
+     {.members = {"skeleton", "bones", "animations"}},
+     "a skeleton of Spine, whose keys leave out numbers",
+     by_spine},
+    {{},
+     {.members = {"armature", "bone", "frameRate"}},
+     "a skeleton of DragonBones, whose keys have durations and no times",
+     "write an object of time and position for each key"},
     {{},
      {.members = {"img_name", "position", "rotation"}},
      "a cameras.json of Gaussian splatting, whose cameras have no times",
@@ -278,14 +316,16 @@ constexpr OtherFile other_files[] = {
     {{".toml"}},
 };
 
-/// A signature at the beginning may follow blanks.
+/// A signature at the beginning may follow blanks, and a byte order mark.
 std::string_view without_blanks(std::string_view text) {
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   return text;
 }
 
 bool fits(const Signature& signature, std::string_view beginning) {
   const std::string_view text = signature.at == 0 ? without_blanks(beginning) : beginning;
+  if (!signature.members[0].empty()) return false;
   if (signature.test != nullptr) return signature.test(text);
   if (signature.bytes.empty()) return false;
   if (text.size() < signature.at || !text.substr(signature.at).starts_with(signature.bytes)) return false;
@@ -321,10 +361,11 @@ bool may_begin_other_file(std::string_view beginning) {
   });
 }
 
-std::optional<Error> other_json(const std::unordered_set<std::string_view>& members, std::string_view records) {
+std::optional<Error> other_json(const std::unordered_set<std::string_view>& members, std::string_view type,
+                                std::string_view records) {
   const auto found = std::ranges::find_if(other_files, [&](const OtherFile& row) {
     const auto& names = row.signature.members;
-    return !names[0].empty() &&
+    return !names[0].empty() && (row.signature.test == nullptr || row.signature.test(type)) &&
            std::ranges::all_of(names, [&](auto name) { return name.empty() || members.contains(name); });
   });
   if (found == std::ranges::end(other_files)) return std::nullopt;

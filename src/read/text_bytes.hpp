@@ -31,8 +31,10 @@ class TextBytes {
   bool append_to(std::string& text, LinePosition position) {
     if (at_nul_) {
       const LinePosition nul = position_after(text, position);
-      throw data_error(
-          "this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f UTF-16 -t UTF-8")
+      const bool may_be_utf16 = nul.line == 1 && nul.column <= 2;
+      throw data_error("this is a NUL byte; expected text in UTF-8; {}",
+                       may_be_utf16 ? "convert the input, for example with iconv -f UTF-16 -t UTF-8"
+                                    : "if it is text, remove such bytes, as in tr -d '\\0' < FILE | tcbsample")
           .at({"", nul.line, nul.column});
     }
     const std::size_t before = text.size();

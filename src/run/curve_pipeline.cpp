@@ -160,7 +160,8 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
                    .unlikely_scale = traits.has_tcb_scale ? std::nullopt : shown_tcb_scale(spec_.preset),
                    .ease = spec_.ease,
                    .monotone = spec_.rules.timing == spline::Timing::monotone,
-                   .equal_speed = spec_.rules.equal_speed},
+                   .equal_speed = spec_.rules.equal_speed,
+                   .only_breaks = schema.groups.empty()},
       part_(std::move(part)) {
   const auto unit = schema.time.unit;
   const bool has_duration = request_.in_seconds.has_duration || spec_.is_period_in_seconds;

@@ -128,6 +128,7 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
     add(important("the angles of rotations are taken as radians; --angles degrees gives the other unit"));
   }
   time_name_ = input.schema.time.name;
+  has_nulls_ = input.facts.format->is_json;
   const TimeSchema& time = input.schema.time;
   const auto& period = options.rules.period;
   const bool has_duration = request.in_seconds.has_duration || (period && period->value.in_seconds);
@@ -197,6 +198,10 @@ void FileNotes::end(const Curves& curves) {
     add(important("{} between keys {} a new curve; the largest is {}",
                   gaps == 1 ? "1 gap" : fmt::format("{} gaps", gaps), gaps == 1 ? "begins" : "begin",
                   curves.largest_gap()));
+  }
+  if (const std::uint64_t breaks = has_nulls_ ? curves.breaks() : 0; breaks > 0) {
+    add(important("null in place of a key begins a new curve{}; remove it where a curve goes on",
+                  breaks == 1 ? "" : fmt::format(", {} times", breaks)));
   }
   if (curves.midnights() > 0) {
     add(important("the times in column \"{}\" pass midnight, and count on from 24:00:00", time_name_));

@@ -43,6 +43,7 @@ class FileNotes {
   Report& report_;
   const std::string& path_;
   std::string time_name_;         ///< the name of the times
+  bool has_nulls_ = false;        ///< null in place of a key breaks curves
   std::uint64_t remainders_ = 0;  ///< number of curves whose end is not a row
   std::uint64_t rows_ = 0;        ///< within a distance
   std::uint64_t least_rows_ = 0;  ///< of any polylines within it

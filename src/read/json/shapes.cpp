@@ -75,11 +75,19 @@ JsonColumns columns_of(const JsonPart& part, bool are_rows, const InputOptions& 
   std::vector<std::uint32_t> values = first_values(tape);
   const auto is_key = [&](std::size_t value) { return tape.kind(value) == (are_rows ? Kind::array : Kind::object); };
   const auto first = std::ranges::find_if(values, [&](std::size_t value) { return tape.kind(value) != Kind::null; });
-  if (first == values.end()) throw no_key_at_comma().at(tape.position_at(1));
-  if (!is_key(*first)) throw not_a_record(tape, *first, are_rows);
+  if (values.empty()) throw no_key_at_comma().at(tape.position_at(1));
+  const std::size_t begin = first == values.end() ? values[0] : *first;
+  if (!is_key(begin)) {
+    if (tape[begin].is_nested()) throw not_a_record(tape, begin, are_rows);
+    throw data_error(
+        "found {} in the place of a key; expected an object, or an array of numbers, for each key; give a list of "
+        "these",
+        tape.kind(begin) == Kind::string ? in_quotes(tape.text(begin)) : tape.written(begin))
+        .at(tape.position(begin));
+  }
   const std::uint64_t number = part.chunk.first + static_cast<std::uint64_t>(first - values.begin());
   const std::vector<std::string> names =
-      are_rows ? usual_names(tape.count(*first), options.columns.timeless) : std::vector<std::string>{};
+      are_rows ? usual_names(tape.count(begin), options.columns.timeless) : std::vector<std::string>{};
   std::erase_if(values, [&](std::size_t value) { return !is_key(value); });
   JsonColumns columns =
       find_members(JsonTable(tape, std::move(values), names, part.chunk.path, number), options, channels);
@@ -362,9 +370,8 @@ Records open_whole(JsonPart part, const InputOptions& options) {
   const auto text = std::make_shared<const WholeJson>(std::move(part), options.max_memory);
   const JsonTape& tape = text->tape;
   if (!options.records.empty()) return open_tables(text, find_tables(tape, options), options);
-  std::optional<Error> reason;
-  std::optional<Records> key;
-  if (tape.kind(0) == Kind::object) {
+  const bool is_object = tape.kind(0) == Kind::object;
+  if (is_object) {
     std::optional<JsonTable> table;
     try {
       table = JsonTable::find(tape, 0, "", true, options.columns.timeless);
@@ -376,10 +383,12 @@ Records open_whole(JsonPart part, const InputOptions& options) {
       const bool has_times = table->has_times_in_index();
       return open_tables(text, {*table}, options, has_times ? JsonShape::table_by_index : JsonShape::table);
     }
-    key = open_one_key(text->part.chunk, options, reason);
   }
   std::vector<JsonTable> tables = find_tables(tape, options);
   if (!tables.empty()) return open_tables(text, std::move(tables), options);
+  std::optional<Error> reason;
+  std::optional<Records> key;
+  if (is_object) key = open_one_key(text->part.chunk, options, reason);
   const bool has_time = key && key->columns.has(Role::time) && tape.member(0, key->columns.time);
   if (key && (has_time || options.columns.timeless)) return *std::move(key);
   if (reason) throw *reason;
@@ -425,14 +434,18 @@ Records open_any_shape(Source<std::string> bytes, const InputOptions& options) {
   SharedColumns columns;
   if (shape == JsonShape::list) {
     std::optional<Error> fault;
+    bool may_be_row = false;
     try {
       columns = std::make_shared<const JsonColumns>(columns_of(*first, false, options, {}));
     } catch (const Error& error) {
-      refuse_other_json(JsonTape(*first), options.columns, "");
+      const JsonTape tape(*first);
+      refuse_other_json(tape, options.columns, "");
+      may_be_row = tape.size() > 1 && tape.kind(1) == Kind::number;
       fault = error;
     }
     const bool may_be_series = fault || (options.columns.roles.empty() && !columns->columns.has(Role::time));
     if (may_be_series && holds_table_in_first(*first)) return open_whole(splitter->whole(*std::move(first)), options);
+    if (may_be_row) (void)splitter->next();  // refuses a row on each line
     if (fault) throw Error(*fault);
   }
   Source<Task> source = tasks(*std::move(first), std::move(columns), splitter, options);

@@ -282,6 +282,11 @@ std::optional<JsonPart> JsonSplitter::next() {
         stage_ = Stage::end;
         if (skip_blanks(at_) == '\0') break;
         (void)take(at_);
+        if (text_[0] == '[') {
+          throw here(
+              data_error("another array follows the first one; expected one array of all keys; put them into "
+                         "one, as in jq -s . FILE | tcbsample"));
+        }
         throw here(data_error("there is text after the array of keys; expected nothing; remove it"));
       case Stage::unclosed:
         (void)take(text_.size());

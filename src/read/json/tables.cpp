@@ -30,6 +30,15 @@ bool has_only(const JsonTape& tape, std::size_t value, Kind kind) {
          std::ranges::all_of(all, [&](std::size_t inner) { return tape.kind(tape.value_of(inner)) == kind; });
 }
 
+/// Whether an array begins with an object, and the others are objects, or null, which breaks curves.
+bool is_list_of_objects(const JsonTape& tape, std::size_t array) {
+  const auto is_key_or_break = [&](std::size_t value) {
+    return tape.kind(value) == Kind::object || tape.kind(value) == Kind::null;
+  };
+  const auto all = tape.inside(array);
+  return !all.empty() && tape.kind(*all.begin()) == Kind::object && std::ranges::all_of(all, is_key_or_break);
+}
+
 /// The array of rows of an object that has the names of their columns beside it, as pandas and InfluxDB write tables.
 std::optional<std::size_t> rows_beside_columns(const JsonTape& tape, std::size_t object) {
   const auto columns = tape.member(object, "columns");
@@ -104,7 +113,7 @@ std::optional<JsonTable> JsonTable::find(const JsonTape& tape, std::size_t value
 bool JsonTable::find_layout(std::size_t table, bool is_root, bool is_timeless) {
   const JsonTape& tape = *tape_;
   if (tape.kind(table) == Kind::array) {
-    const bool is_list = has_only(tape, table, Kind::object);
+    const bool is_list = is_list_of_objects(tape, table);
     if (!is_list && !has_only(tape, table, Kind::array)) return false;
     rows_ = tape.elements(table);
     size_ = rows_.size();
@@ -420,7 +429,7 @@ enum class Fit { none, without_times, with_times };
 
 /// A list of rows of numbers, which may follow a time in words, all of one size, or of objects with numbers.
 Fit fit_of_array(const JsonTape& tape, std::size_t array) {
-  if (has_only(tape, array, Kind::object)) {
+  if (is_list_of_objects(tape, array)) {
     const std::size_t first = array + 1;
     if (tape[first].next == tape[array].next || !has_number(tape, first)) return Fit::none;
     return has_time(tape, first) ? Fit::with_times : Fit::without_times;
@@ -480,7 +489,7 @@ Fit fit_of(const JsonTape& tape, std::size_t value) {
 /// Whether a list of objects with numbers is somewhere below a value.
 bool holds_list(const JsonTape& tape, std::size_t value) {
   for (std::size_t at = value + 1; at < tape[value].next; ++at) {
-    const bool is_list = tape.kind(at) == Kind::array && tape.count(at) > 1 && has_only(tape, at, Kind::object);
+    const bool is_list = tape.kind(at) == Kind::array && tape.count(at) > 1 && is_list_of_objects(tape, at);
     if (is_list && fit_of_array(tape, at) != Fit::none) return true;
   }
   return false;
@@ -605,7 +614,12 @@ void refuse_other_json(const JsonTape& tape, const ColumnOptions& requested, std
     if (tape.kind(at) == Kind::name) names.insert(tape.text(at));
   }
   const std::string records = list.empty() ? "" : fmt::format("--records {} ", in_shell(list));
-  if (const std::optional<Error> error = other_json(names, records)) throw error->at({"", 1, 1});
+  const std::size_t outer = tape.kind(0) == Kind::array && tape.size() > 1 ? 1 : 0;
+  std::string_view type;
+  for (const std::size_t name : tape.inside(outer)) {
+    if (tape.kind(name) == Kind::name && tape.text(name) == "type") type = tape.shown(name + 1);
+  }
+  if (const std::optional<Error> error = other_json(names, type, records)) throw error->at({"", 1, 1});
 }
 
 bool holds_table(const JsonTape& tape, std::size_t value) {

@@ -25,6 +25,15 @@ std::size_t end_of_string(std::string_view text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
+/// Whether an escape such as \ud800 is at `at`, whose first digit after d is one of these.
+bool is_surrogate(std::string_view text, std::size_t at, std::string_view digits) {
+  constexpr std::string_view hexadecimal = "0123456789abcdefABCDEF";
+  const std::string_view escape = text.substr(std::min(at, text.size()), 6);
+  return escape.size() == 6 && (escape.starts_with("\\ud") || escape.starts_with("\\uD")) &&
+         digits.find(escape[3]) != std::string_view::npos &&
+         escape.find_first_not_of(hexadecimal, 4) == std::string_view::npos;
+}
+
 /// A text as nlohmann-json gets it, which takes long for each character and for the value of a number.
 struct ShortText {
   std::string text;
@@ -32,7 +41,8 @@ struct ShortText {
 };
 
 /// What the grammar needs of a text from `at` on, up to so many characters: with a zero in the place of digits from one
-/// of 1 to 9 on, and of NaN, which JSON does not have, and without the characters of strings in printable ASCII.
+/// of 1 to 9 on, and of NaN, which JSON does not have, and without the characters of strings in printable ASCII. Half
+/// of a surrogate pair is a valid escape of no character, and stands as it is written.
 ShortText shortened(std::string_view text, std::size_t at, std::size_t most = std::string_view::npos) {
   const auto is_plain = [](char c) { return c >= ' ' && c <= '~' && c != '"' && c != '\\'; };
   const auto is_nan = [&](std::size_t begin) {
@@ -49,7 +59,16 @@ ShortText shortened(std::string_view text, std::size_t at, std::size_t most = st
     out += c;
     if (in_string) {
       in_string = c != '"';
-      if (c == '\\' && at < text.size() && out.size() < most) out += text[place = at++];
+      if (c == '\\' && at < text.size() && out.size() < most) {
+        const bool is_high = is_surrogate(text, at - 1, "89abAB"), is_low = is_surrogate(text, at - 1, "cdefCDEF");
+        out += text[place = at++];
+        if (is_high && is_surrogate(text, at + 4, "cdefCDEF")) {
+          out += text.substr(at, 10);
+          place = (at += 10) - 1;
+        } else if (is_high || is_low) {
+          out.back() = '\\';
+        }
+      }
     } else if (c == '"') {
       in_string = true;
       std::size_t end = at;
@@ -221,6 +240,18 @@ class JsonTape::Events {
     const std::size_t begin = next_token(last, is_separated);
     const std::string_view found = text_.substr(begin);
     const auto at = [&](std::size_t place, const Error& error) { return error.at(tape_.position_at(place)); };
+    const auto unexpected = [&](std::string_view token) {
+      return at(begin, data_error("not JSON: found {}; expected {}; correct the text", in_quotes(token),
+                                  expected(is_separated)));
+    };
+    // A literal such as 1. or tru ends before a comma or a bracket; one within a record that the text's end cuts off
+    // does not.
+    const bool is_literal = !found.empty() && (is_word(found[0]) || found[0] == '-');
+    const bool ends_literal =
+        std::string_view(",]}: \t\r\n").find(text_[std::min(last, text_.size() - 1)]) != std::string_view::npos;
+    if (is_literal && begin < last && ends_literal && (!is_end || open_.size() == 1)) {
+      throw unexpected(found.substr(0, last - begin));
+    }
     const bool may_be_string = is_separated || last_ == Last::nothing || last_ == Last::opening;
     if (found.starts_with('"') && is_end) {
       throw at(begin, data_error("not JSON: a string is not closed; expected \" at its end; add it"));
@@ -244,8 +275,7 @@ class JsonTape::Events {
       }
       if (token.ends_with('"')) token.remove_suffix(1);
     }
-    throw at(begin,
-             data_error("not JSON: found {}; expected {}; correct the text", in_quotes(token), expected(is_separated)));
+    throw unexpected(token);
   }
 
   /// What may follow what was read, and a comma or colon after that.

@@ -145,9 +145,8 @@ TEST(Csv, the_text_before_a_nul_is_read_first) {
   for (const std::size_t piece : {std::size_t{1}, std::size_t{5}, std::string::npos}) {
     EXPECT_EQ(read("t,x\n0,1\n1,a\n2,\0"s, {}, piece),
               "f:3:3: error: x: \"a\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell\n"
-              "f:4:3: error: this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f "
-              "UTF-16 -t "
-              "UTF-8");
+              "f:4:3: error: this is a NUL byte; expected text in UTF-8; if it is text, remove such "
+              "bytes, as in tr -d '\\0' < FILE | tcbsample");
   }
 }
 

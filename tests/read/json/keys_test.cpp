@@ -59,7 +59,7 @@ TEST(JsonKeys, values_that_are_no_keys_take_linear_time) {
   for (int i = 0; i < 200'000; ++i) values += " 1";
   EXPECT_THAT(read(values), testing::StartsWith("f:1:15: error: found a number as a key; expected an object"));
   EXPECT_THAT(read("{\"t\":0,\"x\":1}\nnul\n{\"t\":1,\"x\":2}"),
-              testing::StartsWith("f:2:1: error: not JSON: found \"nul\\x0A\""));
+              testing::StartsWith("f:2:1: error: not JSON: found \"nul\""));
 }
 
 TEST(JsonKeys, numbers_may_be_in_quotes) {

@@ -157,9 +157,8 @@ TEST(Json, the_text_before_a_nul_is_read_first) {
   for (const std::size_t piece : {std::size_t{1}, std::size_t{5}, std::string::npos}) {
     EXPECT_EQ(read("[{\"t\":0,\"x\":1},\n{\"t\":1,\"x\":\"a\"},\n\0"s, {}, piece),
               "f:2:12: error: keys[1].x: \"a\" is not a number; expected a number; correct it\n"
-              "f:3:1: error: this is a NUL byte; expected text in UTF-8; convert the input, for example with iconv -f "
-              "UTF-16 -t "
-              "UTF-8");
+              "f:3:1: error: this is a NUL byte; expected text in UTF-8; if it is text, remove such "
+              "bytes, as in tr -d '\\0' < FILE | tcbsample");
   }
 }
 

@@ -127,7 +127,7 @@ TEST(JsonTape, the_first_wrong_token_is_an_error_with_what_was_expected) {
       {list_of("{\"a\":1}5"), "f:1:9: error: not JSON: found \"5\"; expected a comma or a closing bracket"},
       {list_of("{,}"), "f:1:3: error: not JSON: found \",\"; expected a name in quotes"},
       {list_of("{\"a\":1 \"b\":2}"), "f:1:9: error: not JSON: found \"b\"; expected a comma or a closing bracket"},
-      {list_of("{\"a\":tru}"), "f:1:7: error: not JSON: found \"tru}\"; expected a value"},
+      {list_of("{\"a\":tru}"), "f:1:7: error: not JSON: found \"tru\"; expected a value"},
       {list_of("{\"a\":-x}"), "f:1:7: error: not JSON: found \"-x\"; expected a value"},
       {list_of("{\"a\":01}"), "f:1:8: error: not JSON: found \"1\"; expected a comma or a closing bracket"},
       {list_of("[2-5,1]"), "f:1:4: error: not JSON: found \"-5\"; expected a comma or a closing bracket"},
