@@ -233,8 +233,7 @@ std::optional<Rational> read_date(std::string_view text, DateOrder order) {
   if (is_short && year.size() != short_size) return std::nullopt;
   const std::int64_t last = number_of(year), full = !is_short ? last : last < 69 ? 2000 + last : 1900 + last;
   const auto number_of_month = has_name ? month_of(parts->month_name) : static_cast<unsigned>(number_of(month));
-  const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(full)),
-                                         std::chrono::month(number_of_month),
+  const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(full)), std::chrono::month(number_of_month),
                                          std::chrono::day(static_cast<unsigned>(number_of(day)))};
   const auto clock =
       parts->clock.empty() ? Rational(0) : read_clock(fmt::format("{}{}", parts->clock, parts->half_of_day));

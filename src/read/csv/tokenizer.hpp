@@ -39,8 +39,8 @@ class Tokenizer {
   Tokenizer(const Chunk& chunk, const Dialect& dialect);
 
   /// The cells of the next record as written, without blanks around them; false at the end. Comments and blank lines
-  /// are skipped; the comments directly above the record are in comment(). Throws: Error (data) for a misplaced quote and for more
-  /// than most_cells, after it has skipped the record.
+  /// are skipped; the comments directly above the record are in comment(). Throws: Error (data) for a misplaced quote
+  /// and for more than most_cells, after it has skipped the record.
   bool next(std::vector<std::string_view>& cells);
 
   /// Whether a line before this record, or at the end one after the last record, ends the curve.
