@@ -123,7 +123,9 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
     add(broadcast_note(request.rate_as_decimal, Rational(1) / request.step));
   }
   const RotationOptions& rotation = options.input.rotation;
-  const auto has_angles = [](const GivenRotation& given) { return given.notation.has_angles(); };
+  const auto has_angles = [](const GivenRotation& given) {  // the length of a vector is in radians by convention
+    return given.notation.has_angles() && given.notation.form != spline::RotationForm::rotation_vector;
+  };
   if (!rotation.degrees && std::ranges::any_of(rotation.requests, has_angles)) {
     add(important("the angles of rotations are taken as radians; --angles degrees gives the other unit"));
   }
