@@ -158,7 +158,7 @@ constexpr Conflict conflicts[] = {
 
     {{"--metric"}, has_no_effect, {}, ", as no length or speed is requested", needs_no_metric},
 
-    {{"--count"}, excludes, {"--arc-step"}, ", and --arc-count takes N samples by arc length"},
+    {{"--count"}, excludes, {"--arc-step"}, "; --arc-count takes N samples by arc length"},
     {sampling_options, excludes, sampling_options},
     {{"--count", "--segments", "--arc-count"}, disables, {"--end"}},
     {{"--per-segment", "--at", "--arc-at"}, disables, place_options},

@@ -68,6 +68,23 @@ TEST(Dates, with_the_year_last_have_the_order_that_is_requested) {
   EXPECT_FALSE(read_date("01.02.2024", DateOrder::ymd));
 }
 
+TEST(Dates, with_years_of_two_digits_have_the_order_that_is_requested) {
+  EXPECT_TRUE(find_date_format("29.02.24")->needs_order());
+  EXPECT_TRUE(find_date_format("29-Feb-24")->needs_order());
+  for (const auto& [text, order] :
+       std::vector<std::pair<const char*, DateOrder>>{{"29.02.24 12:00", DateOrder::dmy},
+                                                      {"2/29/24 12:00", DateOrder::mdy},
+                                                      {"24-02-29 12:00", DateOrder::ymd},
+                                                      {"29-Feb-24 12:00", DateOrder::dmy},
+                                                      {"24-Feb-29 12:00", DateOrder::ymd}}) {
+    EXPECT_EQ(read_date(text, order), Rational(noon)) << text;
+  }
+  EXPECT_EQ(read_date("01.01.69", DateOrder::dmy), read_date("1969-01-01", DateOrder::ymd));
+  EXPECT_EQ(read_date("01.01.68", DateOrder::dmy), read_date("2068-01-01", DateOrder::ymd));
+  EXPECT_EQ(read_date("1.2.24", DateOrder::ymd), std::nullopt) << "the year has two digits";
+  EXPECT_EQ(date_text(Rational(noon), *find_date_format("29.02.24"), {}), "29.02.2024 12:00:00");
+}
+
 TEST(Dates, count_seconds_from_1970_in_utc) {
   EXPECT_EQ(read_date("2024-02-29 12:00:00", DateOrder::ymd), Rational(noon));
   EXPECT_EQ(read_date("2024-02-29 12:00:00 UTC", DateOrder::ymd), Rational(noon));
@@ -82,9 +99,9 @@ TEST(Dates, without_a_time_of_day_are_written_without_midnight) {
 }
 
 TEST(Dates, have_other_forms_in_no_text) {
-  for (const char* text : {"", "2024", "2024-02", "24-02-29", "2024-02/29", "2024-02-29T", "2024-02-29T12",
+  for (const char* text : {"", "2024", "2024-02", "4-02-9", "2024-02/29", "2024-02-29T", "2024-02-29T12",
                            "2024-02-29_12:00:00", "2024-02-29 12:00:00.", "2024-02-29 12:00:00 CET",
-                           "2024-02-29 12:00:00+1", "2024-02-29  12:00:00", "1.2.24", "2024-02-29 12:00:00Zx"}) {
+                           "2024-02-29 12:00:00+1", "2024-02-29  12:00:00", "1.2.4", "2024-02-29 12:00:00Zx"}) {
     EXPECT_FALSE(find_date_format(text)) << text;
   }
 }

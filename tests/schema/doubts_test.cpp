@@ -41,8 +41,9 @@ TEST(Doubts, are_notes_where_one_reading_is_plain) {
            {"t,x\nTS,V\n\"\",Avg\n0,5\n1,6\n", "the line below the names is taken as units: TS, V"},
            {"%time,header.stamp,x\n5,5,1\n6,6,2\n", "have the same times; the first is taken"},
            {"t,rvec_x,rvec_y,rvec_z\n0,0,0,1\n1,0,1,0\n", "--rotation axis-angle=rvec_x:rvec_y:rvec_z"},
-           {"\"#\",\"Date Time, GMT\",x\n1,05/01/24 10:00,5\n2,05/01/24 11:00,6\n",
+           {"\"#\",\"Date Time, GMT\",x\n1,2024-05-01 10:00,5\n2,2024-05-01 11:00,6\n",
             "column \"#\" is taken as the index"},
+           {"year,month,day,x\n2024,5,1,3\n2024,5,2,4\n", "columns year, month, day are taken as one time"},
            {"t,x\n1:30,5\n2:00,6\n", "times such as \"1:30\" are taken as minutes and seconds"},
        }) {
     EXPECT_THAT(doubts_of(row.text), HasSubstr(row.words)) << row.text;
@@ -64,7 +65,6 @@ TEST(Doubts, are_errors_where_readings_give_different_numbers) {
            {"t,q[0],q[1],q[2],q[3]\n0,1,0,0,0\n1,0,1,0,0\n", "'quaternion=q[1]:q[2]:q[3]:q[0]'"},
            {"a:b,id,x\n1,1,2\n2,1,3\n", "give --group id"},
            {"# YY MM DD hh\n# yr mo dy hr\n2024 05 01 00 3\n2024 05 01 01 4\n", "seem to be in column 1, column 2"},
-           {"year,month,day,x\n2024,5,1,3\n2024,5,2,4\n", "seem to be in \"year\", \"month\" and \"day\""},
            {"DATE,x\n20240301,5\n20240302,6\n", "such as 20240301; expected marks between year, month and day"},
            {"Machine\t\nOrder\t7\nX\tV\n0.0\t1.5\n0.1\t1.7\n", "give --skip-lines 2"},
            {"title of all\n0.0\t1.5\n0.1\t1.7\n0.2\t1.8\n", "give --skip-lines 1"},

@@ -724,8 +724,9 @@ class RolesByCells {
 
 /// The columns of numbers without those that are positions by their names alone and have no number in the first
 /// records.
-std::vector<bool> with_numbers(std::vector<bool> numeric, const std::vector<std::string>& names, const HeadRows& rows,
-                               const DelimitedHead& head, const ColumnOptions& requested) {
+std::vector<bool> with_numbers(const std::vector<bool>& all, const std::vector<std::string>& names,
+                               const HeadRows& rows, const DelimitedHead& head, const ColumnOptions& requested) {
+  std::vector<bool> numeric = all;
   for (std::size_t cell = 0; cell < names.size(); ++cell) {
     const auto has_none = [&](const HeadCells& row) {
       return cell >= row.size() || is_missing_sign(row[cell], head.rules.signs) || !begins_like_number(row[cell]);
@@ -734,14 +735,14 @@ std::vector<bool> with_numbers(std::vector<bool> numeric, const std::vector<std:
     if (is_requested || role_of_name(names[cell]) != Role::position) continue;
     if (std::ranges::all_of(rows, has_none)) numeric[cell] = false;
   }
-  return numeric;
+  return std::ranges::count(numeric, true) > 1 ? numeric : all;  // something has to be the position
 }
 
 /// Sets the columns of keys, with the doubts about them. `unread`: those that are not read unless they are requested.
 void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std::vector<bool> numeric,
                       const HeadRows& rows, const InputOptions& options, const std::vector<std::size_t>& unread) {
   ColumnOptions requested = options.columns;
-  if (options.keys.missing == Missing::error) numeric = with_numbers(std::move(numeric), names, rows, head, requested);
+  if (options.keys.missing == Missing::error) numeric = with_numbers(numeric, names, rows, head, requested);
   for (const std::size_t cell : unread) {
     const std::string column = fmt::format("{}", cell + 1);
     const bool is_requested = requested.has(column) || (cell < names.size() && requested.has(names[cell]));

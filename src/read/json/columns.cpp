@@ -385,6 +385,13 @@ class FirstKey {
       member.text = false;
       member.numbers = 1;
     }
+    const auto is_other = [](const FoundMember& member) {
+      return !member.text && member.numbers > 0 && !has_time_name(member);
+    };
+    if (std::ranges::any_of(members_, is_other)) return;
+    for (FoundMember& member : members_) {  // something has to be the position
+      if (std::exchange(member.is_empty, false)) member.text = false;
+    }
   }
 
   /// Whether a member is [] or {}.

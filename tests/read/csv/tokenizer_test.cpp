@@ -86,13 +86,13 @@ TEST(Tokenizer, comments_and_blank_lines_are_skipped) {
   EXPECT_EQ(table("0,1 # 2\n"), (RecordTexts{{"0", "1 # 2"}})) << "a comment is a line of its own";
 }
 
-TEST(Tokenizer, the_last_comment_skipped_is_kept) {
-  const Chunk chunk{"# one\n# two\n0,1\n2,3\n"};
+TEST(Tokenizer, the_comments_above_a_record_are_kept) {
+  const Chunk chunk{"# none\n\n# one\n# two\n0,1\n2,3\n"};
   const Dialect dialect;
   Tokenizer tokenizer(chunk, dialect);
   std::vector<std::string_view> cells;
   ASSERT_TRUE(tokenizer.next(cells));
-  EXPECT_EQ(tokenizer.comment(), "# two");
+  EXPECT_EQ(tokenizer.comment(), "# one\n# two");
   ASSERT_TRUE(tokenizer.next(cells));
   EXPECT_EQ(tokenizer.comment(), "");
 }
