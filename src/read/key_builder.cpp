@@ -11,6 +11,7 @@
 #include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {

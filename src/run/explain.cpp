@@ -190,7 +190,7 @@ Overshoot largest_overshoot(const spline::Curve<double>& curve, const spline::Cu
 
 /// Counts and facts of one curve.
 struct CurveOutcome {
-  TimeSchema time;
+  TimeSchema schema;
   std::size_t keys = 0;
   std::optional<std::uint64_t> rows;  ///< nothing if no samples are requested
   std::optional<Time> first, last;    ///< times of the keys, where they are known
@@ -204,10 +204,10 @@ struct CurveOutcome {
 
   /// A time as the input writes it, to milliseconds where it is in words.
   std::string shown(const Time& value) const {
-    const Rational exact = exact_time(value), rate = time.frame_rate.value_or(1);
-    const bool is_number = time.notation == TimeNotation::seconds || time.notation == TimeNotation::frames;
+    const Rational exact = exact_time(value), rate = schema.frame_rate.value_or(1);
+    const bool is_number = schema.notation == TimeNotation::seconds || schema.notation == TimeNotation::frames;
     const auto decimals = floor(exact) == exact ? std::nullopt : std::optional(3);
-    const auto words = is_number ? std::nullopt : time_in_words(exact, time.notation, rate, decimals, time.dates);
+    const auto words = is_number ? std::nullopt : time_in_words(exact, schema.notation, rate, decimals, schema.dates);
     return words.value_or(time_text(value));
   }
   std::string shown(const Gap& gap) const { return fmt::format("from {} to {}", shown(gap.from), shown(gap.to)); }
@@ -231,7 +231,8 @@ struct CurveOutcome {
 
 /// Places the samples of a curve if they are requested, and reads its keys to the end.
 CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, bool has_samples, const Schema& schema) {
-  CurveOutcome outcome{.time = schema.time};
+  CurveOutcome outcome;
+  outcome.schema = schema.time;
   const bool no_overshoot = pipeline.spec().rules.no_overshoot;
   const Source<KeyBlock> seen = observed(keys, [&outcome](const KeyBlock& block) { outcome.add(block); });
   if (!has_samples) {

@@ -128,8 +128,8 @@ void require_cells_of_numbers(std::string_view one, std::string_view two, char d
   if (text.empty() || numbers < 2 || without_numbers(two, numbers_below) != text || numbers != numbers_below) return;
   const auto cells = split(one, delimiter);
   const auto is_value = [](std::string_view cell) {
-    const std::string_view text = bare(trimmed(cell));
-    return !text.empty() && (looks_numeric(text) || find_notation(text));
+    const std::string_view value = bare(trimmed(cell));
+    return !value.empty() && (looks_numeric(value) || find_notation(value));
   };
   const auto count = [&](std::string_view marks) {
     return std::ranges::count_if(cells[0], [&](char c) { return marks.find(c) != std::string_view::npos; });
@@ -356,8 +356,8 @@ void require_bare_numbers(std::string_view text, const Dialect& dialect, std::ui
   const std::string_view one = take_line(), two = take_line();
   if (two.empty()) return;
   require_no_log(one, two, dialect.delimiter);
-  const auto are_quoted = [&](std::string_view line) {
-    const auto cells = split(line, dialect.delimiter);
+  const auto are_quoted = [&](std::string_view row) {
+    const auto cells = split(row, dialect.delimiter);
     return std::ranges::all_of(
         cells, [](std::string_view cell) { return cell.size() > 1 && cell.front() == '\'' && cell.back() == '\''; });
   };
