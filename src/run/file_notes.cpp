@@ -68,9 +68,7 @@ RequestNeeds needs_of(const Input& input, const KeyOptions& options, const Sampl
   const bool is_of_format = !input.facts.format->has_marks && !input.facts.format->is_json;
   needs.chooses_metric = options.rules.metric || input.keys.curve_info.settings.metric || is_of_format;
   needs.time_gap = input.facts.time_gap;
-  if (request.is_rate) {
-    needs.step_of_rate = denominator(request.step) == 1 ? whole_text(request.step) : ratio_text(request.step);
-  }
+  needs.is_rate = request.is_rate;
   needs.shown_rate = input.facts.shown_rate;
   if (request.mode == Mode::step) {
     (request.in_seconds.step ? needs.step : needs.plain_step) = nearest_double(request.step);

@@ -431,8 +431,19 @@ Found date_in_three_numbers(const FoundColumns& found) {
       shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2]), roles_of(found, "time", cells));
 }
 
+/// The command that adds marks to dates of so many digits: a year, a month and a day, with an hour, a minute and a
+/// second as far as there are digits for them.
+std::string marks_in_perl(std::size_t digits) {
+  const auto part = [&](std::size_t size, std::string_view with, std::string_view without) {
+    return digits >= size ? with : without;
+  };
+  return fmt::format(R"(perl -pe 's/\b([12]\d{{3}})(\d\d)(\d\d){}{}{}\b/$1-$2-$3{}{}{}/g')", part(10, R"((\d\d))", ""),
+                     part(12, R"((\d\d))", ""), part(14, R"((\d\d))", ""), part(10, "T$4", ""),
+                     part(12, ":$5", part(10, ":00", "")), part(14, ":$6", ""));
+}
+
 Found dates_as_numbers(const FoundColumns& found) {
-  if (found.requested.timeless || !found.requested.roles.empty() || found.rows.empty()) return std::nullopt;
+  if (found.requested.timeless || is_requested(found, Role::time) || found.rows.empty()) return std::nullopt;
   for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
     if (!found.numeric[cell] || !names_dates(found.names[cell])) continue;
     const bool are_dates = std::ranges::all_of(found.rows, [&](const auto& row) {
@@ -446,8 +457,8 @@ Found dates_as_numbers(const FoundColumns& found) {
     if (!are_dates) continue;
     return error(
         "the dates in column {} are written as whole numbers, such as {}; expected marks between year, month and day, "
-        "as in 2024-03-01; add them, or give --columns {} to take them as numbers",
-        shown(found, cell), found.rows[0][cell], roles_of(found, "time", {&cell, 1}));
+        "as in 2024-03-01; add them, as in {} FILE | tcbsample",
+        shown(found, cell), found.rows[0][cell], marks_in_perl(found.rows[0][cell].size()));
   }
   return std::nullopt;
 }
@@ -777,13 +788,13 @@ Found step_in_small_units(const Schema& schema, const RequestNeeds& needs) {
 
 /// Rates are in seconds; times that count frames have none.
 Found rate_of_frames(const Schema& schema, const RequestNeeds& needs) {
-  if (needs.step_of_rate.empty() || schema.time.unit != TimeUnit::frames) return std::nullopt;
+  if (!needs.is_rate || schema.time.unit != TimeUnit::frames) return std::nullopt;
   const std::string rate =
       needs.shown_rate.empty() ? "HZ, as in --input-fps 24" : fmt::format("{}, as the file says", needs.shown_rate);
   return error(
       "the times in column {} count frames, and the rate of rows is in seconds; expected the frame rate of the times; "
-      "give --input-fps {}, or --step {} for a step in frames",
-      in_quotes(schema.time.name), rate, needs.step_of_rate);
+      "give --input-fps {}, or --step 1 in place of the rate for a row at each frame",
+      in_quotes(schema.time.name), rate);
 }
 
 constexpr std::array about_requests{lengths_of_degrees, lengths_of_space, lengths_of_unlike_things,

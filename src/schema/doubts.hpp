@@ -64,7 +64,7 @@ struct RequestNeeds {
   std::optional<double> step = {};        ///< between rows, where it is in seconds
   std::optional<double> plain_step = {};  ///< where it is in the unit of the times
   std::optional<double> time_gap = {};    ///< as in Columns
-  std::string step_of_rate = {};          ///< as 1/60, where the rows are at a rate; else empty
+  bool is_rate = false;                   ///< rows are at a rate
   std::string_view shown_rate = {};       ///< the frame rate that the file shows; empty: none
 };
 

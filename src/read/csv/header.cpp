@@ -694,7 +694,7 @@ class RolesByCells {
 
   static bool is_index_name(std::string_view name) {
     constexpr std::array names{"",   "index", "unnamed: 0", "row",     "#",      "rownames", "row_names", "no.", "nr.",
-                               "pt", "point", "ptnum",      "field #", "frame#", "sample #", "record",    "---"};
+                               "pt", "point", "ptnum",      "field #", "frame#", "sample #", "record",    "key", "---"};
     return std::ranges::any_of(names, [&](std::string_view known) { return same_in_any_case(known, name); });
   }
 

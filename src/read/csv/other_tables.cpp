@@ -279,8 +279,8 @@ class LinesOfCells {
     return delimiter_ == ' ' && names.size() != size ? names_between_blanks(trimmed(lines_[line])) : names;
   }
 
-  /// The line above a row that names its columns, above blank lines and units, and above other names if it alone names
-  /// the time.
+  /// The line above a row that names its columns, above blank lines and units, and above other names if it names the
+  /// time.
   std::optional<std::size_t> names_above(std::size_t row) const {
     const std::size_t size = cells(row).size();
     std::size_t below = row;  // the line below that of the names
@@ -289,11 +289,11 @@ class LinesOfCells {
     const auto has_number = [&](const Cells& cells) {
       return std::ranges::any_of(cells, [&](std::string_view cell) { return is_number(cell); });
     };
-    const auto has_time = [](const Cells& names) { return std::ranges::any_of(names, is_usual_time); };
+    const auto has_time = [](const Cells& names) { return std::ranges::any_of(names, is_usual_time, bare); };
     Cells names = names_in(below - 1, size);
     for (; below > 1 && names.size() == size; --below) {
       Cells above = names_in(below - 2, size);
-      const bool has_time_above = above.size() == size && has_time(above) && !has_number(above) && !has_time(names);
+      const bool has_time_above = above.size() == size && has_time(above) && !has_number(above);
       if (!are_units(names) && !has_time_above) break;
       names = std::move(above);
     }
