@@ -45,7 +45,6 @@ std::string in_words(const spline::RotationNotation& notation) {
     words += ' ';
     for (const std::size_t axis : notation.axes) words += (notation.intrinsic ? "XYZ" : "xyz")[axis];
   }
-
   return notation.has_angles() ? words + (notation.degrees ? " in degrees" : " in radians") : words;
 }
 

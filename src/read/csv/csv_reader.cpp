@@ -350,14 +350,15 @@ InputOptions options_of_poses(const Format& format, Source<std::string>&, InputO
 }  // namespace
 
 std::string joined_time(std::span<const std::string> parts) {
-  if (parts.size() < 3) return fmt::format("{}", fmt::join(parts, " "));
+  constexpr std::size_t least = 3, most = 6;
+  if (parts.size() < least || parts.size() > most) return fmt::format("{}", fmt::join(parts, " "));
   const auto part = [&](std::size_t i) { return i < parts.size() ? parts[i] : "0"; };
   const auto padded = [&](std::size_t i) {
     const bool has_one_digit = part(i).find_first_not_of("0123456789") == 1 || part(i).size() == 1;
     return (has_one_digit ? "0" : "") + part(i);
   };
   const std::string date = fmt::format("{}-{}-{}", part(0), padded(1), padded(2));
-  return parts.size() == 3 ? date : fmt::format("{} {}:{}:{}", date, padded(3), padded(4), padded(5));
+  return parts.size() == least ? date : fmt::format("{} {}:{}:{}", date, padded(3), padded(4), padded(5));
 }
 
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
