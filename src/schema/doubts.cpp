@@ -793,7 +793,7 @@ Found rate_of_frames(const Schema& schema, const RequestNeeds& needs) {
       needs.shown_rate.empty() ? "HZ, as in --input-fps 24" : fmt::format("{}, as the file says", needs.shown_rate);
   return error(
       "the times in column {} count frames, and the rate of rows is in seconds; expected the frame rate of the times; "
-      "give --input-fps {}, or --step 1 in place of the rate for a row at each frame",
+      "give --input-fps {}; for a row at each frame, --step 1 takes the place of the rate",
       in_quotes(schema.time.name), rate);
 }
 

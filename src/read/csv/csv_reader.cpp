@@ -214,7 +214,7 @@ class RecordReader {
     } else if (is_word(text, column)) {
       const std::string request = requested_as(column.role == Role::position ? name : "", index_of(cell));
       add_fault(cell, data_error("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or "
-                                 "give it to --na, with --missing skip-cell, if it stands for a missing number, "
+                                 "give it to --na, along with --missing, if it stands for a missing number, "
                                  "--columns {} to leave the column out, or --group {} if it tells curves apart",
                                  name, in_quotes(text), in_shell("ignore=" + request), in_shell(request)));
     } else {

@@ -39,7 +39,7 @@ TEST(Csv, a_cell_that_is_not_a_number_is_an_error_at_its_character) {
   EXPECT_EQ(
       read("t,x,tension\n0,1,0\n1,1,+\n"),
       "f:3:5: error: tension: \"+\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or "
-      "give it to --na, with --missing skip-cell, if it stands for a missing number, --columns ignore=3 to leave the "
+      "give it to --na, along with --missing, if it stands for a missing number, --columns ignore=3 to leave the "
       "column out, or --group 3 if "
       "it tells curves apart");
   EXPECT_EQ(read("t,x,continuity,bias\n0,1,0,0\n1,1,0,1e999\n"),

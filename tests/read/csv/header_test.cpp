@@ -80,7 +80,7 @@ TEST(Header, columns_of_text_are_ignored_and_one_cell_that_is_missing_makes_no_t
   EXPECT_EQ(
       read("t,label,x\n0,one,1\n1,2,2\n2,3,3\n"),
       "f:2:3: error: label: \"one\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or "
-      "give it to --na, with --missing skip-cell, if it stands for a missing number, --columns ignore=label to leave "
+      "give it to --na, along with --missing, if it stands for a missing number, --columns ignore=label to leave "
       "the column out, or "
       "--group label if it tells curves apart")
       << "of two rows, one is a number";
