@@ -82,13 +82,11 @@ void assign(Columns& columns, std::size_t cell, Role role, const std::string& na
   if (several == nullptr && !may_repeat && columns.has(role)) {
     throw two_columns_for_role(role_name(role), name);
   }
-  const auto clocks = std::ranges::count(columns.cells, Role::clock, &Columns::Column::role);
-  columns.cells[cell] = {role, several != nullptr    ? several->size()
-                               : role == Role::clock ? static_cast<std::size_t>(clocks)
-                                                     : 0};
+  const std::size_t clocks = role == Role::clock ? columns.time_cells().size() : 0;  // with the date
+  columns.cells[cell] = {role, several == nullptr ? clocks : several->size()};
   if (several != nullptr) several->push_back(name);
   if (role == Role::time) columns.time = name;
-  if (clocks > 0 && role == Role::clock) columns.time = "time";  // and no longer the year
+  if (clocks > 1) columns.time = "time";  // and no longer the year
 }
 
 /// The texts of a key are those of its groups, then its labels.
