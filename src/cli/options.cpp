@@ -214,8 +214,8 @@ constexpr OptionRow option_rows[] = {
        if (broadcast_rate(text)) units.rate_as_decimal = text;
      }},
     {"--date-order", "", "ORDER", input_group,
-     "The order of dates that have the year last, such as 01.02.2024: dmy or mdy; also of those with years of two "
-     "digits, which are then 1969 to 2068: dmy, mdy or ymd",
+     "The order of dates that do not tell it: dmy or mdy where the year is last, as in 01.02.2024; also ymd where "
+     "years have two digits, which are 1969 to 2068",
      "", name, recorded,
      [](Typed& to, Text text) { to.keys.input.units.date_order = named_row(date_orders, text).order; },
      names_in<date_orders>},

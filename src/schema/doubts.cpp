@@ -1,6 +1,5 @@
 // Doubts: what an input may mean besides what was found in it, as one list.
 #include "schema/doubts.hpp"
-#include "numbers/dates.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,7 +10,9 @@
 #include <functional>
 #include <limits>
 
+#include "numbers/dates.hpp"
 #include "numbers/time_notation.hpp"
+#include "schema/units.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -394,18 +395,13 @@ Found time_in_two_numbers(const FoundColumns& found) {
       "time=1,nanoseconds=2 if they are, or --columns time=1 if column 2 is a position");
 }
 
-/// Two numbers of which the second one counts seconds or milliseconds since 1970, and the first one does not.
+/// Two numbers of which the second one counts the time since 1970, and the first one does not.
 Found time_in_second_number(const FoundColumns& found) {
   if (!found.columns.has_time_by_place || found.numeric.size() != 2 || found.rows.size() < 2) return std::nullopt;
-  const auto is_epoch = [](double number) {
-    constexpr double in_2000 = 946'684'800, in_2100 = 4'102'444'800, ms = 1000;
-    return number == std::floor(number) &&
-           ((number >= in_2000 && number < in_2100) || (number >= in_2000 * ms && number < in_2100 * ms));
-  };
   double before = 0;
   for (const auto& row : found.rows) {
     const double time = number_in(found, row, 1);
-    if (!is_epoch(time) || is_epoch(number_in(found, row, 0)) || !(time > before)) return std::nullopt;
+    if (!(time > before) || !unit_since_1970(row[1]) || unit_since_1970(row[0])) return std::nullopt;
     before = time;
   }
   return error(
@@ -424,22 +420,22 @@ Found date_in_three_numbers(const FoundColumns& found) {
         shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2]));
   }
   return error(
-      "the year, the month and the day seem to be in {}, {} and {}; expected to know the time; give --columns {} to "
-      "join "
+      "the year, the month and the day seem to be in {}, {} and {}; expected the time; give --columns {} to join "
       "them, with columns of the hour, the minute and the second if there are such, or --columns time=NAME if one of "
       "them is the time",
       shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2]), roles_of(found, "time", cells));
 }
 
-/// The command that adds marks to dates of so many digits: a year, a month and a day, with an hour, a minute and a
+/// The command that adds marks to dates such as this one: a year, a month and a day, with an hour, a minute and a
 /// second as far as there are digits for them.
-std::string marks_in_perl(std::size_t digits) {
+std::string marks_in_perl(std::string_view date) {
+  const std::size_t digits = date.substr(0, date.find('.')).size();
   const auto part = [&](std::size_t size, std::string_view with, std::string_view without) {
     return digits >= size ? with : without;
   };
-  return fmt::format(R"(perl -pe 's/\b([12]\d{{3}})(\d\d)(\d\d){}{}{}\b/$1-$2-$3{}{}{}/g')", part(10, R"((\d\d))", ""),
-                     part(12, R"((\d\d))", ""), part(14, R"((\d\d))", ""), part(10, "T$4", ""),
-                     part(12, ":$5", part(10, ":00", "")), part(14, ":$6", ""));
+  return fmt::format(R"(perl -pe 's/\b([12]\d{{3}})(\d\d)(\d\d){}{}{}(?:\.0+)?\b/$1-$2-$3{}{}{}/g')",
+                     part(10, R"((\d\d))", ""), part(12, R"((\d\d))", ""), part(14, R"((\d\d))", ""),
+                     part(10, "T$4", ""), part(12, ":$5", part(10, ":00", "")), part(14, ":$6", ""));
 }
 
 Found dates_as_numbers(const FoundColumns& found) {
@@ -458,7 +454,7 @@ Found dates_as_numbers(const FoundColumns& found) {
     return error(
         "the dates in column {} are written as whole numbers, such as {}; expected marks between year, month and day, "
         "as in 2024-03-01; add them, as in {} FILE | tcbsample",
-        shown(found, cell), found.rows[0][cell], marks_in_perl(found.rows[0][cell].size()));
+        shown(found, cell), found.rows[0][cell], marks_in_perl(found.rows[0][cell]));
   }
   return std::nullopt;
 }

@@ -1,6 +1,8 @@
 // Units: factors of the numbers of keys, and the unit of their times.
 #include "schema/units.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "numbers/dates.hpp"
@@ -44,8 +46,7 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
     if (options.date_order && !options.are_optional)
       throw data_error(
           "the dates in column {}, such as {}, tell their order; expected dates of numbers with the year last, or "
-          "years "
-          "of two digits; remove the option",
+          "years of two digits; remove the option",
           in_quotes(column), in_quotes(date))
           .about("--date-order");
     return format;
@@ -53,8 +54,10 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
   if (!options.date_order && format.has_short_year)
     throw data_error(
         "the dates in column {}, such as {}, have years of two digits; expected years of four digits, or the order of "
-        "the dates; give --date-order dmy, mdy or ymd, which takes years as 1969 to 2068",
-        in_quotes(column), in_quotes(date));
+        "the dates; give --date-order dmy, mdy or ymd, which takes years as 1969 to 2068{}",
+        in_quotes(column), in_quotes(date),
+        is_usual_time(column) ? ""
+                              : fmt::format(", or --columns {} if they are no dates", in_shell("ignore=" + column)));
   if (!options.date_order)
     throw data_error(
         "the dates in column {}, such as {}, have the year last; expected dates with the year first, or the order of "
@@ -62,28 +65,26 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
         in_quotes(column), in_quotes(date));
   if (!format.has_short_year && *options.date_order == DateOrder::ymd)
     throw data_error(
-        "the dates in column {}, such as {}, have the year last; expected dates with years of two digits; give dmy if "
-        "the day is first, or mdy if the month is",
+        "the dates in column {}, such as {}, have the year last; expected dates with years of two digits; give "
+        "--date-order dmy if the day is first, or --date-order mdy if the month is",
         in_quotes(column), in_quotes(date))
         .about("--date-order");
   format.order = *options.date_order;
   return format;
 }
 
-/// The unit other than seconds in which a whole number counts the time since 1970, by its size: from 2000 to 2100. The
-/// ranges of units do not overlap.
-std::optional<TimeUnit> epoch_unit_of(std::string_view time) {
+}  // namespace
+
+std::optional<TimeUnit> unit_since_1970(std::string_view time) {
   const auto number = parse_rational(time);
   if (!number || floor(*number) != *number) return std::nullopt;
   constexpr std::int64_t in_2000 = 946'684'800, in_2100 = 4'102'444'800;
-  for (const TimeUnit unit : {TimeUnit::ms, TimeUnit::us, TimeUnit::ns}) {
+  for (const TimeUnit unit : {TimeUnit::s, TimeUnit::ms, TimeUnit::us, TimeUnit::ns}) {
     const Rational seconds = *number / units_per_second(unit);
     if (seconds >= in_2000 && seconds < in_2100) return unit;
   }
   return std::nullopt;
 }
-
-}  // namespace
 
 bool ends_with_minutes(const UnitOptions& options, std::string_view time) {
   return options.time == TimeUnit::minutes && find_notation(time) == TimeNotation::clock &&
@@ -97,8 +98,7 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
   if (columns.has(Role::clock) && !is_date(units.notation)) {
     throw data_error(
         "the columns of the time together are {}; expected a date and a time of day, or a year, a month and a day, "
-        "with "
-        "an hour, a minute and a second if there are such; correct --columns time=",
+        "with an hour, a minute and a second if there are such; correct --columns time=",
         in_quotes(first_time));
   }
   if (is_date(units.notation)) {
@@ -115,7 +115,8 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
   const bool is_number = units.notation == TimeNotation::seconds;
   if (is_timed && is_number) require_unit(options, columns);
   const bool has_unit = options.time || options.frame_rate || unit_of_time(columns.time);
-  if (is_timed && is_number && !has_unit) units.epoch_unit = epoch_unit_of(first_time);
+  if (is_timed && is_number && !has_unit) units.epoch_unit = unit_since_1970(first_time);
+  if (units.epoch_unit == TimeUnit::s) units.epoch_unit.reset();
   const bool is_time_converted = is_timed && is_number && is_converted(options, columns.time);
   if (!is_time_converted && options.scales.empty()) return units;
   const std::size_t channels = columns.channels.size();

@@ -41,6 +41,10 @@ struct KeyUnits {
 /// The times in a column are frames or timecode.
 Error times_without_rate(std::string_view column);
 
+/// The unit in which a whole number counts the time since 1970, by its size: from 2000 to 2100. The ranges of units do
+/// not overlap.
+std::optional<TimeUnit> unit_since_1970(std::string_view time);
+
 /// Whether a time such as 06:45 is hours and minutes, as --time-unit min says.
 bool ends_with_minutes(const UnitOptions& options, std::string_view time);
 

@@ -11,6 +11,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "io/encoding.hpp"
@@ -86,8 +87,8 @@ class HeadRecords {
  public:
   struct Record {
     std::vector<std::string> cells;
-    std::string comment;    ///< the one or two comment lines directly above
-    std::size_t chunk = 0;  ///< index of its chunk, and the offset there
+    std::vector<std::string> comments;  ///< the last two lines directly above, as far as they are comments
+    std::size_t chunk = 0;              ///< index of its chunk, and the offset there
     std::size_t offset = 0;
     std::uint64_t line = 1;
   };
@@ -100,7 +101,7 @@ class HeadRecords {
     }
   }
 
-  bool ends_in_comment() const { return !comment_.empty(); }
+  bool ends_in_comment() const { return !comments_.empty(); }
 
   std::vector<Record> records;
   std::vector<Chunk> chunks;  ///< with records, or with a line that ends a curve
@@ -111,28 +112,29 @@ class HeadRecords {
     const std::size_t before = records.size();
     bool more = true;
     for (HeadCells cells; records.size() < wanted_ && (more = tokenizer.next(cells));) {
-      add_comment(tokenizer);
+      add_comments(tokenizer);
       records.push_back(
-          {texts(cells), std::exchange(comment_, {}), chunks.size(), tokenizer.offset(), tokenizer.line()});
+          {texts(cells), std::exchange(comments_, {}), chunks.size(), tokenizer.offset(), tokenizer.line()});
       constexpr std::size_t most = 6;
       if (records.size() + 1 == wanted_ && wanted_ < most && may_describe(records.back().cells)) ++wanted_;
     }
-    if (!more) add_comment(tokenizer);
+    if (!more) add_comments(tokenizer);
     if (records.size() == before && !tokenizer.broken()) return;
     if (records.size() == before) chunk.text = "\n";
     if (!records.empty()) chunks.push_back(std::move(chunk));
   }
 
-  void add_comment(const Tokenizer& tokenizer) {
-    if (tokenizer.follows_blank()) comment_.clear();
+  void add_comments(const Tokenizer& tokenizer) {
+    constexpr std::size_t most = 2;
+    if (tokenizer.follows_blank()) comments_.clear();
     if (tokenizer.comment().empty()) return;
-    comment_ += fmt::format("{}{}", comment_.empty() ? "" : "\n", tokenizer.comment());
-    const std::size_t last = comment_.rfind('\n'), second = last == 0 ? last : comment_.rfind('\n', last - 1);
-    if (last != std::string::npos && second != std::string::npos) comment_.erase(0, second + 1);
+    const std::vector<std::string_view> lines = split(tokenizer.comment(), '\n');
+    comments_.insert(comments_.end(), lines.end() - std::min(std::ssize(lines), std::ptrdiff_t{most}), lines.end());
+    if (comments_.size() > most) comments_.erase(comments_.begin(), comments_.end() - most);
   }
 
   std::size_t wanted_ = 3;
-  std::string comment_;  ///< the last two lines, as far as they are comments
+  std::vector<std::string> comments_;  ///< above what follows, as in Record
 };
 
 /// Whether the cell looks like a number. One with the other decimal mark, or with
@@ -256,6 +258,27 @@ bool are_names(const std::vector<std::string>& words, const DelimitedHead& head,
   };
   const bool are_known = options.timeless || std::ranges::any_of(words, is_known) || !parts_of_date(words, {}).empty();
   return std::ranges::none_of(words, is_number) && are_known;
+}
+
+/// The names in the comments above a record, and the line of units below these.
+std::pair<std::vector<std::string>, HeadRecords::Record> names_in_comments(const HeadRecords::Record& record,
+                                                                           const DelimitedHead& head,
+                                                                           const ColumnOptions& options) {
+  std::vector<std::vector<std::string>> lines;
+  for (const std::string& comment : record.comments) {
+    lines.push_back(comment_names(comment, head.dialect, record.cells.size()));
+  }
+  const bool have_cells =
+      std::ranges::all_of(lines, [&](const auto& words) { return words.size() == record.cells.size(); });
+  if (lines.size() > 1 && have_cells && are_names(lines[0], head, options)) {
+    HeadRecords::Record units;
+    units.cells = std::move(lines[1]);
+    units.line = record.line - 1;
+    return {std::move(lines[0]), std::move(units)};
+  }
+  const bool has_names = !lines.empty() && lines.back().size() == record.cells.size();
+  if (!has_names || !are_names(lines.back(), head, options)) return {};
+  return {std::move(lines.back()), HeadRecords::Record()};
 }
 
 /// What to do where the first row has another number of cells than the header: with another delimiter the records may
@@ -729,7 +752,7 @@ std::vector<bool> with_numbers(const std::vector<bool>& all, const std::vector<s
   std::vector<bool> numeric = all;
   for (std::size_t cell = 0; cell < names.size(); ++cell) {
     const auto has_none = [&](const HeadCells& row) {
-      return cell >= row.size() || is_missing_sign(row[cell], head.rules.signs) || !begins_like_number(row[cell]);
+      return cell >= row.size() || !begins_like_number(row[cell]) || is_missing_sign(row[cell], head.rules.signs);
     };
     const bool is_requested = requested.has(names[cell]) || requested.has(fmt::format("{}", cell + 1));
     if (is_requested || role_of_name(names[cell]) != Role::position) continue;
@@ -830,21 +853,10 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   if (data == first.records.size()) refuse_header_alone(first.records[0]);
   std::span<const HeadRecords::Record> described = std::span(first.records).subspan(below, data - below);
   HeadRecords::Record units;
-  if (!header && !options.delimited.header && !first.records[0].comment.empty()) {
-    const std::size_t cells = first.records[0].cells.size();
-    std::string_view comment = first.records[0].comment;
-    const std::size_t last = comment.rfind('\n') + 1;
-    std::vector<std::string> below_names = comment_names(comment.substr(last), dialect, cells), above;
-    if (last > 0) above = comment_names(comment.substr(0, last - 1), dialect, cells);
-    const auto are_of_row = [&](const auto& words) { return words.size() == cells && are_names(words, head, columns); };
-    const bool are_above = are_of_row(above) && below_names.size() == cells;  // with units below them
-    if (are_above || are_of_row(below_names)) names = are_above ? above : below_names;
-    if (!names.empty()) position.line -= are_above ? 2 : 1;
-    if (are_above) {
-      units.cells = std::move(below_names);
-      units.line = position.line + 1;
-      described = {&units, 1};
-    }
+  if (!header && !options.delimited.header) {
+    std::tie(names, units) = names_in_comments(first.records[0], head, columns);
+    if (!units.cells.empty()) described = {&units, 1};
+    if (!names.empty()) position.line -= units.cells.empty() ? 1 : 2;
   }
   const auto& row = first.records[data];
   const bool has_commas = !head.is_of_format && !columns.samples && !options.delimited.has_decimal &&

@@ -258,8 +258,9 @@ class LinesOfCells {
 
   bool is_of_numbers(const Cells& cells) const {
     const auto numbers = std::ranges::count_if(cells, [&](std::string_view cell) { return is_number(cell); });
+    if (numbers == 0 || cells.size() < 2 || 2 * numbers > std::ssize(cells)) return numbers > 0 && cells.size() > 1;
     const auto missing = std::ranges::count_if(cells, [](auto cell) { return is_missing_sign(bare(cell), {}); });
-    return numbers > 0 && cells.size() > 1 && 2 * numbers > std::ssize(cells) - missing;
+    return 2 * numbers > std::ssize(cells) - missing;
   }
 
   /// Whether a row has words, so that it could be the names of the columns.
