@@ -141,7 +141,7 @@ class HeadRecords {
 /// separators of thousands, does too, and is an error later.
 bool may_be_number(std::string_view cell, const DelimitedHead& head) {
   if (head.strips_units) cell = without_unit_of_number(cell);
-  return is_missing_sign(cell, head.rules.signs) || Decimals({}).looks_numeric(cell) ||
+  return Decimals({}).looks_numeric(cell) || is_missing_sign(cell, head.rules.signs) ||
          Decimals(head.marks).looks_numeric(cell) || has_thousands_separators(cell) ||
          (head.dialect.delimiter != ',' && Decimals({','}).looks_numeric(cell));
 }
