@@ -273,6 +273,10 @@ constexpr OtherFile other_files[] = {
      {.members = {"img_name", "position", "rotation"}},
      "a cameras.json of Gaussian splatting, whose cameras have no times",
      "give WORD--parameter uniform --columns position=position"},
+    {{},
+     {.members = {"DisplayName", "in", "value"}},
+     "a copy of keyframes of Kdenlive, which are one text",
+     "take them as rows, as in jq -r '.[0].value' FILE | tr ';' '\\n' | sed 's/[^0-9:.]*=/ /' | tcbsample"},
     // Recordings.
     {{".mcap"}, {"\x89MCAP"}, "an MCAP recording", by_mcap},
     {{".bag"}, {"#ROSBAG"}, "a ROS bag", by_rosbag},

@@ -78,7 +78,7 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
 Error unlike_table(const LaterTable& table, std::uint64_t first, std::string_view reason);
 
 /// The remedy that takes the numbers of a text without what is around them.
-std::string numbers_alone();
+std::string numbers_alone(std::uint64_t above = 0);
 
 /// Throws: Error (data) where the numbers of the first lines are within other text, or lines are drawn between cells.
 void require_bare_numbers(std::string_view text, const Dialect& dialect, std::uint64_t line);

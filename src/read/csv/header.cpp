@@ -454,9 +454,41 @@ void require_keys_in_rows(const std::vector<HeadRecords::Record>& records, const
       .at({"", records[0].line, 1});
 }
 
+/// The cells of the first records, without reading further. Requires: `data` outlives them.
+HeadRows cells_of(const Chunk& data, const Dialect& dialect) {
+  constexpr std::size_t most = 16;
+  HeadRows rows;
+  Tokenizer tokenizer(data, dialect);
+  try {
+    for (HeadCells cells; rows.size() < most && tokenizer.next(cells); rows.push_back(cells)) {
+      std::ranges::transform(cells, cells.begin(), bare);
+    }
+  } catch (const Error&) {
+    return rows;  // the record is refused when it is read as a key
+  }
+  return rows;
+}
+
+/// The columns, beside others without numbers, that have numbers in all first records, as requests; empty: there are
+/// none.
+std::string numbers_beside_text(const HeadRows& rows, const DelimitedHead& head) {
+  std::vector<std::string> columns;
+  bool is_beside_text = false;
+  for (std::size_t cell = 0; cell < rows[0].size(); ++cell) {
+    const auto numbers = std::ranges::count_if(rows, [&](const HeadCells& row) {
+      return cell < row.size() && !is_missing_sign(row[cell], {}) && may_be_number(row[cell], head);
+    });
+    if (numbers == std::ssize(rows)) columns.push_back(fmt::format("{}", cell + 1));
+    is_beside_text = is_beside_text || (numbers == 0 && !rows[0][cell].empty());
+  }
+  if (rows.size() < 3 || columns.size() < 2 || !is_beside_text) return "";
+  return fmt::format("time={},position={}", columns[0], fmt::join(columns.begin() + 1, columns.end(), ":"));
+}
+
 /// Throws: Error (data) if the first record may be a header, or a key with a misspelt number: one of its cells is
 /// text, another a number, and none a name with a meaning.
-void require_clear_header(const HeadRecords::Record& record, const DelimitedHead& head, const ColumnOptions& options) {
+void require_clear_header(const HeadRecords& first, const DelimitedHead& head, const ColumnOptions& options) {
+  const HeadRecords::Record& record = first.records[0];
   const auto is_number = [&](const std::string& cell) {
     return !is_missing_sign(cell, head.rules.signs) && may_be_number(cell, head);
   };
@@ -466,8 +498,17 @@ void require_clear_header(const HeadRecords::Record& record, const DelimitedHead
   const auto number = std::ranges::find_if(record.cells, is_number);
   if (number == record.cells.end() || std::ranges::any_of(record.cells, is_name)) return;
   const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return may_be_value(cell, head); });
-  const std::string remedy = options.samples ? "add a line of names above it, or remove the text"
-                                             : "give --header if they are names, --no-header if they are not";
+  Chunk data = first.chunks[record.chunk];
+  data.text.erase(0, record.offset);
+  const std::string columns = numbers_beside_text(cells_of(data, head.dialect), head);
+  const std::string remedy =
+      options.samples ? "add a line of names above it, or remove the text"
+      : columns.empty()
+          ? "give --header if they are names, --no-header if they are not"
+          : fmt::format(
+                "give --no-header --columns {} for the columns that have only numbers, or --header if these "
+                "are names",
+                columns);
   throw data_error("the first record has both text, {}, and a number, {}; expected only names or only numbers; {}",
                    in_quotes(*text), in_quotes(*number), remedy)
       .at({"", record.line, 1});
@@ -507,21 +548,6 @@ std::string first_time(const std::vector<std::string>& cells, const Columns& col
   std::vector<std::string> parts;
   for (const std::size_t cell : columns.time_cells()) parts.push_back(cell < cells.size() ? cells[cell] : "");
   return joined_time(parts);
-}
-
-/// The cells of the first records, without reading further. Requires: `data` outlives them.
-HeadRows cells_of(const Chunk& data, const Dialect& dialect) {
-  constexpr std::size_t most = 16;
-  HeadRows rows;
-  Tokenizer tokenizer(data, dialect);
-  try {
-    for (HeadCells cells; rows.size() < most && tokenizer.next(cells); rows.push_back(cells)) {
-      std::ranges::transform(cells, cells.begin(), bare);
-    }
-  } catch (const Error&) {
-    return rows;  // the record is refused when it is read as a key
-  }
-  return rows;
 }
 
 /// What columns mean by rules that look at their cells, as requests, with notes.
@@ -847,7 +873,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
   TextPosition position{"", first.records[0].line, 0};  // of the names
-  if (header && !options.delimited.header) require_clear_header(first.records[0], head, columns);
+  if (header && !options.delimited.header) require_clear_header(first, head, columns);
   const std::size_t below = data;
   if (header && !columns.samples) data = first_key(first.records);
   if (data == first.records.size()) refuse_header_alone(first.records[0]);

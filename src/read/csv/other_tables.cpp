@@ -68,6 +68,8 @@ std::string without_numbers(std::string_view line, std::size_t& numbers) {
   return text;
 }
 
+bool is_open(std::string_view line) { return std::string_view("([{<").find(line[0]) != std::string_view::npos; }
+
 /// Whether a word begins somewhere, not as a unit or an exponent behind a number.
 bool has_word(std::string_view text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -121,11 +123,23 @@ void require_no_log(std::string_view one, std::string_view two, char delimiter) 
       in_quotes(one), number_in_perl);
 }
 
-/// Throws: Error (data) where the first two lines have the same text around numbers, and no cell is a number.
-void require_cells_of_numbers(std::string_view one, std::string_view two, char delimiter) {
+struct Line {
+  std::string_view text;
+  std::uint64_t number = 0;
+};
+
+/// Throws: Error (data) where two lines have the same text around numbers, and no cell is a number. `has_others`: the
+/// lines above them are other ones.
+void require_cells_of_numbers(const Line& line, const Line& below, char delimiter, bool has_others) {
   std::size_t numbers = 0, numbers_below = 0;
+  const std::string_view one = line.text;
   const std::string text = without_numbers(one, numbers);
-  if (text.empty() || numbers < 2 || without_numbers(two, numbers_below) != text || numbers != numbers_below) return;
+  if (text.empty() || numbers < 2) return;
+  const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
+  std::string frame = text, frame_below = without_numbers(below.text, numbers_below);
+  std::erase_if(frame, is_space);
+  std::erase_if(frame_below, is_space);
+  if (frame != frame_below || numbers != numbers_below) return;
   const auto cells = split(one, delimiter);
   const auto is_value = [](std::string_view cell) {
     const std::string_view value = bare(trimmed(cell));
@@ -139,7 +153,8 @@ void require_cells_of_numbers(std::string_view one, std::string_view two, char d
   throw data_error(
       "the numbers are within other text, as in {}; expected cells between delimiters; {}, with --parameter uniform if "
       "none is a time",
-      in_quotes(trimmed(one)), numbers_alone());
+      in_quotes(trimmed(one)), numbers_alone(has_others ? line.number - 1 : 0))
+      .at({"", line.number, 0});
 }
 
 /// The roles of columns without names by their first rows: where the first counts the rows, and the second has numbers
@@ -329,9 +344,10 @@ class LinesOfCells {
 
 }  // namespace
 
-std::string numbers_alone() {
-  return fmt::format("take the numbers alone, as in perl -ne '@n = /{}/g and print \"@n\\n\"' FILE | tcbsample",
-                     number_in_perl);
+std::string numbers_alone(std::uint64_t above) {
+  const std::string below = above == 0 ? "" : fmt::format("sed 1,{}d FILE | ", above);
+  return fmt::format("take the numbers alone, as in {}perl -ne '@n = /{}/g and print \"@n\\n\"'{} | tcbsample", below,
+                     number_in_perl, above == 0 ? " FILE" : "");
 }
 
 std::vector<std::string_view> names_between_blanks(std::string_view line) {
@@ -346,29 +362,36 @@ std::vector<std::string_view> names_between_blanks(std::string_view line) {
 
 void require_bare_numbers(std::string_view text, const Dialect& dialect, std::uint64_t line) {
   require_no_drawing(text, line);
+  std::uint64_t number = line;
   const auto take_line = [&] {  // that is neither blank nor a comment; the last one of the text may be a part of a line
-    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-      const std::string_view taken = text.substr(0, end);
+    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n'), ++number) {
+      const Line taken{trimmed(text.substr(0, end)), number};
+      const bool is_used = !taken.text.empty() && !dialect.is_comment(text.substr(0, end));
       text.remove_prefix(end + 1);
-      if (!trimmed(taken).empty() && !dialect.is_comment(taken)) return trimmed(taken);
+      if (is_used) return ++number, taken;
     }
-    return std::string_view();
+    return Line{};
   };
-  const std::string_view one = take_line(), two = take_line();
-  if (two.empty()) return;
-  require_no_log(one, two, dialect.delimiter);
+  Line one = take_line(), two = take_line();
+  if (two.text.empty()) return;
+  require_no_log(one.text, two.text, dialect.delimiter);
   const auto are_quoted = [&](std::string_view row) {
     const auto cells = split(row, dialect.delimiter);
     return std::ranges::all_of(
         cells, [](std::string_view cell) { return cell.size() > 1 && cell.front() == '\'' && cell.back() == '\''; });
   };
-  if (are_quoted(one) && are_quoted(two)) {
+  if (are_quoted(one.text) && are_quoted(two.text)) {
     throw data_error(
         "the cells are in single quotes, as in {}; expected double quotes, or none; change them, as in "
         "tr \\' '\"' <FILE | tcbsample",
-        one);
+        one.text);
   }
-  require_cells_of_numbers(one, two, dialect.delimiter);
+  require_cells_of_numbers(one, two, dialect.delimiter, false);
+  constexpr std::uint64_t most_above = 16;  // of the rows of an array in a program
+  while (number < line + most_above && !two.text.empty()) {
+    one = std::exchange(two, take_line());
+    if (is_open(one.text)) require_cells_of_numbers(one, two, dialect.delimiter, true);
+  }
 }
 
 std::optional<LaterTable> find_later_table(std::string_view text, const Dialect& dialect) {

@@ -328,7 +328,7 @@ KeyBlock parse_json(const JsonPart& part, const JsonColumns& columns) {
   if (part.kind == JsonPart::Kind::values) {
     JsonTape tape(part);
     KeyReader reader(tape, columns, chunk.path, chunk.first);
-    const JsonTable value(tape, {0}, {}, chunk.path, chunk.first);
+    const JsonTable value(tape, {0}, columns.row_names, chunk.path, chunk.first);
     for (bool more = true; more && !reader.is_full();) {
       try {
         more = tape.read_next();

@@ -85,11 +85,25 @@ void JsonSplitter::start() {
     const char second = skip_blanks(inner);
     const char third = second == '[' ? skip_blanks(++inner) : second;
     const bool is_nested = second == '[' && (third == '[' || third == '{');  // rows hold no nested values
-    if (third != '\0' && !is_nested) begin_list(second == '[' ? JsonShape::table : JsonShape::list);
+    if (second != '[' && second != '{' && is_row_followed_by_row()) {
+      shape_ = JsonShape::table;
+      stage_ = Stage::values;
+    } else if (third != '\0' && !is_nested) begin_list(second == '[' ? JsonShape::table : JsonShape::list);
   } else if (first != '\0') {
     shape_ = JsonShape::lines;
     stage_ = Stage::values;
   }
+}
+
+/// Whether the array that begins here holds no other one, and another array follows it, as where each line is a row.
+bool JsonSplitter::is_row_followed_by_row() {
+  constexpr std::size_t longest = 1UL << 16;
+  std::size_t end = at_ + 1;
+  while ((end = std::min(text_.find_first_of("[]{}", end), text_.size())) == text_.size() && end < longest) {
+    if (!read_more()) return false;
+  }
+  if (end == text_.size() || text_[end] != ']') return false;
+  return skip_blanks(++end) == '[';
 }
 
 /// The keys begin at the current bracket.

@@ -72,6 +72,19 @@ bool has_time(const JsonTape& tape, std::size_t object) {
   });
 }
 
+/// Whether the members of an object are records with times, all with the same members, under names that mean nothing,
+/// as Firebase writes lists.
+bool are_records(const JsonTape& tape, std::size_t object) {
+  if (tape.count(object) < 2 || !has_only(tape, object, Kind::object)) return false;
+  const std::size_t first = object + 2;
+  const auto has_names_of_first = [&](std::size_t name) {
+    const auto same = [&](std::size_t one, std::size_t other) { return tape.text(one) == tape.text(other); };
+    return std::ranges::equal(tape.inside(name + 1), tape.inside(first), same);
+  };
+  return has_time(tape, first) && has_number(tape, first) &&
+         std::ranges::all_of(tape.inside(object), has_names_of_first);
+}
+
 }  // namespace
 
 bool is_number(const JsonTape& tape, std::size_t value) {
@@ -128,8 +141,9 @@ bool JsonTable::find_layout(std::size_t table, bool is_root, bool is_timeless) {
   if (tape.kind(inner) == Kind::object) {
     if (is_root && first == "schema" && tape.member(table, "data")) return read_schema(table), true;
     if (tape[inner].next == inner + 1) return false;
-    if (is_index(first) && has_only(tape, table, Kind::object)) return read_index(table), true;
-    return is_index(tape.text(inner + 1)) && has_only(tape, table, Kind::object) ? (read_columns(table), true) : false;
+    if (!has_only(tape, table, Kind::object)) return false;
+    if (is_index(first) || are_records(tape, table)) return read_index(table), true;
+    return is_index(tape.text(inner + 1)) ? (read_columns(table), true) : false;
   }
   if (is_index(first) && has_only(tape, table, Kind::array)) return read_index(table), true;
   if (const auto rows = rows_beside_columns(tape, table)) return read_split(table, *rows), true;
@@ -460,7 +474,7 @@ Fit fit_of_array(const JsonTape& tape, std::size_t array) {
   return rises ? Fit::with_times : Fit::without_times;
 }
 
-/// An object whose members are rows by their times, or columns of one size with a time among them.
+/// An object whose members are rows by their times, records with times, or columns of one size with a time among them.
 Fit fit_of_object(const JsonTape& tape, std::size_t object) {
   if (tape.count(object) < 2) return Fit::none;
   if (rows_beside_columns(tape, object)) return Fit::with_times;
@@ -478,7 +492,7 @@ Fit fit_of_object(const JsonTape& tape, std::size_t object) {
   }
   const bool are_rows = has_only(tape, object, Kind::array) || has_only(tape, object, Kind::object);
   if (are_times && are_rows) return Fit::with_times;
-  return has_lists && are_equal && has_times ? Fit::with_times : Fit::none;
+  return (has_lists && are_equal && has_times) || are_records(tape, object) ? Fit::with_times : Fit::none;
 }
 
 Fit fit_of(const JsonTape& tape, std::size_t value) {
