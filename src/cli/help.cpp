@@ -340,7 +340,7 @@ std::string short_help_text() {
          "First look at what it makes of a file: tcbsample --explain FILE\n"
          "\n"
          "Where to take samples (give one of these):\n"
-         "  -s, --step H        every H of time, such as 0.1, 1/24, 20ms or 1h\n"
+         "  -s, --step H        every H of time: 20ms, 1h; 0.1 is in the unit of the file\n"
          "      --fps HZ        HZ times per second, such as 24 or 30000/1001\n"
          "  -n, --count N       N samples, equally spaced in time, with both ends\n"
          "  -a, --arc-step H    every H of arc length; --arc-count N: N samples\n"
@@ -360,6 +360,7 @@ std::string short_help_text() {
          "  -o, --output FILE   write to FILE; --output-dir DIR: one file for each input\n"
          "      --fields FIELD,...  choose time,position,velocity,curvature,...\n"
          "      --preset NAME   follow the rules of a product; see --list-presets\n"
+         "      --fit D         few keys instead of samples: a curve within D of all\n"
          "--help lists all options, man tcbsample is the manual.";
 }
 

@@ -486,6 +486,13 @@ Found slopes_by_name(const FoundColumns& found) {
     const auto value = std::ranges::find_if(
         channels, [](std::string_view name) { return same_in_any_case(name, "value") || same_in_any_case(name, "y"); });
     if (std::ranges::count_if(channels, is_slope) != 2 || value == channels.end()) continue;
+    const auto has_slope = [&](const std::vector<std::string_view>& row) {
+      for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
+        if (is_slope(found.names[cell]) && number_in(found, row, cell) != 0) return true;
+      }
+      return false;
+    };
+    if (std::ranges::none_of(found.rows, has_slope)) continue;  // zeros are often not used
     return note("columns {} may be the slopes of {}; --columns {} takes them as velocities", listed(both),
                 in_quotes(*value), in_shell(fmt::format("{0}_vin={1},{0}_vout={2}", *value, both[0], both[1])));
   }
@@ -768,14 +775,28 @@ Found seconds_of_unknown_times(const Schema& schema, const RequestNeeds& needs) 
       column, rows);
 }
 
-/// Steps without a unit have that of the times.
+/// Steps without a unit have that of the times, which may be small or unknown.
 Found step_in_small_units(const Schema& schema, const RequestNeeds& needs) {
-  constexpr double many = 100;
+  constexpr double most = 1000, many = 100;
   constexpr std::array units{TimeUnit::ms, TimeUnit::us, TimeUnit::ns};
-  const bool is_small = schema.time.unit && std::ranges::count(units, *schema.time.unit) > 0;
-  if (!is_small || !needs.plain_step || !needs.time_gap) return std::nullopt;
+  if (!needs.plain_step || !needs.time_gap) return std::nullopt;
   const double rows = *needs.time_gap / *needs.plain_step;
-  if (!(rows > many)) return std::nullopt;
+  if (!schema.time.unit && rows > most && *needs.time_gap >= most) {
+    return error(
+        "the step and the times in column {} are in an unknown unit, which gives {:.0f} rows for each key; expected "
+        "their unit; give --time-unit {} if it is {}, or --time-unit s if it is seconds",
+        schema.named ? in_quotes(schema.time.name) : "1", rows,
+        schema.time.epoch_unit ? row_of(*schema.time.epoch_unit).name : "ms, us or ns",
+        schema.time.epoch_unit ? "this one" : "one of these");
+  }
+  const bool is_small = schema.time.unit && std::ranges::count(units, *schema.time.unit) > 0;
+  if (!is_small || !(rows > many)) return std::nullopt;
+  if (rows > most) {
+    return error(
+        "the step is in {0}, as the times in column {1} are, which gives {2:.0f} rows for each key; expected a unit "
+        "with such a step; give --step {3}s if it is in seconds, or --step {3}{0}",
+        row_of(*schema.time.unit).name, in_quotes(schema.time.name), rows, *needs.plain_step);
+  }
   return note(
       "the step is in {}, as the times in column {} are, which gives {:.0f} rows for each key; a step such as 0.1s is "
       "in seconds",

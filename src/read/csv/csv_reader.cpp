@@ -397,6 +397,7 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
       if (is_unlike) require_keys(rest.front(), first_line + table->line, found);
       return found;
     } catch (const Error& error) {
+      if (is_any && dialect.comment == "#") require_no_remarks(first, first_line);
       const auto table = find_table_below(first);
       if (!table || error.exit() != Exit::data) throw;
       const std::string_view reason = error.message();

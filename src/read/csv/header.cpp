@@ -441,6 +441,8 @@ void require_keys_in_rows(const std::vector<HeadRecords::Record>& records, const
     before = *number;
   }
   const auto is_number = [&](const std::string& cell) { return may_be_number(cell, head); };
+  const auto have_one_word = [](const auto& one, const auto& two) { return one.cells[0] == two.cells[0]; };
+  if (std::ranges::adjacent_find(records, have_one_word) != records.end()) return;  // it is that of a curve
   for (const HeadRecords::Record& record : records) {
     const auto& cells = record.cells;
     const bool is_word = &cells == &names ? !parse_number(cells[0]) : !may_be_value(cells[0], head);
@@ -742,8 +744,9 @@ class RolesByCells {
   }
 
   static bool is_index_name(std::string_view name) {
-    constexpr std::array names{"",   "index", "unnamed: 0", "row",     "#",      "rownames", "row_names", "no.", "nr.",
-                               "pt", "point", "ptnum",      "field #", "frame#", "sample #", "record",    "key", "---"};
+    constexpr std::array names{"",        "index",  "unnamed: 0", "row",    "#",   "rownames", "row_names",
+                               "no.",     "nr.",    "no",         "nr",     "pt",  "point",    "ptnum",
+                               "field #", "frame#", "sample #",   "record", "key", "---"};
     return std::ranges::any_of(names, [&](std::string_view known) { return same_in_any_case(known, name); });
   }
 

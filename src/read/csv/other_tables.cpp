@@ -199,6 +199,9 @@ class LinesOfCells {
         rows = {};
         continue;
       }
+      if (rows.count == 2 && best.first == rows.first && is_led_by_other_word(rows.first, row[0])) {
+        best = rows = {line - 1, row.size(), 1};
+      }
       if (row.size() != rows.cells) rows = {line, row.size(), 0};
       if (++rows.count != best.count + 1) continue;
       const bool is_other = best.first > 0 && rows.first != best.first;
@@ -245,6 +248,12 @@ class LinesOfCells {
     std::size_t cells = 0;
     std::size_t count = 0;
   };
+
+  /// Whether a line begins with another word than the next line and the one after it, which begins with `word`.
+  bool is_led_by_other_word(std::size_t line, std::string_view word) const {
+    const Cells first = cells(line), second = cells(line + 1);
+    return !is_number(word) && !is_number(first[0]) && first[0] != word && !second.empty() && second[0] == word;
+  }
 
   bool is_text(std::string_view line) const { return !is_blank(line) && !dialect_.is_comment(line); }
 
@@ -391,6 +400,21 @@ void require_bare_numbers(std::string_view text, const Dialect& dialect, std::ui
   while (number < line + most_above && !two.text.empty()) {
     one = std::exchange(two, take_line());
     if (is_open(one.text)) require_cells_of_numbers(one, two, dialect.delimiter, true);
+  }
+}
+
+void require_no_remarks(std::string_view text, std::uint64_t line) {
+  for (const std::string_view row : split(text, '\n')) {
+    const std::size_t mark = row.find(" # ");
+    const bool begins_like_number = row.find_first_not_of(" \t") == row.find_first_of("0123456789+-.");
+    if (mark != std::string_view::npos && begins_like_number) {
+      throw data_error(
+          "text follows {} in the row; expected a comment on a line of its own; remove it, as in sed 's/ *# .*//' FILE "
+          "| tcbsample",
+          in_quotes("#"))
+          .at({"", line, 0});
+    }
+    ++line;
   }
 }
 

@@ -111,15 +111,19 @@ class RecordSplitter {
 
 std::optional<char> delimiter_of(std::string_view record, char decimal) {
   std::string seen;
-  bool quoted = false, ended = false;
-  for (const char c : record) {
+  bool quoted = false, ended = false, has_bars = true;
+  for (std::size_t at = 0; at < record.size() && !ended; ++at) {
+    const char c = record[at];
     if (c == '"') quoted = !quoted;
     ended = c == '\n' && !quoted;
-    if (ended) break;
-    if (!quoted && seen.find(c) == std::string::npos) seen += c;
+    if (ended || quoted) continue;
+    if (seen.find(c) == std::string::npos) seen += c;
+    const auto is_blank_at = [&](std::size_t i) { return i >= record.size() || Dialect::is_blank(record[i]); };
+    if (c == '|') has_bars = has_bars && is_blank_at(at - 1) == is_blank_at(at + 1);  // unlike those of |v|
   }
   if (!ended) return std::nullopt;
-  for (const char delimiter : std::string_view(decimal == ',' ? "\t; " : "\t;, ")) {
+  for (const char delimiter : std::string_view(decimal == ',' ? "\t;| " : "\t;,| ")) {
+    if (delimiter == '|' && !has_bars) continue;
     if (seen.find(delimiter) != std::string::npos) return delimiter;
   }
   return ',';

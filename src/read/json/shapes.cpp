@@ -338,7 +338,7 @@ Records open_tables(std::shared_ptr<const WholeJson> text, std::vector<JsonTable
   }
   if (!tables[0].others().empty()) {
     records.columns.doubts.push_back(fmt::format(
-        "not used, as they are beside the columns: {}; options give settings, as in --preset NAME or --tcb T,C,B",
+        "members beside the columns are not used: {}; settings are options, as in --preset NAME or --tcb T,C,B",
         listed(tables[0].others())));
   }
   if (tables.size() > 1) {
