@@ -777,11 +777,11 @@ Found seconds_of_unknown_times(const Schema& schema, const RequestNeeds& needs) 
 
 /// Steps without a unit have that of the times, which may be small or unknown.
 Found step_in_small_units(const Schema& schema, const RequestNeeds& needs) {
-  constexpr double most = 1000, many = 100;
+  constexpr double most_of_unknown = 1000, most = 100'000, many = 100;
   constexpr std::array units{TimeUnit::ms, TimeUnit::us, TimeUnit::ns};
   if (!needs.plain_step || !needs.time_gap) return std::nullopt;
   const double rows = *needs.time_gap / *needs.plain_step;
-  if (!schema.time.unit && rows > most && *needs.time_gap >= most) {
+  if (!schema.time.unit && rows > most_of_unknown && *needs.time_gap >= most_of_unknown && std::isfinite(rows)) {
     return error(
         "the step and the times in column {} are in an unknown unit, which gives {:.0f} rows for each key; expected "
         "their unit; give --time-unit {} if it is {}, or --time-unit s if it is seconds",

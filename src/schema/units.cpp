@@ -86,6 +86,27 @@ std::optional<TimeUnit> unit_since_1970(std::string_view time) {
   return std::nullopt;
 }
 
+UnitOptions with_date_order(UnitOptions options, const std::string& column, std::span<const std::string> first_times,
+                            std::vector<std::string>& notes) {
+  const auto format = find_date_format(first_times[0]);
+  if (options.date_order || !format || !format->needs_order()) return options;
+  const DateOrderName* only = nullptr;
+  for (const DateOrderName& row : date_orders) {
+    const auto is_date = [&](const std::string& time) { return time.empty() || read_date(time, row.order); };
+    if (!std::ranges::all_of(first_times, is_date)) continue;
+    if (only != nullptr) return options;
+    only = &row;
+  }
+  if (only == nullptr) return options;
+  options.date_order = only->order;
+  notes.push_back(fmt::format(
+      "the dates in column {} are taken as {}, the only order in which the first ones are dates", in_quotes(column),
+      only->order == DateOrder::dmy   ? "day, month, year"
+      : only->order == DateOrder::mdy ? "month, day, year"
+                                      : "year, month, day"));
+  return options;
+}
+
 bool ends_with_minutes(const UnitOptions& options, std::string_view time) {
   return options.time == TimeUnit::minutes && find_notation(time) == TimeNotation::clock &&
          std::ranges::count(time, ':') == 1;

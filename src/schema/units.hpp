@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,6 +48,11 @@ std::optional<TimeUnit> unit_since_1970(std::string_view time);
 
 /// Whether a time such as 06:45 is hours and minutes, as --time-unit min says.
 bool ends_with_minutes(const UnitOptions& options, std::string_view time);
+
+/// The options with the only order of year, month and day in which all times of the first records are dates, and a note
+/// of it; the same options where dates tell their order, or it is not known.
+UnitOptions with_date_order(UnitOptions options, const std::string& column, std::span<const std::string> first_times,
+                            std::vector<std::string>& notes);
 
 /// The units of keys, whose notation of times is that of the first of them. Throws: Error (data) for timecode without a
 /// rate, dates without their order, units of time that contradict each other, and a channel that no column is.

@@ -11,6 +11,7 @@
 #include "numbers/parse_number.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/csv/tokenizer.hpp"
+#include "read/csv/vector_cells.hpp"
 #include "read/input.hpp"
 #include "read/key_builder.hpp"
 #include "schema/pose_formats.hpp"
@@ -363,7 +364,7 @@ std::string joined_time(std::span<const std::string> parts) {
 
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
 
-Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
+Records open_delimited(Source<std::string> bytes, InputOptions options) {
   if (options.delimited.skipped_lines > 0) bytes = without_lines(std::move(bytes), options.delimited.skipped_lines);
   const std::optional<char> named = take_named_delimiter(bytes);
   const std::optional<char> delimiter = options.delimited.delimiter ? options.delimited.delimiter : named;
@@ -383,6 +384,8 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   const std::uint64_t first_line = beginning.line;
   Source<Chunk> chunks =
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
+  const std::vector<VectorColumn> vectors = is_any ? take_vectors(chunks, dialect) : std::vector<VectorColumn>();
+  options.columns = with_vectors(std::move(options.columns), vectors);
   std::vector<Chunk> rest;
   const auto find_table_below = [&](std::string_view text) {
     return is_any ? find_later_table(text, dialect) : std::nullopt;
@@ -408,6 +411,12 @@ Records open_delimited(Source<std::string> bytes, const InputOptions& options) {
   for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
   const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
   Records records{head->columns, head->units};
+  if (!vectors.empty()) {
+    std::vector<std::string> names;
+    for (const VectorColumn& column : vectors) names.push_back(column.name);
+    records.columns.doubts.push_back(
+        fmt::format("cells hold several numbers, which are taken as columns of their own: {}", listed(names)));
+  }
   records.marks = {dialect.delimiter, head->marks.decimal, crlf};
   records.time_unit = head->time_unit;
   records.facts = head->facts;

@@ -97,6 +97,6 @@ void remove_unused(Names& names, std::size_t cells) {
 
 /// Opens delimited text whose delimiter is given, or else detected in the first record.
 /// Requires: the bytes have no byte order mark. Throws: Error (data).
-Records open_delimited(Source<std::string> bytes, const InputOptions& options);
+Records open_delimited(Source<std::string> bytes, InputOptions options);
 
 }  // namespace tcb

@@ -66,6 +66,16 @@ bool has_vector(std::string_view cell) {
   return has_brackets && cell.find_first_of(", ;") < cell.find_last_of("0123456789");
 }
 
+/// Whether a comma stands between digits, beside a comma and a blank, as in (0,5, 1,5).
+bool has_comma_in_number(std::string_view cell) {
+  for (std::size_t at = 1; at + 1 < cell.size(); ++at) {
+    if (cell[at] == ',' && is_digit(cell[at - 1]) && is_digit(cell[at + 1])) {
+      return cell.find_first_of("; ") != std::string_view::npos;
+    }
+  }
+  return false;
+}
+
 /// Whether these are the widths and types of columns, as in 5s, 15s and 20d of the RDB tables of USGS.
 bool are_formats(const std::vector<std::string>& cells) {
   return cells.size() > 1 && std::ranges::all_of(cells, [](const std::string& cell) {
@@ -359,7 +369,8 @@ void require_numbers(const HeadRecords::Record& record, const std::vector<std::s
     const std::string& cell = record.cells[i];
     if (!numeric[i] && has_vector(cell)) {
       throw data_error("{}: {} is not a number; expected one number in each cell; {}",
-                       i < names.size() ? names[i] : fmt::format("column {}", i + 1), in_quotes(cell), numbers_alone())
+                       i < names.size() ? names[i] : fmt::format("column {}", i + 1), in_quotes(cell),
+                       has_comma_in_number(cell) ? "write the numbers with a decimal point" : numbers_alone())
           .at({"", record.line, 0});
     }
     if (numeric[i] || !begins_like_number(cell) || find_notation(cell)) continue;
@@ -930,7 +941,12 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
       head.columns.doubts.emplace_back("the header has no name for the first column, which is taken as names of rows");
     }
     if (has_commas) head.columns.doubts.emplace_back("the comma in numbers is taken as the decimal mark");
-    head.units = units_of_keys(options.units, head.columns, first_time(row.cells, head.columns));
+    std::vector<std::string> times{first_time(row.cells, head.columns)};
+    if (find_date_format(times[0])) {
+      for (const HeadCells& cells : cells_of(rest[0], dialect)) times.push_back(first_time(texts(cells), head.columns));
+    }
+    const UnitOptions of_times = with_date_order(options.units, head.columns.time, times, head.columns.doubts);
+    head.units = units_of_keys(of_times, head.columns, times[0]);
   });
   if (!columns.has(Role::position) && !columns.samples) require_text(rest[0], head, names, numeric);
   return head;

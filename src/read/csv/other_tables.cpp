@@ -123,14 +123,14 @@ void require_no_log(std::string_view one, std::string_view two, char delimiter) 
       in_quotes(one), number_in_perl);
 }
 
-struct Line {
+struct NumberedLine {
   std::string_view text;
   std::uint64_t number = 0;
 };
 
 /// Throws: Error (data) where two lines have the same text around numbers, and no cell is a number. `has_others`: the
 /// lines above them are other ones.
-void require_cells_of_numbers(const Line& line, const Line& below, char delimiter, bool has_others) {
+void require_cells_of_numbers(const NumberedLine& line, const NumberedLine& below, char delimiter, bool has_others) {
   std::size_t numbers = 0, numbers_below = 0;
   const std::string_view one = line.text;
   const std::string text = without_numbers(one, numbers);
@@ -374,14 +374,14 @@ void require_bare_numbers(std::string_view text, const Dialect& dialect, std::ui
   std::uint64_t number = line;
   const auto take_line = [&] {  // that is neither blank nor a comment; the last one of the text may be a part of a line
     for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n'), ++number) {
-      const Line taken{trimmed(text.substr(0, end)), number};
+      const NumberedLine taken{trimmed(text.substr(0, end)), number};
       const bool is_used = !taken.text.empty() && !dialect.is_comment(text.substr(0, end));
       text.remove_prefix(end + 1);
       if (is_used) return ++number, taken;
     }
-    return Line{};
+    return NumberedLine{};
   };
-  Line one = take_line(), two = take_line();
+  NumberedLine one = take_line(), two = take_line();
   if (two.text.empty()) return;
   require_no_log(one.text, two.text, dialect.delimiter);
   const auto are_quoted = [&](std::string_view row) {

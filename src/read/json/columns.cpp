@@ -262,7 +262,10 @@ class FirstKey {
       return member.columns.size() == 1 && result.columns.cells[member.cell].role == Role::time;
     });
     const bool has_text = time != members_.end() && time->node != JsonCell::missing && !tape_[time->node].is_nested();
-    result.units = units_of_keys(options_.units, result.columns, has_text ? tape_.shown(time->node) : "");
+    std::vector<std::string> times{has_text ? std::string(tape_.shown(time->node)) : ""};
+    for (std::size_t row = 1; has_text && row < rows.size(); ++row) times.emplace_back(rows[row][time->cell]);
+    const UnitOptions units = with_date_order(options_.units, result.columns.time, times, result.columns.doubts);
+    result.units = units_of_keys(units, result.columns, times[0]);
     return result;
   }
 

@@ -1,0 +1,215 @@
+// Cells of delimited text that hold the numbers of a vector: each number becomes a cell.
+#include "read/csv/vector_cells.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+bool is_of_number(char c) { return is_digit(c) || c == '+' || c == '-' || c == '.'; }
+
+/// The end of a number that begins at a place, with its exponent.
+std::size_t number_end(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_of_number(text[at])) ++at;
+  const bool has_exponent = at + 1 < text.size() && lower(text[at]) == 'e' && is_of_number(text[at + 1]);
+  return has_exponent ? number_end(text, at + 1) : at;
+}
+
+/// A cell of a record.
+struct CellOfText {
+  std::size_t begin = 0, end = 0;
+  std::size_t numbers = 0;  ///< of a vector; 0: it is none
+};
+
+/// The vector in the cell that begins at a place: at least two numbers in brackets, each behind a name and "=" or
+/// alone. No numbers: there is none, or its commas may be decimal marks, as in (0,5, 1,5).
+CellOfText vector_at(std::string_view text, std::size_t begin, char delimiter) {
+  const auto get = [&](std::size_t at) { return at < text.size() ? text[at] : '\n'; };
+  const bool is_quoted = get(begin) == '"';
+  std::size_t at = begin + (is_quoted ? 1 : 0), numbers = 0;
+  const std::size_t bracket = std::string_view("([{<").find(get(at));
+  if (bracket == std::string_view::npos) return {};
+  std::size_t with_blank = 0, others = 0, semicolons = 0;  // of the marks between numbers
+  for (++at; get(at) != ")]}>"[bracket];) {
+    const char c = get(at);
+    if (c == ' ' || c == ',' || c == ';') {
+      if (c == ';') ++semicolons;
+      if (c == ',') ++(get(at + 1) == ' ' ? with_blank : others);
+      ++at;
+      continue;
+    }
+    const std::size_t name = at;
+    while (lower(get(at)) >= 'a' && lower(get(at)) <= 'z') ++at;
+    if (at > name && get(at++) != '=') return {};
+    const std::size_t number = at;
+    at = number_end(text, at);
+    if (at == number) return {};
+    ++numbers;
+  }
+  ++at;
+  if (is_quoted && get(at++) != '"') return {};
+  std::size_t next = at;
+  while (Dialect::is_blank(get(next)) || get(next) == '\r') ++next;
+  const bool ends_cell = get(next) == delimiter || get(next) == '\n';
+  const bool has_one_mark = (with_blank > 0 ? 1 : 0) + (others > 0 ? 1 : 0) + (semicolons > 0 ? 1 : 0) <= 1;
+  return {begin, at, ends_cell && has_one_mark && numbers > 1 ? numbers : 0};
+}
+
+/// The place behind a quoted cell that begins at a place.
+std::size_t quoted_end(std::string_view text, std::size_t at) {
+  do {
+    at = std::min(text.find('"', at + 1), text.size() - 1) + 1;
+  } while (at < text.size() && text[at] == '"');
+  return at;
+}
+
+std::size_t cell_end(std::string_view text, std::size_t at, char delimiter) {
+  while (at < text.size() && text[at] != delimiter && text[at] != '\n') ++at;
+  return at;
+}
+
+/// The cell that begins at a place, behind blanks.
+CellOfText cell_at(std::string_view text, std::size_t at, char delimiter) {
+  while (at < text.size() && Dialect::is_blank(text[at])) ++at;
+  if (const CellOfText vector = vector_at(text, at, delimiter); vector.numbers > 0) return vector;
+  const std::size_t last = at < text.size() && text[at] == '"' ? quoted_end(text, at) : at;
+  return {at, cell_end(text, last, delimiter)};
+}
+
+/// The cells of a line, with their places in the text.
+std::vector<CellOfText> cells_in_line(std::string_view text, std::size_t begin, std::size_t end, char delimiter) {
+  std::vector<CellOfText> cells;
+  for (std::size_t at = begin;; ++at) {
+    cells.push_back(cell_at(text.substr(0, end), at, delimiter));
+    at = std::min(text.find(delimiter, cells.back().end), end);
+    if (at == end) return cells;
+  }
+}
+
+/// Puts a delimiter between the numbers of a vector, and blanks in the place of all else.
+void spread(std::string& text, const CellOfText& vector, char delimiter) {
+  std::size_t numbers = 0;
+  for (std::size_t at = vector.begin; at < vector.end;) {
+    if (is_of_number(text[at])) {
+      at = number_end(text, at);
+      if (++numbers < vector.numbers) text[at++] = delimiter;
+    } else {
+      text[at++] = ' ';
+    }
+  }
+}
+
+/// The text of whole records with a cell for each number of a vector, which all stay where they are. `numbers`: how
+/// many the vectors of each column have; others are no numbers, which is an error later.
+std::string with_cells_of_numbers(std::string text, char delimiter, const std::vector<std::size_t>& numbers) {
+  std::size_t column = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const CellOfText cell = cell_at(text, at, delimiter);
+    if (cell.numbers > 0 && column < numbers.size() && cell.numbers == numbers[column]) spread(text, cell, delimiter);
+    at = cell_end(text, cell.end, delimiter);
+    column = at < text.size() && text[at] == '\n' ? 0 : column + 1;
+  }
+  return text;
+}
+
+/// The names of the numbers of a vector.
+std::vector<std::string> part_names(std::string_view name, std::size_t numbers) {
+  constexpr std::array coordinates{"x", "y", "z", "w"};
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < numbers; ++i) {
+    parts.push_back(numbers <= coordinates.size() ? fmt::format("{}.{}", name, coordinates[i])
+                                                  : fmt::format("{}[{}]", name, i));
+  }
+  return parts;
+}
+
+/// A line of a chunk.
+struct LineOfChunk {
+  std::size_t chunk = 0, begin = 0, end = 0;
+};
+
+/// The first lines that are neither blank nor comments, of which each chunk has one at least.
+std::vector<LineOfChunk> first_lines(Source<Chunk>& source, std::vector<Chunk>& chunks, const Dialect& dialect) {
+  constexpr std::size_t wanted = 2;
+  std::vector<LineOfChunk> lines;
+  while (lines.size() < wanted) {
+    std::optional<Chunk> chunk = source();
+    if (!chunk) break;
+    const std::string& text = chunks.emplace_back(*std::move(chunk)).text;
+    for (std::size_t begin = 0, end = 0; begin < text.size() && lines.size() < wanted; begin = end + 1) {
+      end = std::min(text.find('\n', begin), text.size());
+      const std::string_view line = trimmed(std::string_view(text).substr(begin, end - begin));
+      if (!line.empty() && !dialect.is_comment(line)) lines.push_back({chunks.size() - 1, begin, end});
+    }
+  }
+  return lines;
+}
+
+/// The columns of vectors in the second line, whose names become those of their numbers in the first line, unless that
+/// has vectors itself. No columns where the lines differ otherwise, or vectors are alone.
+std::vector<VectorColumn> name_vectors(std::vector<Chunk>& chunks, const std::vector<LineOfChunk>& lines,
+                                       char delimiter) {
+  const auto cells_in = [&](const LineOfChunk& line) {
+    return cells_in_line(chunks[line.chunk].text, line.begin, line.end, delimiter);
+  };
+  const std::string& second = chunks[lines[1].chunk].text;
+  if (second.find_first_of("([{<", lines[1].begin) >= lines[1].end) return {};
+  const std::vector<CellOfText> names = cells_in(lines[0]), cells = cells_in(lines[1]);
+  if (cells.size() != names.size() || cells.size() < 2) return {};
+  const bool has_header = std::ranges::all_of(names, [](const CellOfText& cell) { return cell.numbers == 0; });
+  std::string& text = chunks[lines[0].chunk].text;
+  std::vector<VectorColumn> columns;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i].numbers == 0) continue;
+    const std::string_view cell = trimmed(std::string_view(text).substr(names[i].begin, names[i].end - names[i].begin));
+    const std::string name = has_header ? unquoted(cell) : fmt::format("{}", i + 1);
+    if (name.find('"') != std::string::npos) return {};
+    columns.push_back({i, name, part_names(name, cells[i].numbers)});
+  }
+  for (std::size_t i = columns.size(); has_header && i-- > 0;) {  // the last one first, as places behind it change
+    const CellOfText& cell = names[columns[i].cell];
+    const std::string between{'"', delimiter, '"'};
+    text.replace(cell.begin, cell.end - cell.begin, fmt::format("\"{}\"", fmt::join(columns[i].parts, between)));
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::vector<VectorColumn> take_vectors(Source<Chunk>& chunks, const Dialect& dialect) {
+  if (dialect.delimiter == ' ') return {};
+  std::vector<Chunk> first;
+  const std::vector<LineOfChunk> lines = first_lines(chunks, first, dialect);
+  std::vector<VectorColumn> columns;
+  if (lines.size() > 1) columns = name_vectors(first, lines, dialect.delimiter);
+  for (; !first.empty(); first.pop_back()) chunks = preceded_by(std::move(first.back()), std::move(chunks));
+  if (columns.empty()) return {};
+  std::vector<std::size_t> numbers(columns.back().cell + 1);
+  for (const VectorColumn& column : columns) numbers[column.cell] = column.parts.size();
+  chunks = mapped(std::move(chunks), [delimiter = dialect.delimiter, numbers = std::move(numbers)](Chunk chunk) {
+    chunk.text = with_cells_of_numbers(std::move(chunk.text), delimiter, numbers);
+    return chunk;
+  });
+  return columns;
+}
+
+ColumnOptions with_vectors(ColumnOptions requested, const std::vector<VectorColumn>& columns) {
+  for (RoleRequest& role : requested.roles) {
+    for (const VectorColumn& column : columns) {
+      const auto found = std::ranges::find(role.columns, column.name);
+      if (found == role.columns.end()) continue;
+      role.columns.insert(role.columns.erase(found), column.parts.begin(), column.parts.end());
+    }
+  }
+  return requested;
+}
+
+}  // namespace tcb
