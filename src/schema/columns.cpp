@@ -587,6 +587,10 @@ std::string counter_is_left(std::string_view shown) {
   return fmt::format("column {} counts the records, and is not taken as a position", shown);
 }
 
+std::string calendar_is_taken(std::string_view shown) {
+  return fmt::format("column {} is taken as the time, as no other one is", shown);
+}
+
 Error same_column_names(std::string_view name) {
   return data_error(
       "two columns are called {}; expected different names; rename one, or choose columns by number with --columns",

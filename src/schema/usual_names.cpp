@@ -35,11 +35,14 @@ constexpr std::array unit_names{
     UnitNames{ms, "ms msec msecs millis millisec millisecond milliseconds", ""},
     UnitNames{us, "us usec usecs micros microsec microsecond microseconds \u00B5s \u03BCs", ""},
     UnitNames{ns, "ns nsec nsecs nanos nanosec nanosecond nanoseconds", ""},
-    UnitNames{minutes, "minutes", "min mins"},
-    UnitNames{hours, "hours hrs", "h hr"},
-    UnitNames{days, "days jd mjd hjd bjd bjdtdb jdtdb jdutc juliandate", "d"},
+    UnitNames{minutes, "minutes", "min mins minute"},
+    UnitNames{hours, "hours hrs", "h hr hour"},
+    UnitNames{days, "days jd mjd hjd bjd bjdtdb jdtdb jdutc juliandate", "d day"},
     UnitNames{frames, "frames", ""},
     UnitNames{{}, "ticks", "m"}};
+
+/// Names of parts of dates and of times of day, which are times where no other column is.
+constexpr std::string_view calendar_names = "year yr month week day dayofyear doy yearday hour minute";
 
 /// Names of times that count frames.
 constexpr std::string_view frame_names =
@@ -159,11 +162,13 @@ std::optional<TimeUnit> unit_of_time(std::string_view name) {
   } else if (separator != std::string_view::npos && is_time(compact(name.substr(0, separator)))) {  // as in t_s
     found = find_unit(compact(name.substr(separator)));
   } else if (whole.size() > 1) {
-    found = find_unit(whole);
+    found = find_unit(whole, has(calendar_names, whole));
   }
   if (found == nullptr && !has(time_names, whole)) found = unit_at_end(whole);
   return found == nullptr ? std::nullopt : found->unit;
 }
+
+bool names_calendar(std::string_view name) { return has(calendar_names, compact(without_unit(name))); }
 
 std::optional<TimePartName> time_part_of(std::string_view name) {
   constexpr std::string_view seconds = "sec secs seconds";

@@ -33,6 +33,9 @@ struct TimePartName {
   std::string_view stem;  ///< of the name, which outlives it; empty for a name such as "sec"
 };
 
+/// Whether a name is that of a part of a date or of a time of day, such as year or hour.
+bool names_calendar(std::string_view name);
+
 /// The part of a time that a name is by its last word; nothing for other names.
 std::optional<TimePartName> time_part_of(std::string_view name);
 

@@ -577,6 +577,7 @@ class RolesByCells {
     if (!is_given && !requested_.has(Role::time)) take_parts_of_date();
     if (!requested_.has(Role::time) && !requested_.timeless) take_equal_times();
     if (!requested_.has(Role::time) && !requested_.timeless && !has_rate_) take_time_beside_frames();
+    if (!requested_.has(Role::time) && !requested_.timeless) take_calendar_time();
     if (!names_.empty()) take_index();
     if (!names_.empty() && !requested_.has(Role::position)) leave_counters();
     if (!requested_.has(Role::time) && !requested_.timeless) names_.empty() ? leave_labels() : take_dates();
@@ -671,6 +672,17 @@ class RolesByCells {
     request(Role::unused, frames[0]);
     notes_.push_back(fmt::format("column {} is taken as the time, and column {}, which counts frames, is left out",
                                  shown(times[0]), shown(frames[0])));
+  }
+
+  /// A column called year, day, hour or the like is the time, where no other one may be.
+  void take_calendar_time() {
+    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
+      if (is_time(cell) || notation(cell)) return;
+    }
+    const auto found = find_calendar_time(names_, rows_);
+    if (!found || is_requested(*found)) return;
+    request(Role::time, *found);
+    notes_.push_back(calendar_is_taken(shown(*found)));
   }
 
   /// The only column of dates, or of times in words, is the time, where no name says which is.

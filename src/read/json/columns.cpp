@@ -254,6 +254,7 @@ class FirstKey {
     result.columns.doubts = std::move(notes);
     if (!requested_.samples) find_doubts(result, header, numeric, rows);
     if (!requested_.samples) find_unused_rotation(result.columns.doubts);
+    if (!requested_.samples && !requested_.has(Role::position)) find_unused_numbers(result.columns);
     add_optional_members(result);
     complete(result, result.key);
     result.rules = options_.keys;
@@ -663,6 +664,11 @@ class FirstKey {
     const bool lacks_time = !requested_.has(Role::time) && !requested_.timeless && !has_any(has_time_name);
     const auto times = lacks_time ? only_times_in_words(rows[0]) : std::nullopt;
     const auto request = [&](Role role, std::size_t cell) { roles.push_back({role, {requested_as(header, cell)}}); };
+    const auto calendar = lacks_time && !times ? find_calendar_time(header, rows) : std::nullopt;
+    if (calendar && !requested_.has(header[*calendar])) {
+      request(Role::time, *calendar);
+      notes.push_back(calendar_is_taken(in_quotes(header[*calendar])));
+    }
     std::vector<std::size_t> counters;
     bool has_others = false;
     for (const FoundMember& member : members_) {
@@ -893,6 +899,26 @@ class FirstKey {
                       is_vector ? "" : " whose last number is w"));
       return;
     }
+  }
+
+  /// Notes the numbers beside an array of positions, which are ignored, and how to take them.
+  void find_unused_numbers(Columns& columns) const {
+    const auto is_position = [](const FoundMember& member) {
+      return member.name == "position" && member.is_number_array();
+    };
+    if (!has_any(is_position)) return;
+    std::vector<std::string> names;
+    std::erase_if(columns.ignored, [&](const std::string& name) {
+      const auto member = std::ranges::find(members_, name, &FoundMember::name);
+      const bool is_used = member != members_.end() && (member->is_number_array() || is_plain_number(*member)) &&
+                           !may_be_rotation(*member);
+      if (is_used) names.push_back(name);
+      return is_used;
+    });
+    if (names.empty()) return;
+    columns.doubts.push_back(fmt::format("numbers beside \"position\" are left out: {}; --columns {} takes them, too",
+                                         listed(names),
+                                         in_shell(fmt::format("position=position:{}", fmt::join(names, ":")))));
   }
 
   /// Finds the notes of the doubts about the columns. Throws: Error (data) for one that the request has to decide.

@@ -1,8 +1,8 @@
 // JSON splitter: a JSON text is cut into whole records, by its strings and brackets alone.
 //
 // The text may be an array of keys, an object with an array "keys" among its members, an object with an array
-// "curves" of such objects, or one key after another (JSON Lines), each an object or a row of numbers. "rows", which the
-// program writes, is read as "keys". A text of another shape is one part.
+// "curves" of such objects, or one key after another (JSON Lines), each an object or a row of numbers. "rows", which
+// the program writes, is read as "keys". A text of another shape is one part.
 #pragma once
 
 #include <cstddef>
