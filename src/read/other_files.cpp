@@ -123,6 +123,9 @@ constexpr std::string_view
     by_xyz =
         "convert it, as in awk 'BEGIN {print \"frame atom x y z\"} NF == 1 {++f; i = 0; getline; next} {print f - 1, "
         "++i, $2, $3, $4}' FILE | tcbsample --group atom",
+    by_three_js =
+        "take a track as rows, as in jq -r '.tracks[0] | .times as $t | .values as $v | ($v | length / ($t | length)) "
+        "as $n | range($t | length) | [$t[.], $v[. * $n:(. + 1) * $n][]] | @csv' FILE | tcbsample",
     by_yaml =
         "convert it, as in python3 -c 'import json, sys, yaml; json.dump(yaml.safe_load(open(sys.argv[1])), "
         "sys.stdout)' FILE | tcbsample",
@@ -232,10 +235,7 @@ constexpr OtherFile other_files[] = {
      "a motion of Live2D, whose segments are a type and 2 or 6 numbers, of which the last 2 are a key",
      "write an object of time and position for each key"},
     {{}, {.members = {"layers", "ip", "op"}}, "a Lottie animation", "export its keyframes as a table"},
-    {{},
-     {.members = {"tracks", "times", "values"}},
-     "a clip of three.js, whose values are not by key",
-     "write an object of time and position for each key"},
+    {{}, {.members = {"tracks", "times", "values"}}, "a clip of three.js, whose values are not by key", by_three_js},
     {{}, {.members = {"sheetsById"}}, "a project of Theatre.js", "give WORD--columns time=position,position=value"},
     {{},
      {.members = {"fileType", "mission"}},

@@ -147,7 +147,10 @@ std::vector<LineOfChunk> first_lines(Source<Chunk>& source, std::vector<Chunk>& 
     for (std::size_t begin = 0, end = 0; begin < text.size() && lines.size() < wanted; begin = end + 1) {
       end = std::min(text.find('\n', begin), text.size());
       const std::string_view line = trimmed(std::string_view(text).substr(begin, end - begin));
-      if (!line.empty() && !dialect.is_comment(line)) lines.push_back({chunks.size() - 1, begin, end});
+      const bool has_return = end > begin && text[end - 1] == '\r';
+      if (!line.empty() && !dialect.is_comment(line)) {
+        lines.push_back({chunks.size() - 1, begin, has_return ? end - 1 : end});
+      }
     }
   }
   return lines;

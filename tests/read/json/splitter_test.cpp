@@ -123,6 +123,15 @@ TEST(JsonSplit, one_object_without_keys_and_rows_of_rows_are_whole) {
   EXPECT_EQ(split("[[0,1],[1,2]]").shape, JsonShape::table);
 }
 
+TEST(JsonSplit, rows_one_after_another_are_values) {
+  for (const std::string text : {"[0,1]\n[1,2]\n", " [ 0 , \"a\" ] [1,2] [2"}) {
+    for (std::size_t piece = 1; piece <= text.size(); ++piece) {
+      EXPECT_EQ(split(text, piece).shape, JsonShape::table);
+    }
+  }
+  EXPECT_EQ(split("[0,1]\n").shape, JsonShape::list);
+}
+
 TEST(JsonSplit, a_list_can_be_made_whole_again) {
   const std::string text = "[{\"t\":0},\n{\"t\":[1]} ] \n";
   for (std::size_t piece = 1; piece <= text.size(); ++piece) {
