@@ -119,7 +119,7 @@ constexpr OptionRow option_rows[] = {
      [] { return formats_with(&Format::can_read); }},
     {"--delimiter", "-d", "CHAR", input_group,
      "The character between cells, or tab, comma, semicolon, space or pipe; by default the first of tab, semicolon, "
-     "comma and space that occurs in the first record",
+     "comma, pipe and space that occurs in the first record",
      "", name, recorded,
      [](Typed& to, Text text) { to.keys.input.delimited.delimiter = delimiter(text); }, names_in<delimiter_names>},
     {"--header", "", "", input_group,

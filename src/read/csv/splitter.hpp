@@ -17,8 +17,9 @@ namespace tcb {
 
 inline constexpr std::size_t longest_record = 64UL * 1024 * 1024;
 
-/// The delimiter of a record: the first of tab, ";", "," and blank that occurs in it outside quotes, or "," where none
-/// does; with a decimal comma "," comes last. Nothing if the text does not hold the whole record, with its line end.
+/// The delimiter of a record: the first of tab, ";", ",", "|" and blank that occurs in it outside quotes, or "," where
+/// none does; with a decimal comma "," comes last. Bars with a blank on one side only are parts of names, as in |v|.
+/// Nothing if the text does not hold the whole record, with its line end.
 std::optional<char> delimiter_of(std::string_view record, char decimal);
 
 /// The beginning of delimited text.
