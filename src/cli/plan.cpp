@@ -37,6 +37,7 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
 /// for the ending of a format that is not written.
 void set_output_format(TypedOptions& typed, bool earlier) {
   const std::string& path = typed.files.outputs.file;
+  if (path == "-") return;
   const bool is_report = is_comparison(typed) || prints_limits(typed);
   const Format* const named = find_output_format(path);
   const std::string other(other_ending(path));

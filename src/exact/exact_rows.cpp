@@ -231,7 +231,7 @@ class ExactRows::Evaluation {
       if (row.outside != nullptr) located.outside = {*row.outside};
       std::vector<Cell> inexact(cells.size());
       Point<double> point;
-      write_rows(inexact.data(), {&index, 1}, row.segment, located, point);
+      write_rows(inexact.data(), inexact.size(), {&index, 1}, row.segment, located, point);
       for (std::size_t i = 0; i < cells.size(); ++i) {
         if (!is_zero(cells[i]) || inexact[i].hi != 0 || !std::signbit(inexact[i].hi)) continue;
         cells[i].printed->cell = Cell(-0.0);

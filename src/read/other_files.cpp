@@ -327,13 +327,14 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-bool fits(const Signature& signature, std::string_view beginning) {
-  const std::string_view text = signature.at == 0 ? without_blanks(beginning) : beginning;
+/// `inner`: the beginning without blanks.
+bool fits(const Signature& signature, std::string_view beginning, std::string_view inner) {
+  const std::string_view text = signature.at == 0 ? inner : beginning;
   if (!signature.members[0].empty()) return false;
   if (signature.test != nullptr) return signature.test(text);
   if (signature.bytes.empty()) return false;
   if (text.size() < signature.at || !text.substr(signature.at).starts_with(signature.bytes)) return false;
-  return std::ranges::all_of(signature.within, [&](auto inner) { return text.find(inner) != std::string_view::npos; });
+  return std::ranges::all_of(signature.within, [&](auto part) { return text.find(part) != std::string_view::npos; });
 }
 
 std::string remedy_with(std::string_view remedy, std::string_view word) {
@@ -345,8 +346,9 @@ std::string remedy_with(std::string_view remedy, std::string_view word) {
 }  // namespace
 
 std::optional<Error> other_file(std::string_view beginning) {
+  const std::string_view inner = without_blanks(beginning);
   const auto* found =
-      std::ranges::find_if(other_files, [&](const auto& row) { return fits(row.signature, beginning); });
+      std::ranges::find_if(other_files, [&](const auto& row) { return fits(row.signature, beginning, inner); });
   if (found == std::ranges::end(other_files)) return std::nullopt;
   return data_error("this is {}; expected text with a key in each row, or JSON; {}", found->name,
                     remedy_with(found->remedy, found->word));
@@ -357,10 +359,10 @@ bool may_begin_other_file(std::string_view beginning) {
   if (beginning.starts_with(compound) || beginning.starts_with(zip)) return beginning.size() < enough_of_container;
   if (beginning.size() > most_blanks) return false;
   const std::string_view text = without_blanks(beginning);
-  const bool is_binary = std::ranges::any_of(beginning, [](char c) { return c >= '\0' && c < '\t'; });
+  const auto is_binary = [&] { return std::ranges::any_of(beginning, [](char c) { return c >= '\0' && c < '\t'; }); };
   return std::ranges::any_of(other_files, [&](const OtherFile& row) {
     const Signature& signature = row.signature;
-    if (signature.at > 0) return is_binary && beginning.size() < signature.at + signature.bytes.size();
+    if (signature.at > 0) return beginning.size() < signature.at + signature.bytes.size() && is_binary();
     return signature.bytes.size() > text.size() && signature.bytes.starts_with(text);
   });
 }

@@ -114,6 +114,11 @@ class RowEstimate {
     for (const auto& length : block.lengths) length_ += length.value;
   }
 
+  /// The step of equal ones.
+  std::optional<Time> step() const {
+    return spacing_ ? std::optional(nearest_time(spacing_->grid.step())) : std::nullopt;
+  }
+
   double rows() const {
     const auto segments = static_cast<double>(segments_);
     const double keys = request_.keys ? segments + 1 : 0;
@@ -325,8 +330,8 @@ CurveSamples CurvePipeline::samples_on_grid(StreamedCurve curve, const ExactKeys
   } else {
     segments = curve.segments(needs_.lengths);
   }
-  if (!by_segment(request_.mode)) facts.step = nearest_time(spacing(request_, extent).grid.step());
   const RowEstimate estimate(request_, extent, curve.keys.size() - (spec_.closed ? 0 : 1));
+  facts.step = estimate.step();
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
   CurveSamples samples = samples_in_order(std::move(segments), sampler, extent.first);
   samples.expected_rows = [rows = estimate.rows()] { return rows; };

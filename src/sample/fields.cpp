@@ -144,9 +144,8 @@ std::size_t cells_in_row(std::span<const std::size_t> chosen, const RowShape& sh
   return cells;
 }
 
-void write_rows(Cell* rows, std::span<const std::size_t> chosen, const CurveSegment& segment, const Located& located,
-                Point<double>& point) {
-  const std::size_t width = cells_in_row(chosen, shape_of(segment));
+void write_rows(Cell* rows, std::size_t width, std::span<const std::size_t> chosen, const CurveSegment& segment,
+                const Located& located, Point<double>& point) {
   static constexpr std::array write_column = of_all_fields(&FieldOf<double>::write_column);
   std::vector<std::pair<decltype(FieldOf<double>::write), Cell*>> by_row;  // and the cell in the first row
   Cell* first = rows;

@@ -316,8 +316,8 @@ RowShape shape_of(const CurveSegmentOf<S>& segment) {
   return {segment.cubics.size(), segment.rotation_columns};
 }
 
-/// Writes fields of the samples on a segment, row after row. `point` is memory to reuse.
-void write_rows(Cell* rows, std::span<const std::size_t> chosen, const CurveSegment& segment, const Located& located,
-                Point<double>& point);
+/// Writes fields of the samples on a segment, row after row of `width` cells. `point` is memory to reuse.
+void write_rows(Cell* rows, std::size_t width, std::span<const std::size_t> chosen, const CurveSegment& segment,
+                const Located& located, Point<double>& point);
 
 }  // namespace tcb

@@ -129,7 +129,7 @@ std::vector<Cell> evaluate(const SampleBlock& block, const Locator& locator, std
   Point<double> point;
   for (const auto& [segment, first, last] : block.parts) {
     locator.locate(segment, first, last, located);
-    write_rows(rows, chosen, segment, located, point);
+    write_rows(rows, width, chosen, segment, located, point);
     Cell* const end = rows + located.samples.size() * width;
     const auto beyond = std::find_if(rows, end, [](const Cell& cell) { return !std::isfinite(cell.hi); });
     if (beyond != end) refuse_overflow(located.samples[static_cast<std::size_t>(beyond - rows) / width]);

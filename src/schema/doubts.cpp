@@ -122,9 +122,10 @@ bool is_near(std::string_view name, std::string_view known) {
 /// others.
 std::optional<Role> near_role(std::string_view name) {
   if (role_of_name(name) != Role::position) return std::nullopt;
+  const std::string_view alone = without_unit(name);
   const auto meant = std::ranges::find_if(role_names, [&](const RoleName& known) {
     const bool counts = known.any_case && known.in_header && known.role != Role::position;
-    return counts && is_near(without_unit(name), known.name);
+    return counts && is_near(alone, known.name);
   });
   return meant == role_names.end() ? std::nullopt : std::optional(meant->role);
 }

@@ -24,9 +24,10 @@ bool is_converted(const UnitOptions& options, const std::string& time) {
 
 /// Throws: Error (data) where the column's name has another unit than the options.
 void require_unit(const UnitOptions& options, const Columns& columns) {
+  if (options.are_optional || !(options.frame_rate || options.time)) return;
   const std::string& time = columns.time;
   const auto named = columns.has(Role::nanoseconds) ? TimeUnit::s : unit_of_time(time);
-  if (!named || options.are_optional) return;
+  if (!named) return;
   const auto refuse = [&](std::string_view option, TimeUnit unit) {
     throw data_error(
         "the times are in {} by this option, but in {} by the name of column {}; expected one unit; remove the option, "

@@ -177,12 +177,12 @@ std::vector<std::size_t> repeated_words(const HeadRecords& first, const Delimite
   if (first.records.size() < 2) return {};
   const auto &one = first.records[0].cells, &two = first.records[1].cells;
   if (one.size() != two.size()) return {};
-  const auto is_number = [&](const std::string& cell) { return !cell.empty() && may_be_value(cell, head); };
-  if (std::ranges::none_of(one, is_number)) return {};
   std::vector<std::size_t> words;
   for (std::size_t i = 0; i < one.size(); ++i) {
-    if (!may_be_value(one[i], head) && one[i] == two[i]) words.push_back(i);
+    if (one[i] == two[i] && !may_be_value(one[i], head)) words.push_back(i);
   }
+  const auto is_number = [&](const std::string& cell) { return !cell.empty() && may_be_value(cell, head); };
+  if (!words.empty() && std::ranges::none_of(one, is_number)) return {};
   return words;
 }
 
@@ -432,8 +432,8 @@ void require_no_title(const std::vector<HeadRecords::Record>& records) {
   if (records.size() < 2 || records[0].cells.size() < 2) return;
   const auto are_empty = [](const auto& cells) { return std::ranges::count(cells, "") + 1 == std::ssize(cells); };
   const auto &one = records[0].cells, &two = records[1].cells;
-  if (one[0].empty() || is_usual_time(one[0])) return;
-  if (!are_empty(one) || are_empty(two) || are_units(two) || !may_describe(two)) return;
+  if (one[0].empty() || !are_empty(one) || is_usual_time(one[0])) return;
+  if (are_empty(two) || are_units(two) || !may_describe(two)) return;
   throw data_error("the line has one cell, {}, as titles do; expected the names of the columns; give --skip-lines {}",
                    in_quotes(one[0]), records[1].line - 1)
       .at({"", records[0].line, 1});
@@ -506,10 +506,11 @@ void require_clear_header(const HeadRecords& first, const DelimitedHead& head, c
     return !is_missing_sign(cell, head.rules.signs) && may_be_number(cell, head);
   };
   const auto is_name = [&](const std::string& cell) {
-    return !is_number(cell) && (has_meaning(cell, options) || is_usual_time(cell));
+    return (has_meaning(cell, options) || is_usual_time(cell)) && !is_number(cell);
   };
+  if (std::ranges::any_of(record.cells, is_name)) return;
   const auto number = std::ranges::find_if(record.cells, is_number);
-  if (number == record.cells.end() || std::ranges::any_of(record.cells, is_name)) return;
+  if (number == record.cells.end()) return;
   const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return may_be_value(cell, head); });
   Chunk data = first.chunks[record.chunk];
   data.text.erase(0, record.offset);
@@ -754,6 +755,7 @@ class RolesByCells {
 
   /// Columns of whole numbers that rise are counters by names such as event_id, unless they are the only numbers.
   void leave_counters() {
+    if (std::ranges::none_of(names_, names_record)) return;
     std::vector<std::size_t> counters, others;
     for (std::size_t cell = 0; cell < names_.size(); ++cell) {
       if (!numeric_[cell] || is_requested(cell) || is_time(cell)) continue;

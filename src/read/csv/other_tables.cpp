@@ -263,7 +263,9 @@ class LinesOfCells {
 
   Cells cells(std::size_t line) const { return cells_of(lines_[line]); }
   Cells cells_of(std::string_view line) const {
+    constexpr std::size_t usual = 8;
     Cells cells;
+    cells.reserve(usual);
     for (std::size_t begin = 0, end = 0; begin <= line.size(); begin = end + 1) {
       const bool is_quoted = begin < line.size() && line[begin] == '"';
       const std::size_t quote = is_quoted ? line.find('"', begin + 1) : begin;
