@@ -90,6 +90,9 @@ TEST(DelimiterOf, is_the_first_of_tab_semicolon_comma_and_blank_in_the_record) {
   EXPECT_EQ(delimiter_of("a b,c;d\n1\t2", '.'), ';');
   EXPECT_EQ(delimiter_of("a b,c\n1;2", '.'), ',');
   EXPECT_EQ(delimiter_of("a b\n1,2", '.'), ' ');
+  EXPECT_EQ(delimiter_of("a b|c d\n1,2", '.'), '|');
+  EXPECT_EQ(delimiter_of("| a | b |\n", '.'), '|');
+  EXPECT_EQ(delimiter_of("t |v|\n", '.'), ' ') << "bars of a name";
   EXPECT_EQ(delimiter_of("a\n1;2", '.'), ',');
   EXPECT_EQ(delimiter_of("", '.'), std::nullopt);
   EXPECT_EQ(delimiter_of("a;b", '.'), std::nullopt) << "more cells may follow";
