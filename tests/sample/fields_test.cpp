@@ -50,9 +50,9 @@ TEST(Fields, columns_of_times_and_positions_are_what_points_have) {
   const std::size_t width = cells_in_row(chosen, {2, {}});
   std::vector<Cell> by_column(located.samples.size() * width), by_row(by_column);
   Point<double> point;
-  write_rows(by_column.data(), chosen, segment, located, point);
+  write_rows(by_column.data(), width, chosen, segment, located, point);
   for (const Sample& sample : located.samples) located.outside.push_back({sample.t});
-  write_rows(by_row.data(), chosen, segment, located, point);
+  write_rows(by_row.data(), width, chosen, segment, located, point);
   for (std::size_t i = 0; i < by_row.size(); ++i) {
     EXPECT_TRUE(by_column[i] == by_row[i] || (is_empty(by_column[i]) && is_empty(by_row[i]))) << i;
   }
