@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "io/encoding.hpp"
@@ -509,14 +510,16 @@ std::string first_time(const std::vector<std::string>& cells, const Columns& col
   return joined_time(parts);
 }
 
-/// The cells of the first records, without reading further. Requires: `data` outlives them.
-HeadRows cells_of(const Chunk& data, const Dialect& dialect) {
+/// The cells of the first records, without reading further. Requires: `chunks` outlive them.
+HeadRows cells_of(std::span<const Chunk> chunks, const Dialect& dialect) {
   constexpr std::size_t most = 16;
   HeadRows rows;
-  Tokenizer tokenizer(data, dialect);
   try {
-    for (HeadCells cells; rows.size() < most && tokenizer.next(cells); rows.push_back(cells)) {
-      std::ranges::transform(cells, cells.begin(), bare);
+    for (const Chunk& chunk : chunks) {
+      Tokenizer tokenizer(chunk, dialect);
+      for (HeadCells cells; rows.size() < most && tokenizer.next(cells); rows.push_back(cells)) {
+        std::ranges::transform(cells, cells.begin(), bare);
+      }
     }
   } catch (const Error&) {
     return rows;  // the record is refused when it is read as a key
@@ -524,12 +527,30 @@ HeadRows cells_of(const Chunk& data, const Dialect& dialect) {
   return rows;
 }
 
+/// For each column, whether it has a requested role, by its name or number.
+std::vector<bool> requested_cells(const std::vector<std::string>& names, std::size_t cells,
+                                  const ColumnOptions& options) {
+  std::unordered_set<std::string_view> columns;
+  for (const RoleRequest& request : options.roles) columns.insert(request.columns.begin(), request.columns.end());
+  std::vector<bool> requested(cells);
+  for (std::size_t cell = 0; cell < cells && !columns.empty(); ++cell) {
+    const bool is_named = cell < names.size() && columns.contains(names[cell]);
+    requested[cell] = is_named || columns.contains(fmt::format("{}", cell + 1));
+  }
+  return requested;
+}
+
 /// What columns mean by rules that look at their cells, as requests, with notes.
 class RolesByCells {
  public:
   RolesByCells(std::vector<std::string>& names, const std::vector<bool>& numeric, const HeadRows& rows,
                const ColumnOptions& requested, bool has_rate)
-      : names_(names), numeric_(numeric), rows_(rows), requested_(requested), has_rate_(has_rate) {}
+      : names_(names),
+        numeric_(numeric),
+        rows_(rows),
+        requested_(requested),
+        requested_cells_(requested_cells(names, numeric.size(), requested)),
+        has_rate_(has_rate) {}
 
   /// The request, with the roles that follow from cells. Throws: Error (data) where an index may be the time.
   ColumnOptions complete() {
@@ -549,11 +570,12 @@ class RolesByCells {
   std::vector<std::string> notes() { return std::move(notes_); }
 
  private:
-  bool is_requested(std::size_t cell) const {
-    return requested_.has(fmt::format("{}", cell + 1)) || (cell < names_.size() && requested_.has(names_[cell]));
-  }
+  bool is_requested(std::size_t cell) const { return requested_cells_[cell]; }
 
-  void request(Role role, std::size_t cell) { requested_.roles.push_back({role, {requested_as(names_, cell)}}); }
+  void request(Role role, std::size_t cell) {
+    requested_.roles.push_back({role, {requested_as(names_, cell)}});
+    requested_cells_[cell] = true;
+  }
 
   std::optional<TimeNotation> notation(std::size_t cell) const {
     return cell < rows_[0].size() ? find_notation(rows_[0][cell]) : std::nullopt;
@@ -597,6 +619,7 @@ class RolesByCells {
     for (const std::size_t cell : parts) {
       columns.push_back(requested_as(names_, cell));
       shown_columns.push_back(names_[cell]);
+      requested_cells_[cell] = true;
     }
     requested_.roles.push_back({Role::time, columns});
     notes_.push_back(fmt::format("columns {} are taken as one time", listed(shown_columns)));
@@ -709,10 +732,13 @@ class RolesByCells {
       if (role_of_name(names_[cell]) != Role::position || is_usual_counter(names_[cell])) continue;
       (counts_records(names_[cell], rows_, cell) ? counters : others).push_back(cell);
     }
-    for (const std::size_t cell : others.empty() ? others : counters) {
+    if (others.empty() || counters.empty()) return;
+    std::vector<std::string> left;
+    for (const std::size_t cell : counters) {
       request(Role::unused, cell);
-      notes_.push_back(counter_is_left(shown(cell)));
+      left.push_back(shown(cell));
     }
+    notes_.push_back(counters_are_left(left));
   }
 
   static bool is_index_name(std::string_view name) {
@@ -741,21 +767,21 @@ class RolesByCells {
   const std::vector<bool>& numeric_;
   const HeadRows& rows_;
   ColumnOptions requested_;
-  bool has_rate_;  ///< the times are frames by an option
+  std::vector<bool> requested_cells_;  ///< for each column, whether that has a role of it
+  bool has_rate_;                      ///< the times are frames by an option
   std::vector<std::string> notes_;
 };
 
 /// The columns of numbers without those that are positions by their names alone and have no number in the first
 /// records.
 std::vector<bool> with_numbers(const std::vector<bool>& all, const std::vector<std::string>& names,
-                               const HeadRows& rows, const DelimitedHead& head, const ColumnOptions& requested) {
+                               const HeadRows& rows, const DelimitedHead& head, const std::vector<bool>& requested) {
   std::vector<bool> numeric = all;
   for (std::size_t cell = 0; cell < names.size(); ++cell) {
     const auto has_none = [&](const HeadCells& row) {
       return cell >= row.size() || !begins_like_number(row[cell]) || is_missing_sign(row[cell], head.rules.signs);
     };
-    const bool is_requested = requested.has(names[cell]) || requested.has(fmt::format("{}", cell + 1));
-    if (is_requested || role_of_name(names[cell]) != Role::position) continue;
+    if (requested[cell] || role_of_name(names[cell]) != Role::position) continue;
     if (std::ranges::all_of(rows, has_none)) numeric[cell] = false;
   }
   return std::ranges::count(numeric, true) > 1 ? numeric : all;  // something has to be the position
@@ -765,11 +791,10 @@ std::vector<bool> with_numbers(const std::vector<bool>& all, const std::vector<s
 void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std::vector<bool> numeric,
                       const HeadRows& rows, const InputOptions& options, const std::vector<std::size_t>& unread) {
   ColumnOptions requested = options.columns;
-  if (options.keys.missing == Missing::error) numeric = with_numbers(numeric, names, rows, head, requested);
+  const std::vector<bool> is_requested = requested_cells(names, numeric.size(), requested);
+  if (options.keys.missing == Missing::error) numeric = with_numbers(numeric, names, rows, head, is_requested);
   for (const std::size_t cell : unread) {
-    const std::string column = fmt::format("{}", cell + 1);
-    const bool is_requested = requested.has(column) || (cell < names.size() && requested.has(names[cell]));
-    if (!is_requested) requested.roles.push_back({Role::unused, {column}});
+    if (!is_requested[cell]) requested.roles.push_back({Role::unused, {fmt::format("{}", cell + 1)}});
   }
   std::vector<std::string> notes;
   if (!rows.empty() && !head.is_of_format) {
@@ -894,7 +919,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     if (columns.samples) {
       head.columns = find_sample_columns(names, numeric, *columns.samples, columns.timeless);
     } else {
-      find_key_columns(head, names, numeric, cells_of(rest[0], dialect), options, unread);
+      find_key_columns(head, names, numeric, cells_of(rest, dialect), options, unread);
     }
     take_descriptions(head, described, options.units);
     if (lacks_name) {
