@@ -83,6 +83,11 @@ void assign(Columns& columns, std::size_t cell, Role role, const std::string& na
     throw two_columns_for_role(role_name(role), name);
   }
   const std::size_t clocks = role == Role::clock ? columns.time_cells().size() : 0;  // with the date
+  constexpr std::size_t most = 5;                                                    // below a year
+  if (clocks > most)
+    throw data_error(
+        "the time has more than six columns; expected a date and a time of day, or a year, a month and a day, with an "
+        "hour, a minute and a second if there are such; correct --columns time=");
   columns.cells[cell] = {role, several == nullptr ? clocks : several->size()};
   if (several != nullptr) several->push_back(name);
   if (role == Role::time) columns.time = name;
@@ -279,17 +284,19 @@ struct SplitTime {
 /// The times whose whole seconds and nanoseconds are columns of numbers, as in header.stamp.sec and
 /// header.stamp.nanosec.
 std::vector<SplitTime> split_times(std::span<const std::string> header, const std::vector<bool>& numeric) {
+  std::unordered_map<std::string_view, std::size_t> seconds;  // by the stem of their names
   std::vector<SplitTime> times;
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
     const auto part = time_part_of(header[cell]);
-    if (!part || part->part != TimePart::nanoseconds || !numeric[cell]) continue;
-    const auto seconds = std::ranges::find_if(header, [&](const std::string& name) {
-      const auto other = time_part_of(name);
-      return other && other->part == TimePart::seconds && other->stem == part->stem;
-    });
-    const auto other = static_cast<std::size_t>(seconds - header.begin());
-    if (other < header.size() && numeric[other]) times.push_back({other, cell, std::string(part->stem)});
+    if (part && part->part == TimePart::seconds) seconds.emplace(part->stem, cell);
+    if (part && part->part == TimePart::nanoseconds && numeric[cell])
+      times.push_back({0, cell, std::string(part->stem)});
   }
+  std::erase_if(times, [&](SplitTime& time) {
+    const auto found = seconds.find(time.stem);
+    if (found != seconds.end()) time.seconds = found->second;
+    return found == seconds.end() || !numeric[found->second];
+  });
   return times;
 }
 
@@ -583,8 +590,9 @@ std::string times_in_words_are_taken(const TimesInWords& times, std::string_view
   return fmt::format("the {} in column {} are taken as the times", times.are_dates ? "dates" : "texts", shown);
 }
 
-std::string counter_is_left(std::string_view shown) {
-  return fmt::format("column {} counts the records, and is not taken as a position", shown);
+std::string counters_are_left(std::span<const std::string> shown) {
+  return shown.size() == 1 ? fmt::format("column {} counts the records, and is not taken as a position", shown[0])
+                           : fmt::format("columns {} count the records, and are not taken as positions", listed(shown));
 }
 
 std::string calendar_is_taken(std::string_view shown) {

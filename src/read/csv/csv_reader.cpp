@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "io/encoding.hpp"
 #include "numbers/parse_number.hpp"
@@ -86,7 +87,7 @@ class RecordReader {
       return;
     }
     keys_.begin_key();
-    for (std::size_t i = 0; i < expected; ++i) read_cell(cells_[i], head_.columns.cells[i]);
+    for (std::size_t i = 0; i < expected && !keys_.is_full(); ++i) read_cell(cells_[i], head_.columns.cells[i]);
     if (!keys_.complete_time()) add_fault(cells_[time_cells_[0]], time_parts_not_whole(head_.columns.time));
     if (!keys_.end_key()) return;
     keys_.set_position(tokenizer_.line(), time_cells_.empty() ? 1 : tokenizer_.column(cells_[time_cells_[0]]));
@@ -166,13 +167,13 @@ class RecordReader {
     if (!decimals_.number(number_text(cell)) || is_missing_sign(number_text(cell), head_.rules.signs)) return;
     if (column.is_empty) {
       const std::string& name = head_.columns.ignored[column.channel];
-      return add_fault(cell, number_in_empty_column(unquoted(cell), name, requested_as(name, index_of(cell))));
+      return add_fault(cell, number_in_empty_column(unquoted(cell), name, requested_as(name, index_of(column))));
     }
     add_fault(
         cell,
         data_error("{}: {} is a number in a column of text; expected only numbers or only text; give the text that "
                    "stands for missing numbers to --na, or leave the column out with --columns position=NAME:NAME",
-                   fmt::format("column {}", index_of(cell) + 1), in_quotes(unquoted(cell))));
+                   fmt::format("column {}", index_of(column) + 1), in_quotes(unquoted(cell))));
   }
 
   void read_no_number(std::string_view cell, const Columns::Column& column) {
@@ -192,7 +193,7 @@ class RecordReader {
               ? data_error("{}: found {}; expected a number; fill it in, or give --missing skip-cell, skip-row or "
                            "break, or --columns {} to leave the column out",
                            name, missing_cell(text),
-                           in_shell("ignore=" + requested_as(head_.columns.named ? name : "", index_of(cell))))
+                           in_shell("ignore=" + requested_as(head_.columns.named ? name : "", index_of(column))))
           : is_of_time
               ? data_error("{}: found {}; expected a time; fill it in, or give --missing skip-row or break", name,
                            missing_cell(text))
@@ -201,10 +202,8 @@ class RecordReader {
                     missing_cell(text)));
     } else if (is_time && (!keys_.has_times_as_numbers() || find_notation(text))) {
       add_fault(cell, no_time(name, text));
-    } else if (repeats_name(index_of(cell))) {
-      std::size_t first = 0;  // the fault of the line
-      while (!repeats_name(first)) ++first;
-      if (first < index_of(cell)) return;
+    } else if (repeats_name(cell, column)) {
+      if (std::exchange(line_of_names_, tokenizer_.line()) == tokenizer_.line()) return;  // that has its fault
       add_fault(
           cell,
           data_error(
@@ -213,7 +212,7 @@ class RecordReader {
       const Error fault = why_not_number(name, text, head_.marks);
       add_fault(cell, data_error("{}{}", fault.message(), if_no_key()));
     } else if (is_word(text, column)) {
-      const std::string request = requested_as(column.role == Role::position ? name : "", index_of(cell));
+      const std::string request = requested_as(column.role == Role::position ? name : "", index_of(column));
       add_fault(cell, data_error("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or "
                                  "give it to --na, along with --missing, if it stands for a missing number, "
                                  "--columns {} to leave the column out, or --group {} if it tells curves apart",
@@ -223,10 +222,8 @@ class RecordReader {
     }
   }
 
-  bool repeats_name(std::size_t cell) const {
-    const Columns::Column& column = head_.columns.cells[cell];
-    const bool has_name = head_.columns.named && column.role != Role::ignored;
-    return has_name && unquoted(cells_[cell]) == head_.columns.name_of(column);
+  bool repeats_name(std::string_view cell, const Columns::Column& column) const {
+    return head_.columns.named && unquoted(cell) == head_.columns.name_of(column);
   }
 
   /// Whether a record begins with a word where the rows above have a number or a time, as totals and repeated names do.
@@ -253,8 +250,8 @@ class RecordReader {
            text.find_first_of("0123456789") == std::string_view::npos;
   }
 
-  std::size_t index_of(std::string_view cell) const {
-    return static_cast<std::size_t>(std::ranges::find(cells_, cell.data(), &std::string_view::data) - cells_.begin());
+  std::size_t index_of(const Columns::Column& column) const {
+    return static_cast<std::size_t>(&column - head_.columns.cells.data());
   }
 
   void read_text(std::string_view cell, const Columns::Column& column) {
@@ -283,6 +280,7 @@ class RecordReader {
   KeyBuilder keys_;
   std::vector<std::string_view> cells_;
   const std::vector<std::size_t> time_cells_;  ///< in the order of the parts of a time
+  std::uint64_t line_of_names_ = 0;            ///< the last line that repeats the names of the columns
 };
 
 /// Drops lines at the beginning. Throws: Error (data) where there are fewer.
@@ -351,8 +349,8 @@ InputOptions options_of_poses(const Format& format, Source<std::string>&, InputO
 }  // namespace
 
 std::string joined_time(std::span<const std::string> parts) {
-  constexpr std::size_t least = 3, most = 6;
-  if (parts.size() < least || parts.size() > most) return fmt::format("{}", fmt::join(parts, " "));
+  constexpr std::size_t least = 3;
+  if (parts.size() < least) return fmt::format("{}", fmt::join(parts, " "));
   const auto part = [&](std::size_t i) { return i < parts.size() ? parts[i] : "0"; };
   const auto padded = [&](std::size_t i) {
     const bool has_one_digit = part(i).find_first_not_of("0123456789") == 1 || part(i).size() == 1;

@@ -42,7 +42,7 @@ inline std::size_t cell_of(const Columns& columns, Role role) {
 }
 
 /// The text of a time in several cells: a date and a time of day; or a year, a month and a day, with an hour, a minute
-/// and a second as far as they are there. Other counts of cells make no time.
+/// and a second as far as they are there.
 std::string joined_time(std::span<const std::string> parts);
 
 /// A line of a format with fixed columns has another number of cells.

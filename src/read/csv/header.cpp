@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 
 #include "io/encoding.hpp"
@@ -467,14 +468,16 @@ void require_keys_in_rows(const std::vector<HeadRecords::Record>& records, const
       .at({"", records[0].line, 1});
 }
 
-/// The cells of the first records, without reading further. Requires: `data` outlives them.
-HeadRows cells_of(const Chunk& data, const Dialect& dialect) {
+/// The cells of the first records, without reading further. Requires: `chunks` outlive them.
+HeadRows cells_of(std::span<const Chunk> chunks, const Dialect& dialect) {
   constexpr std::size_t most = 16;
   HeadRows rows;
-  Tokenizer tokenizer(data, dialect);
   try {
-    for (HeadCells cells; rows.size() < most && tokenizer.next(cells); rows.push_back(cells)) {
-      std::ranges::transform(cells, cells.begin(), bare);
+    for (const Chunk& chunk : chunks) {
+      Tokenizer tokenizer(chunk, dialect);
+      for (HeadCells cells; rows.size() < most && tokenizer.next(cells); rows.push_back(cells)) {
+        std::ranges::transform(cells, cells.begin(), bare);
+      }
     }
   } catch (const Error&) {
     return rows;  // the record is refused when it is read as a key
@@ -514,7 +517,7 @@ void require_clear_header(const HeadRecords& first, const DelimitedHead& head, c
   const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return may_be_value(cell, head); });
   Chunk data = first.chunks[record.chunk];
   data.text.erase(0, record.offset);
-  const std::string columns = numbers_beside_text(cells_of(data, head.dialect), head);
+  const std::string columns = numbers_beside_text(cells_of({&data, 1}, head.dialect), head);
   const std::string remedy =
       options.samples ? "add a line of names above it, or remove the text"
       : columns.empty()
@@ -564,12 +567,30 @@ std::string first_time(const std::vector<std::string>& cells, const Columns& col
   return joined_time(parts);
 }
 
+/// For each column, whether it has a requested role, by its name or number.
+std::vector<bool> requested_cells(const std::vector<std::string>& names, std::size_t cells,
+                                  const ColumnOptions& options) {
+  std::unordered_set<std::string_view> columns;
+  for (const RoleRequest& request : options.roles) columns.insert(request.columns.begin(), request.columns.end());
+  std::vector<bool> requested(cells);
+  for (std::size_t cell = 0; cell < cells && !columns.empty(); ++cell) {
+    const bool is_named = cell < names.size() && columns.contains(names[cell]);
+    requested[cell] = is_named || columns.contains(fmt::format("{}", cell + 1));
+  }
+  return requested;
+}
+
 /// What columns mean by rules that look at their cells, as requests, with notes.
 class RolesByCells {
  public:
   RolesByCells(std::vector<std::string>& names, const std::vector<bool>& numeric, const HeadRows& rows,
                const ColumnOptions& requested, bool has_rate)
-      : names_(names), numeric_(numeric), rows_(rows), requested_(requested), has_rate_(has_rate) {}
+      : names_(names),
+        numeric_(numeric),
+        rows_(rows),
+        requested_(requested),
+        requested_cells_(requested_cells(names, numeric.size(), requested)),
+        has_rate_(has_rate) {}
 
   /// The request, with the roles that follow from cells. Throws: Error (data) where an index may be the time.
   ColumnOptions complete() {
@@ -590,11 +611,12 @@ class RolesByCells {
   std::vector<std::string> notes() { return std::move(notes_); }
 
  private:
-  bool is_requested(std::size_t cell) const {
-    return requested_.has(fmt::format("{}", cell + 1)) || (cell < names_.size() && requested_.has(names_[cell]));
-  }
+  bool is_requested(std::size_t cell) const { return requested_cells_[cell]; }
 
-  void request(Role role, std::size_t cell) { requested_.roles.push_back({role, {requested_as(names_, cell)}}); }
+  void request(Role role, std::size_t cell) {
+    requested_.roles.push_back({role, {requested_as(names_, cell)}});
+    requested_cells_[cell] = true;
+  }
 
   std::optional<TimeNotation> notation(std::size_t cell) const {
     return cell < rows_[0].size() ? find_notation(rows_[0][cell]) : std::nullopt;
@@ -638,6 +660,7 @@ class RolesByCells {
     for (const std::size_t cell : parts) {
       columns.push_back(requested_as(names_, cell));
       shown_columns.push_back(names_[cell]);
+      requested_cells_[cell] = true;
     }
     requested_.roles.push_back({Role::time, columns});
     notes_.push_back(fmt::format("columns {} are taken as one time", listed(shown_columns)));
@@ -762,10 +785,13 @@ class RolesByCells {
       if (role_of_name(names_[cell]) != Role::position || is_usual_counter(names_[cell])) continue;
       (counts_records(names_[cell], rows_, cell) ? counters : others).push_back(cell);
     }
-    for (const std::size_t cell : others.empty() ? others : counters) {
+    if (others.empty() || counters.empty()) return;
+    std::vector<std::string> left;
+    for (const std::size_t cell : counters) {
       request(Role::unused, cell);
-      notes_.push_back(counter_is_left(shown(cell)));
+      left.push_back(shown(cell));
     }
+    notes_.push_back(counters_are_left(left));
   }
 
   static bool is_index_name(std::string_view name) {
@@ -795,21 +821,21 @@ class RolesByCells {
   const std::vector<bool>& numeric_;
   const HeadRows& rows_;
   ColumnOptions requested_;
-  bool has_rate_;  ///< the times are frames by an option
+  std::vector<bool> requested_cells_;  ///< for each column, whether that has a role of it
+  bool has_rate_;                      ///< the times are frames by an option
   std::vector<std::string> notes_;
 };
 
 /// The columns of numbers without those that are positions by their names alone and have no number in the first
 /// records.
 std::vector<bool> with_numbers(const std::vector<bool>& all, const std::vector<std::string>& names,
-                               const HeadRows& rows, const DelimitedHead& head, const ColumnOptions& requested) {
+                               const HeadRows& rows, const DelimitedHead& head, const std::vector<bool>& requested) {
   std::vector<bool> numeric = all;
   for (std::size_t cell = 0; cell < names.size(); ++cell) {
     const auto has_none = [&](const HeadCells& row) {
       return cell >= row.size() || !begins_like_number(row[cell]) || is_missing_sign(row[cell], head.rules.signs);
     };
-    const bool is_requested = requested.has(names[cell]) || requested.has(fmt::format("{}", cell + 1));
-    if (is_requested || role_of_name(names[cell]) != Role::position) continue;
+    if (requested[cell] || role_of_name(names[cell]) != Role::position) continue;
     if (std::ranges::all_of(rows, has_none)) numeric[cell] = false;
   }
   return std::ranges::count(numeric, true) > 1 ? numeric : all;  // something has to be the position
@@ -819,11 +845,10 @@ std::vector<bool> with_numbers(const std::vector<bool>& all, const std::vector<s
 void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std::vector<bool> numeric,
                       const HeadRows& rows, const InputOptions& options, const std::vector<std::size_t>& unread) {
   ColumnOptions requested = options.columns;
-  if (options.keys.missing == Missing::error) numeric = with_numbers(numeric, names, rows, head, requested);
+  const std::vector<bool> is_requested = requested_cells(names, numeric.size(), requested);
+  if (options.keys.missing == Missing::error) numeric = with_numbers(numeric, names, rows, head, is_requested);
   for (const std::size_t cell : unread) {
-    const std::string column = fmt::format("{}", cell + 1);
-    const bool is_requested = requested.has(column) || (cell < names.size() && requested.has(names[cell]));
-    if (!is_requested) requested.roles.push_back({Role::unused, {column}});
+    if (!is_requested[cell]) requested.roles.push_back({Role::unused, {fmt::format("{}", cell + 1)}});
   }
   std::vector<std::string> notes;
   if (!rows.empty() && !head.is_of_format) {
@@ -948,7 +973,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     if (columns.samples) {
       head.columns = find_sample_columns(names, numeric, *columns.samples, columns.timeless);
     } else {
-      find_key_columns(head, names, numeric, cells_of(rest[0], dialect), options, unread);
+      find_key_columns(head, names, numeric, cells_of(rest, dialect), options, unread);
     }
     take_descriptions(head, described, options.units);
     if (lacks_name) {
@@ -957,7 +982,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     if (has_commas) head.columns.doubts.emplace_back("the comma in numbers is taken as the decimal mark");
     std::vector<std::string> times{first_time(row.cells, head.columns)};
     if (find_date_format(times[0])) {
-      for (const HeadCells& cells : cells_of(rest[0], dialect)) times.push_back(first_time(texts(cells), head.columns));
+      for (const HeadCells& cells : cells_of(rest, dialect)) times.push_back(first_time(texts(cells), head.columns));
     }
     const UnitOptions of_times = with_date_order(options.units, head.columns.time, times, head.columns.doubts);
     head.units = units_of_keys(of_times, head.columns, times[0]);

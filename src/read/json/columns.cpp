@@ -242,7 +242,8 @@ class FirstKey {
       for (const FoundMember& member : members_) {
         if (member.is_empty) result.columns.cells[member.cell].is_empty = result.columns.cells[member.cell].is_text;
       }
-      result.columns.has_time_by_place = !records_.has_names() && !requested_.has(Role::time) && !requested_.timeless;
+      const bool is_requested = requested_.has(Role::time) || requested_.timeless;
+      result.columns.has_time_by_place = !records_.has_names() && !is_requested && result.columns.has(Role::time);
       std::ranges::for_each(members_, [&](const FoundMember& member) { require_shape(member); });
     }
     const bool has_array = has_any(&FoundMember::is_of_positions);
@@ -274,6 +275,7 @@ class FirstKey {
   /// Finds what the first record holds.
   void read() {
     for (const RoleRequest& role : requested_.roles) {
+      for (const std::string& name : role.columns) requested_names_.insert(in_lower_case(name));
       if (role.role == Role::position) positions_.insert(role.columns.begin(), role.columns.end());
       if (role.role == Role::group || role.role == Role::carry || role.role == Role::unused) {
         texts_.insert(role.columns.begin(), role.columns.end());
@@ -418,11 +420,11 @@ class FirstKey {
   }
   /// Whether a request names a member, in any case of its letters, or the array that it is in.
   bool is_requested(const FoundMember& member) const {
-    return std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
-      return std::ranges::any_of(role.columns, [&](const std::string& name) {
-        return same_in_any_case(name, member.name) || is_vector_at(name, member);
-      });
-    });
+    if (requested_names_.contains(in_lower_case(member.name))) return true;
+    return member.route.size() > 2 && std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
+             return std::ranges::any_of(role.columns,
+                                        [&](const std::string& name) { return is_vector_at(name, member); });
+           });
   }
   /// Whether a member is a number in the array of this name, which is not itself a member of a key.
   static bool is_vector_at(const std::string& name, const FoundMember& member) {
@@ -682,32 +684,39 @@ class FirstKey {
         if (is_counter) counters.push_back(member.cell);
       }
     }
-    if (!has_others || requested_.has(Role::position) || has_any(&FoundMember::is_of_positions)) return;
+    if (!has_others || counters.empty() || requested_.has(Role::position) || has_any(&FoundMember::is_of_positions))
+      return;
+    std::vector<std::string> left;
     for (const std::size_t cell : counters) {
       request(Role::unused, cell);
-      notes.push_back(counter_is_left(in_quotes(header[cell])));
+      left.push_back(in_quotes(header[cell]));
     }
+    notes.push_back(counters_are_left(left));
   }
 
   /// The requests with the names of cells in the place of those of arrays at any depth.
   std::vector<RoleRequest> requests() const {
     std::vector<RoleRequest> requests = requested_.roles;
+    std::vector<const FoundMember*> deeper;  // that other names may request than their own
+    for (const FoundMember& member : members_) {
+      if (member.is_of_positions() || member.is_rotation || member.route.size() > 1) deeper.push_back(&member);
+    }
     for (RoleRequest& request : requests) {
       std::vector<std::string> columns;
       for (const std::string& name : request.columns) {
         std::vector<std::string> names{name};
-        for (const FoundMember& member : members_) {
-          const bool is_array = member.is_of_positions();
-          if (is_array && request.role == Role::position && same_in_any_case(member.name, name)) {
-            names = member.columns;
+        for (const FoundMember* const member : deeper) {
+          const bool is_array = member->is_of_positions();
+          if (is_array && request.role == Role::position && same_in_any_case(member->name, name)) {
+            names = member->columns;
             break;
           }
-          const bool is_path = member.route.size() == 2 && name == member.route[0] + "." + member.route[1];
-          if (is_path && !is_spread_always(member.route[0])) names = {member.name};
-          const bool is_of_rotation = member.is_rotation && is_element_of(name, member.name);
-          if (!is_vector_at(name, member) && !is_of_rotation) continue;
+          const bool is_path = member->route.size() == 2 && name == member->route[0] + "." + member->route[1];
+          if (is_path && !is_spread_always(member->route[0])) names = {member->name};
+          const bool is_of_rotation = member->is_rotation && is_element_of(name, member->name);
+          if (!is_vector_at(name, *member) && !is_of_rotation) continue;
           if (names.size() == 1 && names[0] == name) names.clear();
-          names.push_back(member.name);
+          names.push_back(member->name);
         }
         columns.insert(columns.end(), names.begin(), names.end());
       }
@@ -829,7 +838,7 @@ class FirstKey {
     if (poses.empty() && arrays.size() < 2) return;
     throw at(*first, data_error("these arrays are not used: {}; expected \"position\" as the name of an array of "
                                 "positions; rename one, or give {}",
-                                fmt::join(arrays, ", "),
+                                listed(arrays),
                                 !poses.empty() ? poses
                                 : likely.empty() || !are_alike
                                     ? "--columns position=NAME for the one that has the positions"
@@ -951,6 +960,7 @@ class FirstKey {
   const ColumnOptions& requested_;
   const std::vector<std::string>& signs_;
   const std::vector<std::string>& channels_;
+  std::unordered_set<std::string> requested_names_;        ///< of members, in lower case
   std::unordered_set<std::string> texts_;                  ///< members that are requested as texts
   std::unordered_set<std::string> positions_{"position"};  ///< those that may be arrays of positions
   std::unordered_set<std::string> names_;                  ///< of members
@@ -977,7 +987,11 @@ const Member* Member::find(std::string_view wanted, Kind kind) const {
 JsonColumns find_members(const JsonTable& records, const InputOptions& options,
                          const std::vector<std::string>& channels) {
   FirstKey first(records, options, channels);
-  return at_position(records.tape().position(records.place(0)), [&] { return first.find(); });
+  try {
+    return first.find();
+  } catch (const Error& error) {
+    throw error.at(records.tape().position(records.place(0)));  // which takes time to count
+  }
 }
 
 void name_channels(JsonColumns& columns, const std::vector<std::string>& channels) {
