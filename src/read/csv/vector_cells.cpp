@@ -163,8 +163,9 @@ std::vector<VectorColumn> name_vectors(std::vector<Chunk>& chunks, const std::ve
   const auto cells_in = [&](const LineOfChunk& line) {
     return cells_in_line(chunks[line.chunk].text, line.begin, line.end, delimiter);
   };
-  const std::string& second = chunks[lines[1].chunk].text;
-  if (second.find_first_of("([{<", lines[1].begin) >= lines[1].end) return {};
+  const std::string_view second =
+      std::string_view(chunks[lines[1].chunk].text).substr(lines[1].begin, lines[1].end - lines[1].begin);
+  if (second.find_first_of("([{<") == std::string_view::npos) return {};
   const std::vector<CellOfText> names = cells_in(lines[0]), cells = cells_in(lines[1]);
   if (cells.size() != names.size() || cells.size() < 2) return {};
   const bool has_header = std::ranges::all_of(names, [](const CellOfText& cell) { return cell.numbers == 0; });
