@@ -382,7 +382,8 @@ Records open_delimited(Source<std::string> bytes, InputOptions options) {
   const std::uint64_t first_line = beginning.line;
   Source<Chunk> chunks =
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
-  const std::vector<VectorColumn> vectors = is_any ? take_vectors(chunks, dialect) : std::vector<VectorColumn>();
+  const bool may_have_vectors = is_any && options.delimited.marks.decimal != ',';
+  const auto vectors = may_have_vectors ? take_vectors(chunks, dialect) : std::vector<VectorColumn>();
   options.columns = with_vectors(std::move(options.columns), vectors);
   std::vector<Chunk> rest;
   const auto find_table_below = [&](std::string_view text) {

@@ -118,7 +118,9 @@ std::optional<char> delimiter_of(std::string_view record, char decimal) {
     ended = c == '\n' && !quoted;
     if (ended || quoted) continue;
     if (seen.find(c) == std::string::npos) seen += c;
-    const auto is_blank_at = [&](std::size_t i) { return i >= record.size() || Dialect::is_blank(record[i]); };
+    const auto is_blank_at = [&](std::size_t i) {
+      return i >= record.size() || std::string_view(" \t\r\n").find(record[i]) != std::string_view::npos;
+    };
     if (c == '|') has_bars = has_bars && is_blank_at(at - 1) == is_blank_at(at + 1);  // unlike those of |v|
   }
   if (!ended) return std::nullopt;

@@ -18,9 +18,15 @@ bool is_of_number(char c) { return is_digit(c) || c == '+' || c == '-' || c == '
 
 /// The end of a number that begins at a place, with its exponent.
 std::size_t number_end(std::string_view text, std::size_t at) {
-  while (at < text.size() && is_of_number(text[at])) ++at;
-  const bool has_exponent = at + 1 < text.size() && lower(text[at]) == 'e' && is_of_number(text[at + 1]);
-  return has_exponent ? number_end(text, at + 1) : at;
+  const auto skip_digits = [&] {
+    while (at < text.size() && is_of_number(text[at])) ++at;
+  };
+  skip_digits();
+  if (at + 1 < text.size() && lower(text[at]) == 'e' && is_of_number(text[at + 1])) {
+    ++at;
+    skip_digits();
+  }
+  return at;
 }
 
 /// A cell of a record.
@@ -29,23 +35,31 @@ struct CellOfText {
   std::size_t numbers = 0;  ///< of a vector; 0: it is none
 };
 
+/// What divides two numbers of a vector: blanks, ",", ";" or ", "; empty for anything else.
+std::string_view mark_in(std::string_view between) {
+  const std::string_view mark = trimmed(between);
+  if (mark == "," && between.back() == ' ') return ", ";
+  return mark.empty() ? " " : mark == "," || mark == ";" ? mark : "";
+}
+
 /// The vector in the cell that begins at a place: at least two numbers in brackets, each behind a name and "=" or
-/// alone. No numbers: there is none, or its commas may be decimal marks, as in (0,5, 1,5).
+/// alone, and all divided alike, as commas may be decimal marks in (0,5, 1,5). No numbers: there is none.
 CellOfText vector_at(std::string_view text, std::size_t begin, char delimiter) {
   const auto get = [&](std::size_t at) { return at < text.size() ? text[at] : '\n'; };
   const bool is_quoted = get(begin) == '"';
   std::size_t at = begin + (is_quoted ? 1 : 0), numbers = 0;
   const std::size_t bracket = std::string_view("([{<").find(get(at));
   if (bracket == std::string_view::npos) return {};
-  std::size_t with_blank = 0, others = 0, semicolons = 0;  // of the marks between numbers
-  for (++at; get(at) != ")]}>"[bracket];) {
-    const char c = get(at);
-    if (c == ' ' || c == ',' || c == ';') {
-      if (c == ';') ++semicolons;
-      if (c == ',') ++(get(at + 1) == ' ' ? with_blank : others);
-      ++at;
-      continue;
-    }
+  std::string_view mark;
+  for (std::size_t end = ++at;; end = at) {  // of the last number
+    while (std::string_view(" ,;").find(get(at)) != std::string_view::npos) ++at;
+    const std::string_view between = text.substr(end, at - end);
+    const bool is_end = get(at) == ")]}>"[bracket];
+    if ((is_end || numbers == 0) && !trimmed(between).empty()) return {};
+    if (is_end) break;
+    const std::string_view next = between.empty() ? "" : mark_in(between);
+    if (numbers > 0 && (next.empty() || (numbers > 1 && next != mark))) return {};
+    mark = next;
     const std::size_t name = at;
     while (lower(get(at)) >= 'a' && lower(get(at)) <= 'z') ++at;
     if (at > name && get(at++) != '=') return {};
@@ -57,10 +71,9 @@ CellOfText vector_at(std::string_view text, std::size_t begin, char delimiter) {
   ++at;
   if (is_quoted && get(at++) != '"') return {};
   std::size_t next = at;
-  while (Dialect::is_blank(get(next)) || get(next) == '\r') ++next;
+  while (get(next) != delimiter && (Dialect::is_blank(get(next)) || get(next) == '\r')) ++next;
   const bool ends_cell = get(next) == delimiter || get(next) == '\n';
-  const bool has_one_mark = (with_blank > 0 ? 1 : 0) + (others > 0 ? 1 : 0) + (semicolons > 0 ? 1 : 0) <= 1;
-  return {begin, at, ends_cell && has_one_mark && numbers > 1 ? numbers : 0};
+  return {begin, at, ends_cell && numbers > 1 ? numbers : 0};
 }
 
 /// The place behind a quoted cell that begins at a place.
@@ -78,7 +91,7 @@ std::size_t cell_end(std::string_view text, std::size_t at, char delimiter) {
 
 /// The cell that begins at a place, behind blanks.
 CellOfText cell_at(std::string_view text, std::size_t at, char delimiter) {
-  while (at < text.size() && Dialect::is_blank(text[at])) ++at;
+  while (at < text.size() && Dialect::is_blank(text[at]) && text[at] != delimiter) ++at;
   if (const CellOfText vector = vector_at(text, at, delimiter); vector.numbers > 0) return vector;
   const std::size_t last = at < text.size() && text[at] == '"' ? quoted_end(text, at) : at;
   return {at, cell_end(text, last, delimiter)};

@@ -35,6 +35,11 @@ TEST(VectorCells, each_number_is_a_cell_at_its_place) {
   EXPECT_EQ(spread("\"a b\",t\n{1;2},0\n"), "\"a b.x\",\"a b.y\",t\n 1,2 ,0\n");
 }
 
+TEST(VectorCells, tabs_may_delimit) {
+  EXPECT_EQ(spread("t\tn\tp\n0\t\t(1, 2)\n1\ta\t (3, 4) \n", '\t'),
+            "t\tn\t\"p.x\"\t\"p.y\"\n0\t\t 1\t 2 \n1\ta\t  3\t 4  \n");
+}
+
 TEST(VectorCells, names_and_rows_may_be_in_several_chunks) {
   const std::string text = "# p\n\nt,p\n0,(1,2)\n1,(3,4)\n";
   EXPECT_EQ(spread_in_two(text, 9), spread(text));
@@ -44,7 +49,8 @@ TEST(VectorCells, names_and_rows_may_be_in_several_chunks) {
 TEST(VectorCells, other_cells_stay_as_they_are) {
   for (const std::string text :
        {"t,p\n0,(1)\n", "t,p\n0,(1,x)\n", "t,p\n0,(1,2\n", "t,p\n0,(1,2) m\n", "t,p\n0,\"(1,2\"\n", "(1,2)\n(3,4)\n",
-        "t,p\n0,(0,5, 1,5)\n", "t,p\n0,\"(1;2,3)\"\n", "t\n0,(1,2)\n", "t,p\n0,\"say \"\"hi\"\", (1,2), ok\"\n"}) {
+        "t,p\n0,(0,5, 1,5)\n", "t,p\n0,\"(1;2,3)\"\n", "t,p\n0,[1,5 2,5]\n", "t,p\n0,(1,,2)\n", "t,p\n0,(1,2,)\n",
+        "t,p\n0,(,1,2)\n", "t,p\n0,(X=1Y=2)\n", "t\n0,(1,2)\n", "t,p\n0,\"say \"\"hi\"\", (1,2), ok\"\n"}) {
     EXPECT_EQ(spread(text), text);
   }
   EXPECT_EQ(spread("0 (1,2)\n1 (3,4)\n", ' '), "0 (1,2)\n1 (3,4)\n");
