@@ -778,11 +778,12 @@ Found seconds_of_unknown_times(const Schema& schema, const RequestNeeds& needs) 
 
 /// Steps without a unit have that of the times, which may be small or unknown.
 Found step_in_small_units(const Schema& schema, const RequestNeeds& needs) {
-  constexpr double most_of_unknown = 1000, most = 100'000, many = 100;
+  constexpr double most_of_fractions = 1000, most = 100'000, many = 100;
   constexpr std::array units{TimeUnit::ms, TimeUnit::us, TimeUnit::ns};
   if (!needs.plain_step || !needs.time_gap) return std::nullopt;
   const double rows = *needs.time_gap / *needs.plain_step;
-  if (!schema.time.unit && rows > most_of_unknown && *needs.time_gap >= most_of_unknown && std::isfinite(rows)) {
+  const double most_of_unknown = *needs.plain_step < 1 ? most_of_fractions : most;  // the times are whole
+  if (!schema.time.unit && rows >= most_of_unknown && *needs.time_gap > most_of_fractions && std::isfinite(rows)) {
     return error(
         "the step and the times in column {} are in an unknown unit, which gives {:.0f} rows for each key; expected "
         "their unit; give --time-unit {} if it is {}, or --time-unit s if it is seconds",
@@ -792,7 +793,7 @@ Found step_in_small_units(const Schema& schema, const RequestNeeds& needs) {
   }
   const bool is_small = schema.time.unit && std::ranges::count(units, *schema.time.unit) > 0;
   if (!is_small || !(rows > many)) return std::nullopt;
-  if (rows > most) {
+  if (rows >= most) {
     return error(
         "the step is in {0}, as the times in column {1} are, which gives {2:.0f} rows for each key; expected a unit "
         "with such a step; give --step {3}s if it is in seconds, or --step {3}{0}",
