@@ -21,7 +21,7 @@ constexpr std::string_view time_names =
     "abstime timefromstart timesincestart jd tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp "
     "frametime frametimestamp zeit "
     "uhrzeit datum zeitstempel zeitpunkt temps heure horodatage tiempo hora fecha tempo ora "
-    "datahora dataora fechahora dateheure tijd tijdstip czas coordtimes";
+    "datahora dataora fechahora dateheure tijd tijdstip czas coordtimes positiont";
 
 /// The names of a unit of time; nothing: an unknown one.
 struct UnitNames {

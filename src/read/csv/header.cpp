@@ -795,9 +795,9 @@ class RolesByCells {
   }
 
   static bool is_index_name(std::string_view name) {
-    constexpr std::array names{"",        "index",  "unnamed: 0", "row",    "#",   "rownames", "row_names",
-                               "no.",     "nr.",    "no",         "nr",     "pt",  "point",    "ptnum",
-                               "field #", "frame#", "sample #",   "record", "key", "---"};
+    constexpr std::array names{"",      "index",   "unnamed: 0", "row",      "#",      "rownames", "row_names",
+                               "no.",   "nr.",     "no",         "nr",       "pt",     "point",    "punkt",
+                               "ptnum", "field #", "frame#",     "sample #", "record", "key",      "---"};
     return std::ranges::any_of(names, [&](std::string_view known) { return same_in_any_case(known, name); });
   }
 
@@ -838,7 +838,9 @@ std::vector<bool> with_numbers(const std::vector<bool>& all, const std::vector<s
     if (requested[cell] || role_of_name(names[cell]) != Role::position) continue;
     if (std::ranges::all_of(rows, has_none)) numeric[cell] = false;
   }
-  return std::ranges::count(numeric, true) > 1 ? numeric : all;  // something has to be the position
+  const auto is_time_in_words = [](std::string_view cell) { return find_notation(cell).has_value(); };
+  const bool has_times = !rows.empty() && std::ranges::any_of(rows[0], is_time_in_words);
+  return std::ranges::count(numeric, true) > (has_times ? 0 : 1) ? numeric : all;  // something has to be the position
 }
 
 /// Sets the columns of keys, with the doubts about them. `unread`: those that are not read unless they are requested.

@@ -421,10 +421,27 @@ class FirstKey {
   /// Whether a request names a member, in any case of its letters, or the array that it is in.
   bool is_requested(const FoundMember& member) const {
     if (requested_names_.contains(in_lower_case(member.name))) return true;
+    if (is_position_in_object(member)) return true;
     return member.route.size() > 2 && std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
              return std::ranges::any_of(role.columns,
                                         [&](const std::string& name) { return is_vector_at(name, member); });
            });
+  }
+  /// Whether positions are requested by the name of the object that a number is in, or by that of the number in an
+  /// object "position".
+  bool is_position_in_object(const FoundMember& member) const {
+    return member.route.size() == 2 && std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
+             return role.role == Role::position && std::ranges::any_of(role.columns, [&](const std::string& name) {
+                      return is_in_object(name, member);
+                    });
+           });
+  }
+  bool is_in_object(std::string_view name, const FoundMember& member) const {
+    if (member.route.size() != 2 || member.route[1].starts_with('[') || member.numbers != 1 || member.is_rotation)
+      return false;
+    const bool is_named =
+        member.route[0] == "position" && member.route[1] == name && !names_.contains(std::string(name));
+    return member.route[0] == name || is_named;
   }
   /// Whether a member is a number in the array of this name, which is not itself a member of a key.
   static bool is_vector_at(const std::string& name, const FoundMember& member) {
@@ -714,7 +731,8 @@ class FirstKey {
           const bool is_path = member->route.size() == 2 && name == member->route[0] + "." + member->route[1];
           if (is_path && !is_spread_always(member->route[0])) names = {member->name};
           const bool is_of_rotation = member->is_rotation && is_element_of(name, member->name);
-          if (!is_vector_at(name, *member) && !is_of_rotation) continue;
+          const bool is_of_object = request.role == Role::position && is_in_object(name, *member);
+          if (!is_vector_at(name, *member) && !is_of_rotation && !is_of_object) continue;
           if (names.size() == 1 && names[0] == name) names.clear();
           names.push_back(member->name);
         }
