@@ -194,6 +194,9 @@ class RecordReader {
                            "break, or --columns {} to leave the column out",
                            name, missing_cell(text),
                            in_shell("ignore=" + requested_as(head_.columns.named ? name : "", index_of(column))))
+          : column.role == Role::position
+              ? data_error("{}: found {}; expected a number; fill it in, or give --missing skip-row or break", name,
+                           missing_cell(text))
           : is_of_time
               ? data_error("{}: found {}; expected a time; fill it in, or give --missing skip-row or break", name,
                            missing_cell(text))
