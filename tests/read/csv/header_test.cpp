@@ -30,7 +30,7 @@ TEST(Header, the_first_record_is_a_header_if_a_cell_in_it_is_not_a_number) {
   EXPECT_EQ(read("0,inf\n1,2\n"),
             "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell");
   EXPECT_EQ(read("0,NA\n1,2\n"),
-            "f:1:3: error: x: found \"NA\"; expected a number; fill it in, or give --missing skip-cell, skip-row or "
+            "f:1:3: error: x: found \"NA\"; expected a number; fill it in, or give --missing skip-row or "
             "break");
 }
 
@@ -86,7 +86,7 @@ TEST(Header, columns_of_text_are_ignored_and_one_cell_that_is_missing_makes_no_t
       << "of two rows, one is a number";
   EXPECT_EQ(read("t,label,x\n0,one,1\n1,two,2\n"), "t x\n2: 0 1\n3: 1 2\n");
   EXPECT_EQ(read("t,x\n0,\n1,2\n"),
-            "f:2:3: error: x: found an empty cell; expected a number; fill it in, or give --missing skip-cell, "
+            "f:2:3: error: x: found an empty cell; expected a number; fill it in, or give --missing "
             "skip-row or break");
 }
 
