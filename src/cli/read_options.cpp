@@ -77,15 +77,11 @@ bool may_name(const std::string& word, const OptionRow& row) {
   return word.starts_with('-') && (is_name(row.name) || is_name(row.other_name));
 }
 
-/// CLI11 without its own --help.
-struct OptionWords : CLI::App {
-  OptionWords() : App("", "", nullptr) {}
-};
-
 /// Those about the program come first, so that an option for a text, such as --help, is stored before all others, and
 /// then those of the input, whose units others need. CLI11 compares each new option with all others, so only those that
 /// the words may name are declared.
 void declare(CLI::App& app, TypedOptions& typed, const std::vector<std::string>& words, ColorWhen* color) {
+  app.set_help_flag();
   app.add_option("FILE", typed.files.files);
   std::vector<const OptionRow*> rows;
   for (const OptionRow& row : option_table()) {
@@ -188,7 +184,7 @@ std::vector<std::string> with_values(std::vector<std::string> words) {
 TypedOptions read_options(const std::vector<std::string>& given, ColorWhen* color) {
   const std::vector<std::string> words = with_values(given);
   TypedOptions typed;
-  OptionWords app;
+  CLI::App app;
   require_two_dashes(words);
   declare(app, typed, words, color);
   try {

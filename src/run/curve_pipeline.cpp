@@ -114,7 +114,7 @@ class RowEstimate {
     for (const auto& length : block.lengths) length_ += length.value;
   }
 
-  /// The step of equal ones.
+  /// The step between rows; nothing where each segment has rows of its own.
   std::optional<Time> step() const {
     return spacing_ ? std::optional(nearest_time(spacing_->grid.step())) : std::nullopt;
   }

@@ -50,7 +50,7 @@ std::optional<TimeUnit> unit_since_1970(std::string_view time);
 bool ends_with_minutes(const UnitOptions& options, std::string_view time);
 
 /// The options with the only order of year, month and day in which all times of the first records are dates, and a note
-/// of it; the same options where dates tell their order, or it is not known.
+/// of it; the same options where dates tell their order, or it is not known. Requires: `first_times` is not empty.
 UnitOptions with_date_order(UnitOptions options, const std::string& column, std::span<const std::string> first_times,
                             std::vector<std::string>& notes);
 

@@ -387,7 +387,7 @@ Records open_delimited(Source<std::string> bytes, InputOptions options) {
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
   const bool may_have_vectors = is_any && options.delimited.marks.decimal != ',';
   const auto vectors = may_have_vectors ? take_vectors(chunks, dialect) : std::vector<VectorColumn>();
-  options.columns = with_vectors(std::move(options.columns), vectors);
+  if (!vectors.empty()) options = with_vectors(std::move(options), vectors);
   std::vector<Chunk> rest;
   const auto find_table_below = [&](std::string_view text) {
     return is_any ? find_later_table(text, dialect) : std::nullopt;
@@ -402,9 +402,10 @@ Records open_delimited(Source<std::string> bytes, InputOptions options) {
       if (is_unlike) require_keys(rest.front(), first_line + table->line, found);
       return found;
     } catch (const Error& error) {
-      if (is_any && dialect.comment == "#") require_no_remarks(first, first_line);
+      if (error.exit() != Exit::data) throw;
+      if (is_any && dialect.comment == "#") require_no_remarks(first, first_line, dialect.delimiter);
       const auto table = find_table_below(first);
-      if (!table || error.exit() != Exit::data) throw;
+      if (!table) throw;
       const std::string_view reason = error.message();
       throw unlike_table(*table, first_line, options.columns.roles.empty() ? "" : reason.substr(0, reason.find(';')));
     }
@@ -415,7 +416,7 @@ Records open_delimited(Source<std::string> bytes, InputOptions options) {
   Records records{head->columns, head->units};
   if (!vectors.empty()) {
     std::vector<std::string> names;
-    for (const VectorColumn& column : vectors) names.push_back(column.name);
+    std::ranges::transform(vectors, std::back_inserter(names), &VectorColumn::name);
     records.columns.doubts.push_back(
         fmt::format("cells hold several numbers, which are taken as columns of their own: {}", listed(names)));
   }

@@ -77,10 +77,10 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
 /// What to do about a table below line `first`. `reason`: why the text from there on is none; may be empty.
 Error unlike_table(const LaterTable& table, std::uint64_t first, std::string_view reason);
 
-/// Throws: Error (data) where a comment follows the numbers of a row.
-void require_no_remarks(std::string_view text, std::uint64_t line);
+/// Throws: Error (data) where a comment follows a number in a row. `line`: that of the first row.
+void require_no_remarks(std::string_view text, std::uint64_t line, char delimiter);
 
-/// The remedy that takes the numbers of a text without what is around them.
+/// The remedy that takes the numbers of a text without what is around them. `above`: lines to leave out.
 std::string numbers_alone(std::uint64_t above = 0);
 
 /// Throws: Error (data) where the numbers of the first lines are within other text, or lines are drawn between cells.

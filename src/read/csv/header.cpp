@@ -67,7 +67,7 @@ bool has_vector(std::string_view cell) {
   return has_brackets && cell.find_first_of(", ;") < cell.find_last_of("0123456789");
 }
 
-/// Whether a comma stands between digits, beside a comma and a blank, as in (0,5, 1,5).
+/// Whether a comma may be the decimal mark, as another mark divides numbers, too: (0,5, 1,5).
 bool has_comma_in_number(std::string_view cell) {
   for (std::size_t at = 1; at + 1 < cell.size(); ++at) {
     if (cell[at] == ',' && is_digit(cell[at - 1]) && is_digit(cell[at + 1])) {
@@ -488,6 +488,7 @@ HeadRows cells_of(std::span<const Chunk> chunks, const Dialect& dialect) {
 /// The columns, beside others without numbers, that have numbers in all first records, as requests; empty: there are
 /// none.
 std::string numbers_beside_text(const HeadRows& rows, const DelimitedHead& head) {
+  if (rows.size() < 3) return "";
   std::vector<std::string> columns;
   bool is_beside_text = false;
   for (std::size_t cell = 0; cell < rows[0].size(); ++cell) {
@@ -497,7 +498,7 @@ std::string numbers_beside_text(const HeadRows& rows, const DelimitedHead& head)
     if (numbers == std::ssize(rows)) columns.push_back(fmt::format("{}", cell + 1));
     is_beside_text = is_beside_text || (numbers == 0 && !rows[0][cell].empty());
   }
-  if (rows.size() < 3 || columns.size() < 2 || !is_beside_text) return "";
+  if (columns.size() < 2 || !is_beside_text) return "";
   return fmt::format("time={},position={}", columns[0], fmt::join(columns.begin() + 1, columns.end(), ":"));
 }
 

@@ -68,6 +68,7 @@ std::string without_numbers(std::string_view line, std::size_t& numbers) {
   return text;
 }
 
+/// Whether a line begins with a bracket. Requires: it is not empty.
 bool is_open(std::string_view line) { return std::string_view("([{<").find(line[0]) != std::string_view::npos; }
 
 /// Whether a word begins somewhere, not as a unit or an exponent behind a number.
@@ -123,6 +124,7 @@ void require_no_log(std::string_view one, std::string_view two, char delimiter) 
       in_quotes(one), number_in_perl);
 }
 
+/// A line of the input without blanks around it, and its number from 1.
 struct NumberedLine {
   std::string_view text;
   std::uint64_t number = 0;
@@ -405,11 +407,12 @@ void require_bare_numbers(std::string_view text, const Dialect& dialect, std::ui
   }
 }
 
-void require_no_remarks(std::string_view text, std::uint64_t line) {
+void require_no_remarks(std::string_view text, std::uint64_t line, char delimiter) {
   for (const std::string_view row : split(text, '\n')) {
-    const std::size_t mark = row.find(" # ");
-    const bool begins_like_number = row.find_first_not_of(" \t") == row.find_first_of("0123456789+-.");
-    if (mark != std::string_view::npos && begins_like_number) {
+    const std::size_t mark = std::min(row.find(" # "), row.size());
+    const std::string_view numbers = trimmed(row.substr(0, mark));
+    const std::string_view last = trimmed(numbers.substr(numbers.rfind(delimiter) + 1));
+    if (mark < row.size() && row.find('"') == std::string_view::npos && looks_numeric(last)) {
       throw data_error(
           "text follows {} in the row; expected a comment on a line of its own; remove it, as in sed 's/ *# .*//' FILE "
           "| tcbsample",

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "read/csv/csv_reader.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -218,15 +219,27 @@ std::vector<VectorColumn> take_vectors(Source<Chunk>& chunks, const Dialect& dia
   return columns;
 }
 
-ColumnOptions with_vectors(ColumnOptions requested, const std::vector<VectorColumn>& columns) {
-  for (RoleRequest& role : requested.roles) {
+InputOptions with_vectors(InputOptions options, const std::vector<VectorColumn>& columns) {
+  const auto require_clear_number = [&](const std::string& name) {
+    if (in_digits<std::size_t>(name).value_or(0) <= columns[0].cell) return;
+    throw data_error(
+        "column {} is not clear by its number, as cells hold several numbers; expected a name such as {}; give names, "
+        "or {}",
+        name, in_quotes(columns[0].parts[0]), numbers_alone());
+  };
+  for (RoleRequest& role : options.columns.roles) {
     for (const VectorColumn& column : columns) {
       const auto found = std::ranges::find(role.columns, column.name);
       if (found == role.columns.end()) continue;
       role.columns.insert(role.columns.erase(found), column.parts.begin(), column.parts.end());
     }
+    std::ranges::for_each(role.columns, require_clear_number);
   }
-  return requested;
+  for (const GivenRotation& rotation : options.rotation.requests) {
+    std::ranges::for_each(rotation.columns, require_clear_number);
+  }
+  for (const NamedAngle& angle : options.rotation.angles) require_clear_number(angle.channel);
+  return options;
 }
 
 }  // namespace tcb

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "read/csv/tokenizer.hpp"
+#include "read/input_options.hpp"
 #include "read/text_bytes.hpp"
-#include "schema/columns.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
@@ -24,7 +24,8 @@ struct VectorColumn {
 /// at its place in the text. Empty, with the same chunks, where there are none.
 std::vector<VectorColumn> take_vectors(Source<Chunk>& chunks, const Dialect& dialect);
 
-/// The request with the columns of the numbers in the place of those of vectors.
-ColumnOptions with_vectors(ColumnOptions requested, const std::vector<VectorColumn>& columns);
+/// The options with the columns of the numbers in the place of requested vectors. Throws: Error (data) for a column
+/// that is requested by its number from the first vector on, as that counts either cells or numbers.
+InputOptions with_vectors(InputOptions options, const std::vector<VectorColumn>& columns);
 
 }  // namespace tcb

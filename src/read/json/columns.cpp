@@ -276,7 +276,10 @@ class FirstKey {
   void read() {
     for (const RoleRequest& role : requested_.roles) {
       for (const std::string& name : role.columns) requested_names_.insert(in_lower_case(name));
-      if (role.role == Role::position) positions_.insert(role.columns.begin(), role.columns.end());
+      if (role.role == Role::position) {
+        positions_.insert(role.columns.begin(), role.columns.end());
+        requested_positions_.insert(role.columns.begin(), role.columns.end());
+      }
       if (role.role == Role::group || role.role == Role::carry || role.role == Role::unused) {
         texts_.insert(role.columns.begin(), role.columns.end());
       }
@@ -420,8 +423,7 @@ class FirstKey {
   }
   /// Whether a request names a member, in any case of its letters, or the array that it is in.
   bool is_requested(const FoundMember& member) const {
-    if (requested_names_.contains(in_lower_case(member.name))) return true;
-    if (is_position_in_object(member)) return true;
+    if (requested_names_.contains(in_lower_case(member.name)) || is_position_in_object(member)) return true;
     return member.route.size() > 2 && std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
              return std::ranges::any_of(role.columns,
                                         [&](const std::string& name) { return is_vector_at(name, member); });
@@ -430,18 +432,15 @@ class FirstKey {
   /// Whether positions are requested by the name of the object that a number is in, or by that of the number in an
   /// object "position".
   bool is_position_in_object(const FoundMember& member) const {
-    return member.route.size() == 2 && std::ranges::any_of(requested_.roles, [&](const RoleRequest& role) {
-             return role.role == Role::position && std::ranges::any_of(role.columns, [&](const std::string& name) {
-                      return is_in_object(name, member);
-                    });
-           });
+    return is_number_in_object(member) && (requested_positions_.contains(member.route[0]) ||
+                                           (is_named_alone(member) && requested_positions_.contains(member.route[1])));
   }
-  bool is_in_object(std::string_view name, const FoundMember& member) const {
-    if (member.route.size() != 2 || member.route[1].starts_with('[') || member.numbers != 1 || member.is_rotation)
-      return false;
-    const bool is_named =
-        member.route[0] == "position" && member.route[1] == name && !names_.contains(std::string(name));
-    return member.route[0] == name || is_named;
+  static bool is_number_in_object(const FoundMember& member) {
+    return member.route.size() == 2 && !member.route[1].starts_with('[') && member.numbers == 1 && !member.is_rotation;
+  }
+  /// Whether the last step of its path names a number in an object "position", and no other member.
+  bool is_named_alone(const FoundMember& member) const {
+    return member.route[0] == "position" && !names_.contains(member.route[1]);
   }
   /// Whether a member is a number in the array of this name, which is not itself a member of a key.
   static bool is_vector_at(const std::string& name, const FoundMember& member) {
@@ -731,7 +730,8 @@ class FirstKey {
           const bool is_path = member->route.size() == 2 && name == member->route[0] + "." + member->route[1];
           if (is_path && !is_spread_always(member->route[0])) names = {member->name};
           const bool is_of_rotation = member->is_rotation && is_element_of(name, member->name);
-          const bool is_of_object = request.role == Role::position && is_in_object(name, *member);
+          const bool is_of_object = request.role == Role::position && is_number_in_object(*member) &&
+                                    (name == member->route[0] || (name == member->route[1] && is_named_alone(*member)));
           if (!is_vector_at(name, *member) && !is_of_rotation && !is_of_object) continue;
           if (names.size() == 1 && names[0] == name) names.clear();
           names.push_back(member->name);
@@ -934,18 +934,20 @@ class FirstKey {
       return member.name == "position" && member.is_number_array();
     };
     if (!has_any(is_position)) return;
+    std::unordered_set<std::string_view> numbers;
+    for (const FoundMember& member : members_) {
+      const bool is_of_numbers = member.is_number_array() || is_plain_number(member);
+      if (is_of_numbers && !may_be_rotation(member)) numbers.insert(member.name);
+    }
     std::vector<std::string> names;
-    std::erase_if(columns.ignored, [&](const std::string& name) {
-      const auto member = std::ranges::find(members_, name, &FoundMember::name);
-      const bool is_used = member != members_.end() && (member->is_number_array() || is_plain_number(*member)) &&
-                           !may_be_rotation(*member);
-      if (is_used) names.push_back(name);
-      return is_used;
-    });
+    std::ranges::copy_if(columns.ignored, std::back_inserter(names),
+                         [&](auto& name) { return numbers.contains(name); });
     if (names.empty()) return;
+    std::erase_if(columns.ignored, [&](auto& name) { return numbers.contains(name); });
+    constexpr std::size_t most = 8;  // names in a command
+    const std::string others = names.size() > most ? "NAME" : fmt::format("{}", fmt::join(names, ":"));
     columns.doubts.push_back(fmt::format("numbers beside \"position\" are left out: {}; --columns {} takes them, too",
-                                         listed(names),
-                                         in_shell(fmt::format("position=position:{}", fmt::join(names, ":")))));
+                                         listed(names), in_shell("position=position:" + others)));
   }
 
   /// Finds the notes of the doubts about the columns. Throws: Error (data) for one that the request has to decide.
@@ -979,6 +981,7 @@ class FirstKey {
   const std::vector<std::string>& signs_;
   const std::vector<std::string>& channels_;
   std::unordered_set<std::string> requested_names_;        ///< of members, in lower case
+  std::unordered_set<std::string> requested_positions_;    ///< names that are requested as positions
   std::unordered_set<std::string> texts_;                  ///< members that are requested as texts
   std::unordered_set<std::string> positions_{"position"};  ///< those that may be arrays of positions
   std::unordered_set<std::string> names_;                  ///< of members

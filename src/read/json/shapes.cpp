@@ -440,15 +440,9 @@ Records open_any_shape(Source<std::string> bytes, const InputOptions& options) {
       fault = error;
     }
     const bool has_time = columns != nullptr && columns->columns.has(Role::time);
-    bool may_be_row = false;
-    if (!has_time) {
-      const JsonTape tape(*first);
-      refuse_other_json(tape, options.columns, "");
-      may_be_row = fault && tape.size() > 1 && tape.kind(1) == Kind::number;
-    }
+    if (!has_time) refuse_other_json(JsonTape(*first), options.columns, "");
     const bool may_be_series = fault || (options.columns.roles.empty() && !has_time);
     if (may_be_series && holds_table_in_first(*first)) return open_whole(splitter->whole(*std::move(first)), options);
-    if (may_be_row) (void)splitter->next();  // refuses a row on each line
     if (fault) throw Error(*fault);
   }
   Source<Task> source = tasks(*std::move(first), std::move(columns), splitter, options);

@@ -88,8 +88,9 @@ void JsonSplitter::start() {
     if (second != '[' && second != '{' && is_row_followed_by_row()) {
       shape_ = JsonShape::table;
       stage_ = Stage::values;
-    } else if (third != '\0' && !is_nested)
+    } else if (third != '\0' && !is_nested) {
       begin_list(second == '[' ? JsonShape::table : JsonShape::list);
+    }
   } else if (first != '\0') {
     shape_ = JsonShape::lines;
     stage_ = Stage::values;

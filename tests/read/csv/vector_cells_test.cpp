@@ -6,6 +6,9 @@
 #include <deque>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "read/reading.hpp"
 
 namespace tcb {
 namespace {
@@ -62,10 +65,28 @@ TEST(VectorCells, other_cells_stay_as_they_are) {
 }
 
 TEST(VectorCells, a_request_names_the_numbers) {
-  const ColumnOptions options =
-      with_vectors({{{Role::position, {"a", "p"}}, {Role::unused, {"q"}}}}, {{1, "p", {"p.x", "p.y"}}});
-  EXPECT_EQ(options.roles[0].columns, (std::vector<std::string>{"a", "p.x", "p.y"}));
-  EXPECT_EQ(options.roles[1].columns, std::vector<std::string>{"q"});
+  InputOptions options;
+  options.columns.roles = {{Role::time, {"1"}}, {Role::position, {"a", "p"}}, {Role::unused, {"q"}}};
+  const std::vector<VectorColumn> vectors{{1, "p", {"p.x", "p.y"}}};
+  const auto roles = with_vectors(options, vectors).columns.roles;
+  EXPECT_EQ(roles[0].columns, std::vector<std::string>{"1"});
+  EXPECT_EQ(roles[1].columns, (std::vector<std::string>{"a", "p.x", "p.y"}));
+  EXPECT_EQ(roles[2].columns, std::vector<std::string>{"q"});
+}
+
+TEST(VectorCells, a_number_from_the_first_vector_on_is_refused) {
+  const std::vector<VectorColumn> vectors{{1, "p", {"p.x", "p.y"}}};
+  const auto refuses = [&](const InputOptions& options) {
+    const std::string message = error_of([&] { (void)with_vectors(options, vectors); });
+    return message.find("column 3 is not clear by its number") != std::string::npos;
+  };
+  InputOptions role, rotation, angle;
+  role.columns.roles = {{Role::position, {"3"}}};
+  rotation.rotation.requests = {{.columns = {"3"}}};
+  angle.rotation.angles = {{"3"}};
+  EXPECT_TRUE(refuses(role));
+  EXPECT_TRUE(refuses(rotation));
+  EXPECT_TRUE(refuses(angle));
 }
 
 }  // namespace
