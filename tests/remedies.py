@@ -69,16 +69,15 @@ def run(command, folder, data):
     return done.returncode, done.stderr.decode(errors="replace")
 
 
-def replay(program, arguments, data):
-    """Runs a command in a copy of the folder, then again with each remedy of its errors."""
+def replay(program, arguments, data, text):
+    """Runs a command again with each remedy of its errors, in a copy of the folder. `text`: what it printed."""
 
     def run_in_copy(words):
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree(".", folder, dirs_exist_ok=True, symlinks=True)
             return run([program, *words], folder, data)
 
-    status, text = run_in_copy(arguments)
-    if status not in (1, 2) or {"--output-dir", "--recursive"} & set(arguments):
+    if {"--output-dir", "--recursive"} & set(arguments):
         return
     valued = set(os.environ["REMEDY_VALUED"].split())
     other_names = json.loads(os.environ["REMEDY_NAMES"])
@@ -94,16 +93,17 @@ def replay(program, arguments, data):
                 out.write(json.dumps(entry) + "\n")
 
 
-# Runs the program as a case does; where it fails, tries its remedies.
+# Runs the program as a case does; where it fails with a message that may offer an option, tries its remedies.
 WRAPPER = """#!/bin/sh
-input=$(mktemp)
+input=$(mktemp) messages=$(mktemp)
 cat >"$input"
-"$REMEDY_PROGRAM" "$@" <"$input"
+"$REMEDY_PROGRAM" "$@" <"$input" 2>"$messages"
 status=$?
+cat "$messages" >&2
 case $status in
-1 | 2) "$REMEDY_PYTHON" "$REMEDY_SCRIPT" --replay "$input" "$@" ;;
+1 | 2) ! grep -q ': error: .*; .* -' "$messages" || "$REMEDY_PYTHON" "$REMEDY_SCRIPT" --replay "$input" "$messages" "$@" ;;
 esac
-rm -f "$input"
+rm -f "$input" "$messages"
 exit $status
 """
 
@@ -143,6 +143,7 @@ def main(program, golden):
 
 if __name__ == "__main__":
     if sys.argv[1] == "--replay":
-        replay(os.environ["REMEDY_PROGRAM"], sys.argv[3:], pathlib.Path(sys.argv[2]).read_bytes())
+        data, text = (pathlib.Path(path).read_bytes() for path in sys.argv[2:4])
+        replay(os.environ["REMEDY_PROGRAM"], sys.argv[4:], data, text.decode(errors="replace"))
     else:
         sys.exit(main(*sys.argv[1:]))

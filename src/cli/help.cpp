@@ -361,7 +361,7 @@ std::string short_help_text() {
          "      --output-dir DIR    one file for each input\n"
          "      --fields FIELD,...  choose time,position,velocity,curvature,...\n"
          "      --preset NAME   follow the rules of a product; see --list-presets\n"
-         "      --fit D         few keys instead of samples: a curve within D of all\n"
+         "      --fit D         few new keys with tension and bias, within D of all\n"
          "--help lists all options, man tcbsample is the manual.";
 }
 

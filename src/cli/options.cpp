@@ -389,7 +389,8 @@ constexpr OptionRow option_rows[] = {
      }, form_names},
     {"--fit", "", "D,...", sampling_group,
      "Finds a small set of keys whose curve stays within D of every sample in the input, over the metric channels, "
-     "and prints these keys. NAME=D limits one channel; 0.5deg or 0.01rad limits rotations",
+     "and prints these keys with their tension and bias, without which the curve is another one. NAME=D limits one "
+     "channel; 0.5deg or 0.01rad limits rotations",
      "", other, recorded, [](Typed& to, Text text) { std::tie(to.fit.tolerances, to.fit.angle) = fit_limits(text); }},
     {"--fit-keys", "", "KIND", sampling_group,
      "The parameters of the keys of --fit: tcb means tension and bias, hermite means velocities",

@@ -156,7 +156,8 @@ Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
   };
 }
 
-ObservedChannels::ObservedChannels(const Schema& schema) : has_names_(schema.named), channels_(schema.channels.size()) {
+ObservedChannels::ObservedChannels(const Schema& schema, bool may_miss)
+    : has_names_(schema.named), may_miss_(may_miss), channels_(schema.channels.size()) {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& channel = channels_[i];
     channel.source = schema.sources.empty() ? i : schema.sources[i];
@@ -168,7 +169,21 @@ ObservedChannels::ObservedChannels(const Schema& schema) : has_names_(schema.nam
   }
 }
 
+/// Keeps whether channels have numbers at the ends of curves.
+void ObservedChannels::add_ends(const KeyBlock& block) {
+  const Keys& keys = block.keys;
+  for (std::size_t key = 0; key < block.size(); ++key) {
+    const bool begins = block.begins_curve(key) || (is_beginning_ && key == 0);
+    for (Channel& channel : channels_) {
+      const bool is_missing = std::isnan(keys.position(key)[channel.source]);
+      if (begins) channel.lacks_end = channel.lacks_end || channel.lacks_last || is_missing;
+      channel.lacks_last = is_missing;
+    }
+  }
+}
+
 void ObservedChannels::add(const KeyBlock& block) {
+  if (may_miss_) add_ends(block);
   constexpr std::array signs{-999., -9999., -99999., -999999., -32768.};
   const Keys& keys = block.keys;
   for (Channel& channel : channels_) {
@@ -236,8 +251,16 @@ std::vector<LikelySign> ObservedChannels::likely_signs() const {
   return signs;
 }
 
+std::vector<std::string> ObservedChannels::without_ends() const {
+  std::vector<std::string> names;
+  for (const Channel& channel : channels_) {
+    if (channel.lacks_end || channel.lacks_last) names.push_back(channel.name);
+  }
+  return names;
+}
+
 Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
-    : channels_(schema),
+    : channels_(schema, keys.traits.may_miss),
       blocks_(observed(arranged(observed(keys.blocks, [this](const KeyBlock& block) { count_breaks(block); }), schema,
                                 keys.traits, options, live, midnights_),
                        [this](const KeyBlock& block) { channels_.add(block); })),

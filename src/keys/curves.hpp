@@ -30,7 +30,8 @@ struct LikelySign {
 /// What the numbers of channels may mean besides, by all keys.
 class ObservedChannels {
  public:
-  explicit ObservedChannels(const Schema& schema);
+  /// `may_miss`: a channel may lack numbers.
+  ObservedChannels(const Schema& schema, bool may_miss);
 
   void add(const KeyBlock& block);
 
@@ -40,6 +41,8 @@ class ObservedChannels {
   std::vector<NamedAngle> likely_angles() const;
   /// Channels with a number such as -9999 far below all others.
   std::vector<LikelySign> likely_signs() const;
+  /// Channels that have no number at the first or the last key of a curve.
+  std::vector<std::string> without_ends() const;
 
  private:
   struct Channel {
@@ -51,12 +54,17 @@ class ObservedChannels {
     bool may_be_angle = false, is_named_angle = false;       ///< the latter by a name that is one of angles alone
     bool is_positive = true;                                 ///< no number is below 0
     double largest = 0, jump = 0;
-    double from = 0, to = 0;  ///< of the largest jump
+    double from = 0, to = 0;                     ///< of the largest jump
+    bool lacks_end = false, lacks_last = false;  ///< it has no number at an end of a curve; at the last key so far
     std::optional<double> before = {};
 
     bool jumps_over_end(bool degrees) const;
   };
-  bool has_names_;            ///< the channels have; small numbers without a name are no angles
+
+  void add_ends(const KeyBlock& block);
+
+  bool has_names_;  ///< the channels have; small numbers without a name are no angles
+  bool may_miss_;
   bool is_beginning_ = true;  ///< no block was observed
   std::vector<Channel> channels_;
 };

@@ -129,6 +129,7 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   }
   time_name_ = input.schema.time.name;
   has_nulls_ = input.facts.format->is_json;
+  skips_cells_ = options.input.keys.missing == Missing::skip_cell;
   const TimeSchema& time = input.schema.time;
   const auto& period = options.rules.period;
   const bool has_duration = request.in_seconds.has_duration || (period && period->value.in_seconds);
@@ -174,6 +175,7 @@ Note remainder_note(double distance, bool at_key) {
 void FileNotes::add_samples(const CurveSamples& samples, const SamplingRequest& request, bool is_closed) {
   const auto distance = samples.remainder();
   const bool ends_at_key = !request.to && !is_closed;
+  is_open_ = is_open_ || !is_closed;
   if (distance && remainders_++ == 0) add(remainder_note(nearest_time(*distance).hi, ends_at_key));
   if (samples.facts.rows) {
     rows_ += *samples.facts.rows;
@@ -193,6 +195,12 @@ void FileNotes::end(const Curves& curves) {
   }
   if (curves.skipped() > 0) {
     add({fmt::format("rows skipped for missing numbers: {}", curves.skipped())});
+  }
+  if (const auto held = curves.channels().without_ends(); skips_cells_ && is_open_ && !held.empty()) {
+    add(important(
+        "at the first or the last key there is no number in {}; before and after its keys a channel keeps the "
+        "nearest one; --missing skip-row leaves such rows out",
+        listed(held)));
   }
   if (const std::uint64_t gaps = curves.gaps(); gaps > 0) {
     add(important("{} between keys {} a new curve; the largest is {}",

@@ -45,6 +45,8 @@ class FileNotes {
   std::string time_name_;         ///< the name of the times
   bool has_nulls_ = false;        ///< null in place of a key breaks curves
   std::uint64_t remainders_ = 0;  ///< number of curves whose end is not a row
+  bool skips_cells_ = false;      ///< numbers that are missing are left out
+  bool is_open_ = false;          ///< any curve is
   std::uint64_t rows_ = 0;        ///< within a distance
   std::uint64_t least_rows_ = 0;  ///< of any polylines within it
 };

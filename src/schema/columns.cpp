@@ -66,6 +66,7 @@ std::size_t find_cell(const std::string& wanted, std::string_view option, std::s
   if (const auto cell = named.find(wanted)) return *cell;
   const std::size_t number = in_digits<std::size_t>(wanted).value_or(0);
   if (number >= 1 && number <= cells) return number - 1;
+  if (const auto cell = find_without_unit(header, wanted)) return *cell;
   if (header.empty()) throw no_such_column_number(wanted, cells).about(option);
   throw no_such_column(wanted, header).about(option);
 }
@@ -595,7 +596,7 @@ std::string counters_are_left(std::span<const std::string> shown) {
                            : fmt::format("columns {} count the records, and are not taken as positions", listed(shown));
 }
 
-std::string calendar_is_taken(std::string_view shown) {
+std::string only_time_is_taken(std::string_view shown) {
   return fmt::format("column {} is taken as the time, as no other one is", shown);
 }
 

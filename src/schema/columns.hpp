@@ -116,7 +116,7 @@ bool counts_records(std::string_view name, std::span<const std::vector<std::stri
 // Notes about such columns, `shown` as messages show them.
 std::string times_in_words_are_taken(const TimesInWords& times, std::string_view shown);
 std::string counters_are_left(std::span<const std::string> shown);
-std::string calendar_is_taken(std::string_view shown);
+std::string only_time_is_taken(std::string_view shown);
 
 // Errors about names of columns. `columns`: the names that exist.
 Error same_column_names(std::string_view name);

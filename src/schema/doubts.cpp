@@ -925,15 +925,15 @@ std::vector<std::size_t> parts_of_date(std::span<const std::string> names,
   return cells.size() >= needed && is_clear ? cells : std::vector<std::size_t>();
 }
 
-std::optional<std::size_t> find_calendar_time(std::span<const std::string> names,
-                                              std::span<const std::vector<std::string_view>> rows) {
+std::optional<std::size_t> find_only_time(std::span<const std::string> names,
+                                          std::span<const std::vector<std::string_view>> rows) {
   constexpr std::size_t enough = 3;
   const auto number = [&](std::size_t row, std::size_t cell) {
     return cell < rows[row].size() ? parse_number(rows[row][cell]).value_or(nan) : nan;
   };
   std::optional<std::size_t> found;
   for (std::size_t cell = 0; cell < names.size(); ++cell) {
-    if (!names_calendar(names[cell])) continue;
+    if (!names_calendar(names[cell]) && !ends_like_time(names[cell])) continue;
     if (found || rows.size() < 2) return std::nullopt;
     found = cell;
     for (std::size_t row = 1; row < std::min(rows.size(), enough); ++row) {

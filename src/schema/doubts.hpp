@@ -53,9 +53,10 @@ std::string transposed(char delimiter, std::string_view options);
 std::vector<std::size_t> parts_of_date(std::span<const std::string> names,
                                        std::span<const std::vector<std::string_view>> rows);
 
-/// The only column called year, day, hour or the like, if its numbers increase in the first three records.
-std::optional<std::size_t> find_calendar_time(std::span<const std::string> names,
-                                              std::span<const std::vector<std::string_view>> rows);
+/// The only column called year, day, hour or the like, or whose name ends like a time, such as race_time, if its
+/// numbers increase in the first three records.
+std::optional<std::size_t> find_only_time(std::span<const std::string> names,
+                                          std::span<const std::vector<std::string_view>> rows);
 
 /// The mean gap between the times of the first records; nothing unless they are whole numbers that increase.
 std::optional<double> first_time_gap(const FoundColumns& found);

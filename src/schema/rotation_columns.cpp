@@ -23,8 +23,8 @@ std::vector<std::size_t> numbers_of_channels(const Columns& columns) {
   return numbers;
 }
 
-/// The index of a channel of keys as they are read: by its name, in any case if none has it exactly, or else by the
-/// number of its column.
+/// The index of a channel of keys as they are read: by its name, in any case if none has it exactly, by its name
+/// without a unit, or else by the number of its column.
 std::size_t requested_channel(const std::string& name, const Columns& columns, std::string_view option) {
   const std::vector<std::string>& channels = columns.channels;
   const auto exact = std::ranges::find(channels, name);
@@ -32,6 +32,7 @@ std::size_t requested_channel(const std::string& name, const Columns& columns, s
     return same_in_any_case(channel, name);
   });
   if (found != channels.end()) return static_cast<std::size_t>(found - channels.begin());
+  if (const auto channel = find_without_unit(channels, name)) return *channel;
   const std::vector<std::size_t> numbers = numbers_of_channels(columns);
   const auto number = in_digits<std::size_t>(name);
   const auto column = number ? std::ranges::find(numbers, *number) : numbers.end();
@@ -47,6 +48,13 @@ std::size_t requested_channel(const std::string& name, const Columns& columns, s
         .about(option);
   }
   if (number && !columns.named) throw no_such_column_number(name, columns.cells.size()).about(option);
+  if (std::ranges::count(columns.ignored, name) > 0 || find_without_unit(columns.ignored, name)) {
+    throw data_error(
+        "column {} is no position, as --columns chooses others; expected one of {}; add it to the positions in "
+        "--columns",
+        in_quotes(name), listed(channels))
+        .about(option);
+  }
   throw no_such_column(name, channels).about(option);
 }
 

@@ -19,7 +19,7 @@ constexpr std::string_view time_names =
     "simulationtime walltime walltimes sampletime frametimestamps eventtime capturetime recordtime relativetime "
     "reltime absolutetime "
     "abstime timefromstart timesincestart jd tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp "
-    "frametime frametimestamp zeit "
+    "frametime frametimestamp playhead zeit "
     "uhrzeit datum zeitstempel zeitpunkt temps heure horodatage tiempo hora fecha tempo ora "
     "datahora dataora fechahora dateheure tijd tijdstip czas coordtimes positiont";
 
@@ -31,7 +31,7 @@ struct UnitNames {
 };
 using enum TimeUnit;
 constexpr std::array unit_names{
-    UnitNames{s, "s sec secs second seconds", ""},
+    UnitNames{s, "s sec secs second seconds secondselapsed sekunde sekunden secondes segundos secondi", ""},
     UnitNames{ms, "ms msec msecs millis millisec millisecond milliseconds", ""},
     UnitNames{us, "us usec usecs micros microsec microsecond microseconds \u00B5s \u03BCs", ""},
     UnitNames{ns, "ns nsec nsecs nanos nanosec nanosecond nanoseconds", ""},
@@ -112,6 +112,14 @@ const UnitNames* unit_at_end(std::string_view name) {
   return nullptr;
 }
 
+/// The unit of a name, as without_unit() leaves it out, with its brackets; empty where there is none.
+std::string_view unit_beside(std::string_view name) {
+  name.remove_prefix(without_unit(name).size());
+  name.remove_prefix(std::min(name.find_first_not_of(" ,/"), name.size()));
+  if (name.starts_with("in ")) name.remove_prefix(3);
+  return name;
+}
+
 /// Whether a name is that of a time, or of a time and its unit, such as "timems".
 bool is_time(std::string_view name) {
   if (has(time_names, name) || has(frame_names, name) || name == "ms" || name == "ns") return true;
@@ -129,9 +137,19 @@ std::string_view without_unit(std::string_view name) {
       return name.substr(0, name.find_last_not_of(' ', slash - 1) + 1);
     }
   }
+  if (const std::size_t in = name.rfind(" in "); in != std::string_view::npos && is_unit(name.substr(in + 4))) {
+    return name.substr(0, in);
+  }
   const std::size_t begin = name.ends_with(']') ? name.rfind('[') : name.ends_with(')') ? name.rfind('(') : 0;
   if (begin == 0 || begin == std::string_view::npos) return name;
   return name.substr(0, name.find_last_not_of(' ', begin - 1) + 1);
+}
+
+std::optional<std::size_t> find_without_unit(std::span<const std::string> names, std::string_view name) {
+  const auto is_same = [&](const std::string& other) { return same_in_any_case(without_unit(other), name); };
+  const auto found = std::ranges::find_if(names, is_same);
+  if (found == names.end() || std::any_of(found + 1, names.end(), is_same)) return std::nullopt;
+  return static_cast<std::size_t>(found - names.begin());
 }
 
 bool is_usual_time(std::string_view name) {
@@ -154,13 +172,13 @@ std::optional<TimeUnit> unit_of_time(std::string_view name) {
   const std::size_t separator = name.find_last_of("_-. ");
   const UnitNames* found = nullptr;
   if (alone.size() < name.size()) {  // in brackets
-    const std::size_t unit = name.find_first_not_of(" ,/", alone.size());
-    found = unit == std::string_view::npos ? nullptr : find_unit(compact(name.substr(unit)), true);
+    found = find_unit(compact(unit_beside(name)), true);
     if (found == nullptr && compact(alone).size() > 1) found = find_unit(compact(alone));  // as in JD(TT)
   } else if (has(frame_names, whole)) {
     return TimeUnit::frames;
   } else if (separator != std::string_view::npos && is_time(compact(name.substr(0, separator)))) {  // as in t_s
     found = find_unit(compact(name.substr(separator)));
+    if (found == nullptr) found = find_unit(whole);
   } else if (whole.size() > 1) {
     found = find_unit(whole, has(calendar_names, whole));
   }
@@ -286,8 +304,7 @@ bool are_units(std::span<const std::string_view> cells) {
 
 bool is_in_degrees(std::string_view name) {
   constexpr std::string_view units = "deg degs degree degrees \u00B0";
-  const std::string_view alone = without_unit(name);
-  return has(units, compact(name.substr(alone.size()))) || has(units, last_word(name, "_-. "));
+  return has(units, compact(unit_beside(name))) || has(units, last_word(name, "_-. "));
 }
 
 bool may_be_angle(std::string_view name) {
@@ -296,11 +313,9 @@ bool may_be_angle(std::string_view name) {
       "rotatez rotationx rotationy rotationz angle phi direction headyaw winddir tilt steering";
   constexpr std::string_view spaces = "rotation rotate rot euler angle orientation";
   if (is_usual_angle(name) || ends_with_one(names, name)) return true;
-  const std::string_view alone = without_unit(name);
   constexpr std::string_view units = "deg degree degrees \u00B0 rad radians";
-  const std::size_t unit = name.find_first_not_of(" ,/", alone.size());  // as in RA [deg]
-  if (unit != std::string_view::npos && has(units, compact(name.substr(unit)))) return true;
-  const std::string whole = compact(alone);  // as in rotation_z
+  if (has(units, compact(unit_beside(name)))) return true;  // as in RA [deg]
+  const std::string whole = compact(without_unit(name));    // as in rotation_z
   const bool ends_in_axis = whole.size() > 1 && std::string_view("xyz").find(whole.back()) != std::string_view::npos;
   if (ends_in_axis && has(spaces, std::string_view(whole).substr(0, whole.size() - 1))) return true;
   const auto ends_with = [&](std::string_view word) {  // as in Hips.Yrotation and arm.rotation.x

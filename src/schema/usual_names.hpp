@@ -13,8 +13,11 @@
 
 namespace tcb {
 
-/// A name such as "timestamp [ns]" or "time (s)" without its unit.
+/// A name such as "timestamp [ns]", "time (s)" or "t in s" without its unit.
 std::string_view without_unit(std::string_view name);
+
+/// The index of the only name that is this one with a unit, as "x [m]" is "x".
+std::optional<std::size_t> find_without_unit(std::span<const std::string> names, std::string_view name);
 
 /// Whether a name is a usual one of times, such as "Frame Number", "time_ms" or "header.stamp".
 bool is_usual_time(std::string_view name);

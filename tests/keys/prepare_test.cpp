@@ -66,7 +66,7 @@ std::string likely(const std::string& name, const std::vector<double>& values, b
   Schema schema;
   schema.named = named;
   schema.channels = {name};
-  ObservedChannels channels(schema);
+  ObservedChannels channels(schema, false);
   channels.add(*keys_with_angles(values)());
   std::string text;
   for (const auto& [channel, degrees] : channels.likely_angles()) text += channel + (degrees ? "=degrees" : "=radians");

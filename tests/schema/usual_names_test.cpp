@@ -3,18 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace tcb {
 namespace {
 
 TEST(UsualTime, names_of_times_have_any_case_and_a_unit) {
   for (const char* name :
-       {"sec",       "secs",      "Seconds",    "SECS",         "time_s",       "time_ms",      "Time (s)",
-        "time [s]",  "Time[ms]",  "time-us",    "TimeNs",       "t_s",          "t (ms)",       "T [s]",
-        "T_s",       "frame",     "Frame No",   "Frame Number", "frame_no",     "FrameIndex",   "keyframe",
-        "Key Frame", "stamp",     "time stamp", "timestamp_ns", "timestamps",   "elapsed",      "elapsed_time",
-        "date",      "DateTime",  "ts",         "ts_ms",        "times",        "header.stamp", "field.header.stamp",
-        "%time",     "unix_time", "ms",         "millis",       "milliseconds", "nanoseconds",  "time (\xC2\xB5s)",
-        "time_min",  "time [h]",  "minutes",    "ticks",        "/odom/time",   "rosTime",      "clock"}) {
+       {"sec",       "secs",      "Seconds",    "SECS",          "time_s",       "time_ms",      "Time (s)",
+        "time [s]",  "Time[ms]",  "time-us",    "TimeNs",        "t_s",          "t (ms)",       "T [s]",
+        "T_s",       "frame",     "Frame No",   "Frame Number",  "frame_no",     "FrameIndex",   "keyframe",
+        "Key Frame", "stamp",     "time stamp", "timestamp_ns",  "timestamps",   "elapsed",      "elapsed_time",
+        "date",      "DateTime",  "ts",         "ts_ms",         "times",        "header.stamp", "field.header.stamp",
+        "%time",     "unix_time", "ms",         "millis",        "milliseconds", "nanoseconds",  "time (\xC2\xB5s)",
+        "time_min",  "time [h]",  "minutes",    "ticks",         "/odom/time",   "rosTime",      "clock",
+        "t in s",    "Zeit in s", "Sekunden",   "secondsElapsed"}) {
     EXPECT_TRUE(is_usual_time(name)) << name;
   }
 }
@@ -44,6 +48,15 @@ TEST(UsualTime, other_names_are_not_of_times) {
   }
 }
 
+TEST(WithoutUnit, finds_the_only_name_that_has_a_unit) {
+  const std::vector<std::string> names{"t [s]", "x [m]", "y (m)", "Y, mm", "z in mm", "w/m"};
+  EXPECT_EQ(find_without_unit(names, "x"), 1U);
+  EXPECT_EQ(find_without_unit(names, "Z"), 4U);
+  EXPECT_EQ(find_without_unit(names, "w"), 5U);
+  EXPECT_FALSE(find_without_unit(names, "y"));  // two
+  EXPECT_FALSE(find_without_unit(names, "x [mm]"));
+}
+
 TEST(UnitOfTime, is_that_of_the_name) {
   const auto unit = [](std::string_view name) {
     const auto found = unit_of_time(name);
@@ -54,7 +67,8 @@ TEST(UnitOfTime, is_that_of_the_name) {
   }
   for (const char* name : {"time_ms", "ms", "elapsed [ms]", "timestamp_ms", "milliseconds"})
     EXPECT_EQ(unit(name), "ms");
-  for (const char* name : {"seconds", "sec", "t [s]", "t_s", "time (s)", "unix_time_s"}) EXPECT_EQ(unit(name), "s");
+  for (const char* name : {"seconds", "sec", "t [s]", "t_s", "time (s)", "unix_time_s", "t in s", "seconds_elapsed"})
+    EXPECT_EQ(unit(name), "s");
   for (const char* name : {"frame", "Frame Number", "frames", "keyframe", "t [frames]"})
     EXPECT_EQ(unit(name), "frames");
   EXPECT_EQ(unit("time [min]"), "min");

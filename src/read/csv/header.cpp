@@ -568,15 +568,20 @@ std::string first_time(const std::vector<std::string>& cells, const Columns& col
   return joined_time(parts);
 }
 
-/// For each column, whether it has a requested role, by its name or number.
+/// For each column, whether it may have a requested role, by its name in any case, with its unit or without, or by its
+/// number.
 std::vector<bool> requested_cells(const std::vector<std::string>& names, std::size_t cells,
                                   const ColumnOptions& options) {
-  std::unordered_set<std::string_view> columns;
-  for (const RoleRequest& request : options.roles) columns.insert(request.columns.begin(), request.columns.end());
+  std::unordered_set<std::string> columns;
+  for (const RoleRequest& request : options.roles) {
+    for (const std::string& column : request.columns) columns.insert(in_lower_case(column));
+  }
+  const auto is_named = [&](std::string_view name) {
+    return columns.contains(in_lower_case(name)) || columns.contains(in_lower_case(without_unit(name)));
+  };
   std::vector<bool> requested(cells);
   for (std::size_t cell = 0; cell < cells && !columns.empty(); ++cell) {
-    const bool is_named = cell < names.size() && columns.contains(names[cell]);
-    requested[cell] = is_named || columns.contains(fmt::format("{}", cell + 1));
+    requested[cell] = (cell < names.size() && is_named(names[cell])) || columns.contains(fmt::format("{}", cell + 1));
   }
   return requested;
 }
@@ -600,7 +605,7 @@ class RolesByCells {
     if (!is_given && !requested_.has(Role::time)) take_parts_of_date();
     if (!requested_.has(Role::time) && !requested_.timeless) take_equal_times();
     if (!requested_.has(Role::time) && !requested_.timeless && !has_rate_) take_time_beside_frames();
-    if (!requested_.has(Role::time) && !requested_.timeless) take_calendar_time();
+    if (!requested_.has(Role::time) && !requested_.timeless) take_only_time();
     if (!names_.empty()) take_index();
     if (!names_.empty() && !requested_.has(Role::position)) leave_counters();
     if (!requested_.has(Role::time) && !requested_.timeless) names_.empty() ? leave_labels() : take_dates();
@@ -699,15 +704,16 @@ class RolesByCells {
                                  shown(times[0]), shown(frames[0])));
   }
 
-  /// A column called year, day, hour or the like is the time, where no other one may be.
-  void take_calendar_time() {
+  /// The only column called year, day, hour or the like, or whose name ends like a time, is the time, where no other
+  /// one may be.
+  void take_only_time() {
     for (std::size_t cell = 0; cell < names_.size(); ++cell) {
       if (is_time(cell) || notation(cell)) return;
     }
-    const auto found = find_calendar_time(names_, rows_);
+    const auto found = find_only_time(names_, rows_);
     if (!found || is_requested(*found)) return;
     request(Role::time, *found);
-    notes_.push_back(calendar_is_taken(shown(*found)));
+    notes_.push_back(only_time_is_taken(shown(*found)));
   }
 
   /// The only column of dates, or of times in words, is the time, where no name says which is.

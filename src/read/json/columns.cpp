@@ -682,10 +682,10 @@ class FirstKey {
     const bool lacks_time = !requested_.has(Role::time) && !requested_.timeless && !has_any(has_time_name);
     const auto times = lacks_time ? only_times_in_words(rows[0]) : std::nullopt;
     const auto request = [&](Role role, std::size_t cell) { roles.push_back({role, {requested_as(header, cell)}}); };
-    const auto calendar = lacks_time && !times ? find_calendar_time(header, rows) : std::nullopt;
-    if (calendar && !requested_.has(header[*calendar])) {
-      request(Role::time, *calendar);
-      notes.push_back(calendar_is_taken(in_quotes(header[*calendar])));
+    const auto only = lacks_time && !times ? find_only_time(header, rows) : std::nullopt;
+    if (only && !requested_.has(header[*only])) {
+      request(Role::time, *only);
+      notes.push_back(only_time_is_taken(in_quotes(header[*only])));
     }
     std::vector<std::size_t> counters;
     bool has_others = false;
