@@ -33,7 +33,7 @@ def remedies(message, valued):
                 continue
             words = [option]
             if option in valued:
-                value = value if value == "," else value.rstrip(",.")
+                value = value if value in (",", ".") else value.rstrip(",.")
                 value = value[1:-1] if value[:1] in "\"'" else value
                 if not value or value in WORDS or PLACEHOLDER.search(value):
                     continue

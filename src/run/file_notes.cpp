@@ -147,7 +147,7 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   if (!chosen && options.input.renamings.empty()) {
     const std::vector<std::string> names = found_by_elimination(input);
     if (!names.empty()) {
-      add(important("positions: {}; --columns gives other roles, as in ignore=NAME or tension=NAME", listed(names)));
+      add(important("positions: {}; --columns ignore=NAME leaves one out", listed(names)));
     }
   }
   if (!input.facts.other_objects.empty()) {
@@ -168,8 +168,11 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
 }
 
 Note remainder_note(double distance, bool at_key) {
+  constexpr std::size_t most_digits = 9;
+  std::string shown = fmt::format("{}", distance);
+  if (shown.size() > most_digits) shown = fmt::format("{:.6g}", distance);
   return important("{} is {} after the last row; --end keep or --end fit includes it",
-                   at_key ? "the last key" : "the end of the range", distance);
+                   at_key ? "the last key" : "the end of the range", shown);
 }
 
 void FileNotes::add_samples(const CurveSamples& samples, const SamplingRequest& request, bool is_closed) {

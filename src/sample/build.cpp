@@ -15,6 +15,7 @@
 #include "tcb/spline/curve.hpp"
 #include "tcb/spline/curve_keys.hpp"
 #include "tcb/spline/curve_stream.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -119,9 +120,9 @@ Error curve_error(const spline::BuildError& error, const KeyStore& keys, const s
   switch (error.code) {
     case channel_without_positions:
       return data_error(
-          "no key has a number in channel \"{}\"; expected at least one; fill one in, or leave the column out with "
-          "--columns",
-          channels[error.channel]);
+          "no key has a number in channel {}; expected at least one; fill one in, or give --columns {} to leave the "
+          "column out",
+          in_quotes(channels[error.channel]), in_shell("ignore=" + channels[error.channel]));
     case ease_with_missing_positions:
       return data_error(
           "some numbers were skipped by --missing skip-cell, but ease_in and ease_out need a number in every channel; "

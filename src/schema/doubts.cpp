@@ -805,9 +805,16 @@ Found step_in_small_units(const Schema& schema, const RequestNeeds& needs) {
       row_of(*schema.time.unit).name, in_quotes(schema.time.name), rows);
 }
 
-/// Rates are in seconds; times that count frames have none.
+/// Rates and durations are in seconds; times that count frames have none.
 Found rate_of_frames(const Schema& schema, const RequestNeeds& needs) {
-  if (!needs.is_rate || schema.time.unit != TimeUnit::frames) return std::nullopt;
+  if (schema.time.unit != TimeUnit::frames) return std::nullopt;
+  if (needs.step && !needs.shown_rate.empty()) {
+    return error(
+        "the times in column {} count frames, and the step is in seconds; expected the frame rate of the times; give "
+        "--input-fps {}, as the file says",
+        in_quotes(schema.time.name), needs.shown_rate);
+  }
+  if (!needs.is_rate) return std::nullopt;
   const std::string rate =
       needs.shown_rate.empty() ? "HZ, as in --input-fps 24" : fmt::format("{}, as the file says", needs.shown_rate);
   return error(

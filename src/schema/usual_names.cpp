@@ -19,7 +19,7 @@ constexpr std::string_view time_names =
     "simulationtime walltime walltimes sampletime frametimestamps eventtime capturetime recordtime relativetime "
     "reltime absolutetime "
     "abstime timefromstart timesincestart jd tc smpte smptetimecode timevalue timepoint timesec timeindex framestamp "
-    "frametime frametimestamp playhead zeit "
+    "frametime frametimestamp playhead xvalue zeit "
     "uhrzeit datum zeitstempel zeitpunkt temps heure horodatage tiempo hora fecha tempo ora "
     "datahora dataora fechahora dateheure tijd tijdstip czas coordtimes positiont";
 

@@ -59,7 +59,7 @@ TEST(Doubts, are_errors_where_readings_give_different_numbers) {
            {"t,x,tension,continuity,bias\n0,1,25,50,25\n1,2,30,25,0\n", "--tcb-scale 3dsmax"},
            {",x,y\n0,1,2\n1,2,3\n", "give --columns time=1 if it is the time"},
            {"aDateTime,bDateTime,LAT\n2024-03-01,2024-03-01,6\n2024-03-02,2024-03-02,7\n", "--columns time=aDateTime"},
-           {"sensor_time,x\n0,5\n1,6\n", "--columns time=sensor_time"},
+           {"sensor_time,x\n0,5\n0,6\n", "--columns time=sensor_time"},
            {"1700000000,100000000,1\n1700000000,200000000,2\n", "--columns time=1,nanoseconds=2 if they are"},
            {"t,w,x,y,z\n0,1,0,0,0\n1,0,1,0,0\n", "--rotation quaternion=x:y:z:w for a rotation"},
            {"t,q[0],q[1],q[2],q[3]\n0,1,0,0,0\n1,0,1,0,0\n", "'quaternion=q[1]:q[2]:q[3]:q[0]'"},
@@ -78,8 +78,8 @@ TEST(Doubts, are_errors_where_readings_give_different_numbers) {
 }
 
 TEST(Doubts, of_names_of_one_other_letter_than_a_role) {
-  for (const char* name : {"tme", "ime", "tmie", "xtime", "frmae", "Tensoin", "tenison", "rension", "tenssion",
-                           "ension", "biass", "ease_im", "x_tension", "Bais_X"}) {
+  for (const char* name : {"tme", "ime", "tmie", "frmae", "Tensoin", "tenison", "rension", "tenssion", "ension",
+                           "biass", "ease_im", "x_tension", "Bais_X"}) {
     EXPECT_THAT(doubts_of(std::string(name) + ",x\n0,0.5\n1,0.7\n"), HasSubstr("is close to the role")) << name;
   }
   for (const char* name : {"torsion", "extension", "tensor", "version", "bits", "bins", "tide", "dime", "bias1",

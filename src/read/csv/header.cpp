@@ -87,9 +87,13 @@ bool are_formats(const std::vector<std::string>& cells) {
 
 bool is_text(std::string_view cell) { return !is_missing_sign(cell, {}) && !looks_numeric(cell); }
 
-/// Whether a record may describe the columns whose names are above it: by their units, or by texts without numbers.
+/// Whether a record may describe the columns whose names are above it: by their units, or by texts without numbers,
+/// apart from such as "100: gps".
 bool may_describe(const std::vector<std::string>& cells) {
-  return are_units(cells) || (std::ranges::none_of(cells, begins_like_number) && std::ranges::any_of(cells, is_text));
+  const auto may_be_number = [](std::string_view cell) {
+    return begins_like_number(cell) && cell.find(": ") == std::string_view::npos;
+  };
+  return are_units(cells) || (std::ranges::none_of(cells, may_be_number) && std::ranges::any_of(cells, is_text));
 }
 
 /// The first three records of an input without up to three that may describe the columns, or as many as there are:
@@ -855,7 +859,7 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
                       const HeadRows& rows, const InputOptions& options, const std::vector<std::size_t>& unread) {
   ColumnOptions requested = options.columns;
   const std::vector<bool> is_requested = requested_cells(names, numeric.size(), requested);
-  if (options.keys.missing == Missing::error) numeric = with_numbers(numeric, names, rows, head, is_requested);
+  if (options.keys.missing != Missing::skip_cell) numeric = with_numbers(numeric, names, rows, head, is_requested);
   for (const std::size_t cell : unread) {
     if (!is_requested[cell]) requested.roles.push_back({Role::unused, {fmt::format("{}", cell + 1)}});
   }

@@ -120,7 +120,7 @@ void require_no_log(std::string_view one, std::string_view two, char delimiter) 
       "numbers behind it, as in perl -ne 'if (/^\\W*((?:\\d{{4}}-\\d\\d-\\d\\d[ "
       "T])?\\d+:\\d\\d:\\d\\d(?:[.,]\\d+)?)(.*)/) "
       "{{my ($t, $r) = ($1, "
-      "$2); $t =~ tr/,/./; print join(\",\", $t, $r =~ /{}/g), \"\\n\"}}' FILE | tcbsample",
+      "$2); my @n = $r =~ /{}/g; $t =~ tr/,/./; print join(\",\", $t, @n), \"\\n\" if @n}}' FILE | tcbsample",
       in_quotes(one), number_in_perl);
 }
 
@@ -196,6 +196,7 @@ class LinesOfCells {
     Rows best{0, 0, 1}, rows;
     for (std::size_t line = 1; line < lines_.size() && best.count < enough; ++line) {
       if (!is_text(lines_[line])) continue;
+      if (lines_[line].starts_with("***End_of_Header***")) best = {0, 0, 1};  // of LabVIEW, which writes two of them
       const Cells row = cells(line);
       if (!is_of_numbers(row)) {
         rows = {};
@@ -229,14 +230,11 @@ class LinesOfCells {
     const auto has_no_number = [&](std::string_view line) {
       return is_text(line) && std::ranges::none_of(cells_of(line), begins_like_number);
     };
-    const bool is_labview = head && names_in(begin, size)[0] == "X_Value";  // as it calls the times
     return LaterTable{begin + 1,
                       other == end ? 0 : static_cast<std::uint64_t>(other - first),
                       size,
                       head.has_value(),
-                      is_labview ? " --columns time=X_Value"
-                      : head     ? ""
-                                 : (has_text(cells(row)) ? " --no-header" : "") + roles_by_cells(rows_from(row)),
+                      head ? "" : (has_text(cells(row)) ? " --no-header" : "") + roles_by_cells(rows_from(row)),
                       comment_above(row),
                       std::any_of(at(1), at(row), has_no_number)};
   }

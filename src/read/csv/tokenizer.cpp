@@ -39,7 +39,7 @@ const char* find_one(const char* at, const char* end, Chars... chars) {
 
 Error number_with_marks(std::string_view column, std::string_view cell, char decimal, char thousands) {
   const bool has_comma = decimal == ',' && cell.find(',') != std::string_view::npos;
-  const std::string also = has_comma ? "--decimal , " : "";
+  const std::string also = has_comma || thousands == '.' ? "--decimal , " : "";
   return {
       Exit::data,
       fmt::format(
@@ -241,8 +241,8 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
     const bool has_point = marks.decimal != '.' && cell.find('.') != std::string_view::npos;
     if (has_point && Decimals({',', '.'}).number(cell)) {
       return data_error(
-          "{}: {} has a decimal point; expected a decimal comma; correct the cell, give --thousands . if the point "
-          "divides thousands, or --decimal . if it is the decimal mark",
+          "{}: {} has a decimal point; expected a decimal comma; correct the cell, give --decimal , --thousands . if "
+          "the point divides thousands, or --decimal . if it is the decimal mark",
           column, in_quotes(cell));
     }
     return has_point
@@ -262,8 +262,7 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
                      "{}: {} is not a number; expected one without thousands separators; remove them, or give "
                      "--thousands , if the comma divides thousands, or --decimal , if it is a decimal comma",
                      column, in_quotes(cell))
-               : number_with_marks(column, cell, other->decimal == marks.decimal ? '\0' : other->decimal,
-                                   other->thousands);
+               : number_with_marks(column, cell, other->decimal, other->thousands);
   }
   if (has_hemisphere(cell)) {
     return data_error(

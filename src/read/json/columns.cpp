@@ -364,7 +364,7 @@ class FirstKey {
   /// Whether a member is missing in the first key, and need not be a position.
   bool may_be_empty(const FoundMember& member) const {
     const bool is_null = member.node == JsonCell::missing || tape_.kind(member.node) == Kind::null;
-    return is_null && options_.keys.missing == Missing::error && !requested_.samples &&
+    return is_null && options_.keys.missing != Missing::skip_cell && !requested_.samples &&
            role_of_name(member.name) == Role::position && !requested_.has(member.name);
   }
 
