@@ -282,8 +282,9 @@ class AngleChain {
       const double value = block.keys.position(key)[angle_.channel];
       const std::uint64_t line = block.line(key);
       if (std::isnan(value))
-        throw data_error("the angle {} is missing; expected a number at every key; fill it in, or give --missing skip-row or break",
-                         in_quotes(name_))
+        throw data_error(
+            "the angle {} is missing; expected a number at every key; fill it in, or give --missing skip-row or break",
+            in_quotes(name_))
             .at({"", line, 0});
       require_angle(value, angle_.degrees, false, name_, line);
       if (line_ == 0) std::tie(first_, first_line_) = std::tie(value, line);

@@ -293,7 +293,8 @@ bool is_unit(std::string_view text) {
 
 bool are_units(std::span<const std::string_view> cells) {
   // The words of the lines below the names in files of Campbell Scientific: of times, of record numbers, of processing.
-  constexpr std::string_view words = "ts rn degc smp avg max min std tot med wvc w/m^2 m^3/m^3 volts amps watts";
+  constexpr std::string_view words =
+      "ts rn degc smp avg max min std tot med wvc w/m^2 m^3/m^3 meters/second volts amps watts";
   const auto is_empty = [](std::string_view cell) { return cell.empty() || cell == "-" || cell == "none"; };
   const auto fits = [&](std::string_view cell) {
     const std::string_view text = cell.size() > 1 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;

@@ -420,9 +420,10 @@ void take_descriptions(DelimitedHead& head, std::span<const HeadRecords::Record>
     if (!has_units) lines.push_back(fmt::format("{}", record.line));
   }
   if (!lines.empty()) {
-    head.columns.doubts.push_back(
-        fmt::format("below the names, what has no numbers is taken as a description of the columns: line {}",
-                    fmt::join(lines, ", ")));
+    const bool is_one = lines.size() == 1;
+    head.columns.doubts.push_back(fmt::format("line{} {} below the names {}, and {} left out", is_one ? "" : "s",
+                                              fmt::join(lines, ", "), is_one ? "has no number" : "have no numbers",
+                                              is_one ? "is" : "are"));
   }
   if (units.empty()) return;
   head.columns.doubts.push_back(fmt::format("the line below the names is taken as units: {}", listed(units)));
