@@ -774,7 +774,7 @@ class RolesByCells {
       if (!has_dates) {
         throw data_error(
             "{} counts the rows, and no other column is the time; expected a column of times; give --columns time=1 if "
-            "it is the time, --columns time=NUMBER if another one is, or --parameter uniform if the keys have no times",
+            "it is the time, --columns time=NAME if another one is, or --parameter uniform if the keys have no times",
             is_nameless ? "column 1 has no name and" : fmt::format("column {}", in_quotes(names_[0])));
       }
       if (is_nameless) names_[0] = "time";

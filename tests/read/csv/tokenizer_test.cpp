@@ -144,7 +144,7 @@ TEST(InvalidNumber, has_the_error_with_its_remedy) {
   expect("1 2", '.', "expected one number in each cell");
   expect("-1,234,567.8", '.', "or give --thousands ,");
   expect("1.234,5", '.', "or give --decimal , --thousands .");
-  expect("1.234,5", ',', "or give --thousands .");
+  expect("1.234,5", ',', "or give --decimal , --thousands .");
   expect("1 234", '.', "or give --thousands space");
   expect("1'234,5", '.', "or give --decimal , --thousands apostrophe");
   expect("0x1F", '.', "correct the cell");
