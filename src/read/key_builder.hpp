@@ -22,8 +22,8 @@ namespace tcb {
 /// The two parts of a time are not whole seconds and nanoseconds. `time`: the name of the column of seconds.
 Error time_parts_not_whole(std::string_view time);
 
-/// A column that has no role because it begins without numbers has one. `request`: the column as it can be requested.
-Error number_in_empty_column(std::string_view number, std::string_view column, std::string_view request);
+/// The column of a cell has no role because it begins without numbers, and has one.
+Error number_in_empty_column(std::string_view number, const Columns& columns, std::size_t cell);
 
 /// Builds a block of keys. A record is begin_key(), its cells in any order, and end_key(). Without its cell, a key has
 /// no position, the common tension, no ease, no text.

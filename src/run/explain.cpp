@@ -199,6 +199,7 @@ struct CurveOutcome {
   std::optional<std::size_t> limited = {};  ///< tangents, so that the curve does not overshoot
   std::optional<Gap> least_gap, largest_gap;
   std::string overshoot;     ///< in words
+  std::string overshoots;    ///< the name of its channel
   bool has_missing = false;  ///< numbers, so that the cubics of a channel are cut where others have keys
 
   /// A time as the input writes it, to milliseconds where it is in words.
@@ -242,6 +243,7 @@ CurveOutcome outcome_of(CurvePipeline& pipeline, const Source<KeyBlock>& keys, b
     const Overshoot largest = largest_overshoot(kept->curve(), pipeline.spec().rules);
     if (!no_overshoot && !outcome.has_missing && largest.part > 0.01) {
       const auto times = kept->curve().times();
+      outcome.overshoots = schema.channels[largest.channel];
       outcome.overshoot = fmt::format("{:.6g} in {} {}", largest.size, schema.channels[largest.channel],
                                       outcome.shown({Time(times[largest.segment]), Time(times[largest.segment + 1])}));
     }
@@ -311,6 +313,7 @@ Facts facts_of_curves(const Input& input, const ExplainJob& job, bool live) {
   std::string needs;
   std::size_t count = 0, keys = 0;
   std::uint64_t rows = 0;
+  std::vector<NamedAngle> angles;
   Curves curves(input.schema, input.keys, job.keys.curves, live);
   for (; const std::optional<InputCurve> curve = curves.next(); ++count) {
     const CurveRequest request{job.samples.of(*curve, input.schema), job.keys.rules, job.fields, job.golden};
@@ -326,6 +329,8 @@ Facts facts_of_curves(const Input& input, const ExplainJob& job, bool live) {
     }
     CurveOutcome outcome = outcome_of(pipeline, curve->keys, job.has_samples, input.schema);
     outcome.ends_at_key = !job.samples.request.to && !pipeline.spec().closed;
+    angles = curves.channels().likely_angles();
+    if (std::ranges::count(angles, outcome.overshoots, &NamedAngle::channel) > 0) outcome.overshoot.clear();
     keys += outcome.keys;
     rows += outcome.rows.value_or(0);
     if (count == 0) of_single = lines_of(outcome);
@@ -349,6 +354,7 @@ Facts facts_of_curves(const Input& input, const ExplainJob& job, bool live) {
   }
   if (curves.skipped() > 0) facts.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
   if (!needs.empty()) facts.emplace_back("needs", needs);
+  if (!angles.empty()) facts.emplace_back("note", angles_note(angles).text);
   return facts;
 }
 

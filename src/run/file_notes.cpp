@@ -35,20 +35,6 @@ Note broadcast_note(const std::string& decimal, const Rational& rate) {
                    ratio_text(parse_rational(decimal).value_or(rate)), decimal);
 }
 
-Note angles_note(const std::vector<NamedAngle>& angles) {
-  std::string list;
-  std::vector<std::string_view> names;
-  for (const auto& [name, degrees] : angles) {
-    list += fmt::format("{}{}={}", list.empty() ? "" : ",", name, degrees ? "degrees" : "radians");
-    names.push_back(name);
-  }
-  const bool may_be_euler = std::ranges::all_of(
-      std::array{"yaw", "pitch", "roll"}, [&](std::string_view name) { return std::ranges::count(names, name) > 0; });
-  const std::string euler = may_be_euler ? ", or --rotation euler=yaw:pitch:roll,order=ZYX as a rotation" : "";
-  return important("angles seem to jump by more than half a turn; --angle {} turns them the shorter way{}",
-                   in_shell(list), euler);
-}
-
 /// The columns of positions where they follow from their names, and these tell little; else nothing. A format that has
 /// columns of its own needs no names.
 std::vector<std::string> found_by_elimination(const Input& input) {
@@ -165,6 +151,20 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
     add(chosen ? Note{fmt::format("ignored, as --columns chooses others: {}", ignored)}
                : important("ignored: {}; --columns gives them roles, as in carry=NAME or position=NAME:NAME", ignored));
   }
+}
+
+Note angles_note(const std::vector<NamedAngle>& angles) {
+  std::string list;
+  std::vector<std::string_view> names;
+  for (const auto& [name, degrees] : angles) {
+    list += fmt::format("{}{}={}", list.empty() ? "" : ",", name, degrees ? "degrees" : "radians");
+    names.push_back(name);
+  }
+  const bool may_be_euler = std::ranges::all_of(
+      std::array{"yaw", "pitch", "roll"}, [&](std::string_view name) { return std::ranges::count(names, name) > 0; });
+  const std::string euler = may_be_euler ? ", or --rotation euler=yaw:pitch:roll,order=ZYX as a rotation" : "";
+  return important("angles seem to jump by more than half a turn; --angle {} turns them the shorter way{}",
+                   in_shell(list), euler);
 }
 
 Note remainder_note(double distance, bool at_key) {

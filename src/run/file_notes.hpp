@@ -51,6 +51,9 @@ class FileNotes {
   std::uint64_t least_rows_ = 0;  ///< of any polylines within it
 };
 
+/// These channels seem to be angles.
+Note angles_note(const std::vector<NamedAngle>& angles);
+
 /// The range ends between rows; `at_key`: at the last key.
 Note remainder_note(double distance, bool at_key);
 

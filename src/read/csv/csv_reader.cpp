@@ -167,7 +167,7 @@ class RecordReader {
     if (!decimals_.number(number_text(cell)) || is_missing_sign(number_text(cell), head_.rules.signs)) return;
     if (column.is_empty) {
       const std::string& name = head_.columns.ignored[column.channel];
-      return add_fault(cell, number_in_empty_column(unquoted(cell), name, requested_as(name, index_of(column))));
+      return add_fault(cell, number_in_empty_column(unquoted(cell), head_.columns, index_of(column)));
     }
     add_fault(
         cell,
@@ -349,6 +349,12 @@ InputOptions options_of_poses(const Format& format, Source<std::string>&, InputO
   return options;
 }
 
+/// Whether no quoted cell goes on in another line.
+bool closes_quotes(std::string_view text) {
+  return std::ranges::all_of(split(text.substr(0, text.rfind('\n')), '\n'),
+                             [](std::string_view line) { return std::ranges::count(line, '"') % 2 == 0; });
+}
+
 }  // namespace
 
 std::string joined_time(std::span<const std::string> parts) {
@@ -397,7 +403,7 @@ Records open_delimited(Source<std::string> bytes, InputOptions options) {
       DelimitedHead found = read_head(chunks, dialect, options, rest);
       constexpr std::size_t most = 1UL << 12;
       const std::string_view text = std::string_view(first).substr(0, most);
-      const auto table = text.find('"') == std::string_view::npos ? find_table_below(text) : std::nullopt;
+      const auto table = closes_quotes(text) ? find_table_below(text) : std::nullopt;
       const bool is_unlike = table && (table->follows_text || table->cells != found.columns.cells.size());
       if (is_unlike) require_keys(rest.front(), first_line + table->line, found);
       return found;

@@ -860,7 +860,7 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
                       const HeadRows& rows, const InputOptions& options, const std::vector<std::size_t>& unread) {
   ColumnOptions requested = options.columns;
   const std::vector<bool> is_requested = requested_cells(names, numeric.size(), requested);
-  if (options.keys.missing != Missing::skip_cell) numeric = with_numbers(numeric, names, rows, head, is_requested);
+  numeric = with_numbers(numeric, names, rows, head, is_requested);
   for (const std::size_t cell : unread) {
     if (!is_requested[cell]) requested.roles.push_back({Role::unused, {fmt::format("{}", cell + 1)}});
   }

@@ -364,8 +364,8 @@ class FirstKey {
   /// Whether a member is missing in the first key, and need not be a position.
   bool may_be_empty(const FoundMember& member) const {
     const bool is_null = member.node == JsonCell::missing || tape_.kind(member.node) == Kind::null;
-    return is_null && options_.keys.missing != Missing::skip_cell && !requested_.samples &&
-           role_of_name(member.name) == Role::position && !requested_.has(member.name);
+    return is_null && !requested_.samples && role_of_name(member.name) == Role::position &&
+           !requested_.has(member.name);
   }
 
   /// Members that are texts in the first key may hold numbers; those that are missing in it may hold nothing.

@@ -175,8 +175,8 @@ class KeyReader {
     const bool is_quoted = kind == Kind::string || kind == Kind::name;
     const std::string_view text = tape_.shown(value);
     if (column.is_empty && (kind == Kind::number || (is_quoted && parse_number(text)))) {
-      const std::string& name = columns_.columns.ignored[column.channel];
-      return add_value_fault(value, number_in_empty_column(text, name, name));
+      const auto cell = static_cast<std::size_t>(&column - columns_.columns.cells.data());
+      return add_value_fault(value, number_in_empty_column(text, columns_.columns, cell));
     }
     if (column.role == Role::ignored) return kind == Kind::null ? void() : keys_.set_mark(column, text);
     if (is_text(column)) return read_text(column, text, value);
