@@ -68,15 +68,17 @@ Error time_parts_not_whole(std::string_view time) {
 Error number_in_empty_column(std::string_view number, const Columns& columns, std::size_t cell) {
   const std::string& name = columns.ignored[columns.cells[cell].channel];
   const std::string column = requested_as(name, cell);
-  std::string positions = "position=";
-  for (std::size_t other = 0; other < columns.cells.size(); ++other) {
+  constexpr std::size_t most_shown = 8;
+  std::string positions;
+  for (std::size_t other = 0; columns.channels.size() <= most_shown && other < columns.cells.size(); ++other) {
     const Columns::Column& one = columns.cells[other];
     if (one.role == Role::position) positions += requested_as(columns.channels[one.channel], other) + ":";
   }
   return data_error(
       "{} is a number in column {}, which begins empty and is left out; expected none; give --columns {} to leave it "
       "out all the same, or --missing skip-cell --columns {} to take its numbers",
-      in_quotes(number), in_quotes(name), in_shell("ignore=" + column), in_shell(positions + column));
+      in_quotes(number), in_quotes(name), in_shell("ignore=" + column),
+      in_shell("position=" + (positions.empty() ? "NAME:" : positions) + column));
 }
 
 KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyUnits& units)
