@@ -92,7 +92,7 @@ bool is_text(std::string_view cell) { return !is_missing_sign(cell, {}) && !look
 bool may_describe(const std::vector<std::string>& cells) {
   const auto may_be_number = [](std::string_view cell) {
     const std::size_t colon = cell.find(": ");
-    const bool has_word = colon != std::string_view::npos && colon + 2 < cell.size() && is_letter(cell[colon + 2]);
+    const bool has_word = colon != std::string_view::npos && colon + 2 < cell.size() && !is_digit(cell[colon + 2]);
     return begins_like_number(cell) && !has_word;
   };
   return are_units(cells) || (std::ranges::none_of(cells, may_be_number) && std::ranges::any_of(cells, is_text));
