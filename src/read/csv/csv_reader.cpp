@@ -165,10 +165,8 @@ class RecordReader {
   /// A number in a column of text is a fault: that is a column of numbers with other texts in it, or without the first.
   void require_text(std::string_view cell, const Columns::Column& column) {
     if (!decimals_.number(number_text(cell)) || is_missing_sign(number_text(cell), head_.rules.signs)) return;
-    if (column.is_empty) {
-      const std::string& name = head_.columns.ignored[column.channel];
+    if (column.is_empty)
       return add_fault(cell, number_in_empty_column(unquoted(cell), head_.columns, index_of(column)));
-    }
     add_fault(
         cell,
         data_error("{}: {} is a number in a column of text; expected only numbers or only text; give the text that "
