@@ -76,10 +76,10 @@ def check_lines(shown, columns):
 
 
 def rows_for_a_while(arguments):
-    """So many rows that the program takes two seconds at least; it has written them to out.csv."""
+    """So many rows that the program takes 1.5 seconds at least; it has written them to out.csv."""
     rows, seconds = 10000, 0.0
-    while seconds < 2:
-        rows *= max(2, min(10, int(2.5 / max(seconds, 0.01))))
+    while seconds < 1.5:
+        rows *= max(2, min(10, int(2 / max(seconds, 0.01))))
         start = time.monotonic()
         subprocess.run([program, *arguments, "-n", str(rows), "-o", "out.csv", "keys.csv"], check=True)
         seconds = time.monotonic() - start
