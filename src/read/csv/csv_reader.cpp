@@ -349,6 +349,7 @@ InputOptions options_of_poses(const Format& format, Source<std::string>&, InputO
 
 /// Whether no quoted cell goes on in another line.
 bool closes_quotes(std::string_view text) {
+  if (text.find('"') == std::string_view::npos) return true;
   return std::ranges::all_of(split(text.substr(0, text.rfind('\n')), '\n'),
                              [](std::string_view line) { return std::ranges::count(line, '"') % 2 == 0; });
 }
