@@ -1,18 +1,14 @@
 // Settings in JSON: the members around keys, which are settings of the curve, channel names and an id.
 #include "read/json/keys.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <string>
 #include <string_view>
 #include <unordered_set>
 #include <utility>
 
 #include "read/json/tape.hpp"
 #include "schema/roles.hpp"
-#include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -38,7 +34,6 @@ class SettingsReader {
       member_ = tape_.text(name);
       read(name + 1);
     }
-    if (found.curve_info.id.empty() && !names_.empty()) found.curve_info.id = '"' + names_;
   }
   JsonCurveInfo found;
 
@@ -61,14 +56,10 @@ class SettingsReader {
       set({*std::ranges::find(known_members, member_), places.back().second});
   }
 
-  /// Numbers of no setting are not used, except those about the rows of an earlier output. Texts may name the curve.
+  /// Numbers of no setting are not used, except those about the rows of an earlier output.
   void read_other(std::size_t value) {
     const std::string nearest = nearest_name(member_, known_members);
     if (!nearest.empty()) throw at(name_, data_error("there is no such setting; did you mean {}?", nearest));
-    const bool is_name = is_usual_label(member_) || member_ == "path" || member_ == "propertyName";  // as of Unity
-    if (is_name && tape_.kind(value) == Kind::string) {
-      names_ += fmt::format("{}{}", names_.empty() ? "" : "/", tape_.text(value));
-    }
     const bool has_number = tape_.holds(value, Kind::number);
     if (found.shown_rate.empty() && is_frame_rate(tape_, name_)) found.shown_rate = tape_.written(value);
     if (has_number && member_ != "meta" && others_.insert(member_).second) found.unused.emplace_back(member_);
@@ -146,7 +137,6 @@ class SettingsReader {
   std::string_view member_;
   std::string text_;  ///< of the member's value
   std::unordered_set<std::string_view> settings_, others_;
-  std::string names_;  ///< texts that name the curve where it has no id, between slashes
 };
 
 }  // namespace
