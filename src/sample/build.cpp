@@ -16,6 +16,7 @@
 #include "tcb/spline/curve_keys.hpp"
 #include "tcb/spline/curve_stream.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
