@@ -93,7 +93,8 @@ Printed time_cell(const FastRow& row, const RowsOfCurve& curve, const Notation& 
 std::optional<Printed> number_cell(const Ball& number, const Notation& notation, CellKind kind, int decimals) {
   const bool is_plain = kind == CellKind::real || kind == CellKind::whole;
   if (kind == CellKind::whole || (is_plain && !notation.is_rounded())) {
-    return rounds_to_one_double(number) ? std::optional(Printed{Cell(number.middle().hi)}) : std::nullopt;
+    if (!rounds_to_one_double(number)) return std::nullopt;
+    return Printed{.cell = Cell(number.middle().hi), .is_zero = number.is_zero()};
   }
   if (is_plain && rounds_to_one_double(number)) {
     if (auto text = decimal_text(number, notation)) return Printed{Cell(number.middle().hi), *std::move(text)};

@@ -221,7 +221,7 @@ class ExactRows::Evaluation {
 
   /// A position that is 0 has the sign that it has without exact numbers, which have no -0: that of a key of -0.
   void set_signs_of_zeros(const FastRow& row) {
-    const auto is_zero = [](const RowCell& cell) { return cell.printed->cell == Cell(0.0); };
+    const auto is_zero = [](const RowCell& cell) { return cell.printed->is_zero; };
     for_each_field([&](const std::size_t& index, std::span<RowCell> cells) {
       const Field& field = fields()[index];
       const bool has_positions = field.shows_rotations || (field.of_piece && field.per_channel);

@@ -122,6 +122,7 @@ std::string Rounding::text(const Rational& value) const {
 Printed Rounding::rounded(const Rational& value) const {
   Printed printed{kind_ == CellKind::time ? nearest_time(value, decimals_) : Cell(nearest_double(value))};
   if (has_text()) printed.text = text(value);
+  printed.is_zero = value == 0;
   return printed;
 }
 

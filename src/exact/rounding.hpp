@@ -36,6 +36,7 @@ struct Value {
 struct Printed {
   Cell cell;
   std::string text = {};
+  bool is_zero = false;  ///< the number is 0, and not one that is printed as 0
 };
 
 class Rounding {
