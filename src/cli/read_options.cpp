@@ -37,10 +37,6 @@ Error value_empty() {
   return usage_error("the value is empty; expected one as in --help; add it, or remove the option");
 }
 
-Error value_missing(std::string_view option) {
-  return usage_error("{}: the value is missing; expected one after the option; see --help", option);
-}
-
 Error unknown_option(std::string_view name, std::string_view suggestion) {
   const std::string meant = suggestion.empty() ? "" : fmt::format("; did you mean {}?", suggestion);
   return usage_error("unknown option {}{} (--help lists all options)", name, meant);
@@ -60,7 +56,6 @@ void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::str
   try {
     if (values.size() > 1 && !may_repeat(row))
       throw usage_error("the option is repeated; expected it once; remove all but one");
-    if (std::ranges::count(values, "") > 0) throw value_empty();
     row.store(typed, value);
     if (color != nullptr) *color = typed.color;
   } catch (const Error& error) {
@@ -132,7 +127,7 @@ std::string meant_option(const std::string& unknown) {
                         : std::string(names[static_cast<std::size_t>(std::ranges::find(all, likely) - all.begin())]);
 }
 
-/// CLI11's error as one of ours. It finds unknown options, flags with a value, and values that are missing at the end.
+/// CLI11's error as one of ours. It finds unknown options, and flags with a value.
 [[noreturn]] void refuse(const CLI::ParseError& error, const CLI::App& app, const std::vector<std::string>& words) {
   const auto name_of = [](const std::string& word) { return word.substr(0, word.find('=')); };
   if (const auto unknown = app.remaining(); dynamic_cast<const CLI::ExtrasError*>(&error) && !unknown.empty()) {
@@ -147,7 +142,6 @@ std::string meant_option(const std::string& unknown) {
     if (name.size() < word.size() && std::ranges::any_of(option_table(), is_it))
       throw usage_error("{} takes no value; remove the value", name);
   }
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && !words.empty()) throw value_missing(name_of(words.back()));
   throw usage_error("{}; see --help", error.what());
 }
 
@@ -162,18 +156,61 @@ void require_two_dashes(const std::vector<std::string>& words) {
   }
 }
 
-/// An option whose value may be left out has it in its own word, so that it does not take the name of a file. Throws:
-/// Error (usage) for one without the value that its = announces, and for an empty value.
+/// The option that a word names, with the characters until the end of its name: --step=1, or the last of -qn3.
+struct NamedOption {
+  const OptionRow* row = nullptr;  ///< nothing: the word is no option, or an unknown one
+  std::size_t end = 0;
+};
+
+NamedOption option_in(const std::string& word) {
+  const auto row_with = [](const std::string& name) {
+    const auto has_name = [&name](const OptionRow& row) { return row.name == name || row.other_name == name; };
+    const auto found = std::ranges::find_if(option_table(), has_name);
+    return found == option_table().end() ? nullptr : &*found;
+  };
+  if (word.starts_with("--")) {
+    const std::size_t end = std::min(word.find('='), word.size());
+    return {row_with(word.substr(0, end)), end};
+  }
+  NamedOption last;
+  for (std::size_t i = 1; i < word.size() && word[0] == '-'; ++i) {
+    last = {row_with({'-', word[i]}), i + 1};
+    if (last.row == nullptr || last.row->kind != ValueKind::flag) break;
+  }
+  return last;
+}
+
+/// Whether a word after an option cannot be its value: another option, as scripts leave values out, for example in
+/// --output $NAME --step 1. CLI11 takes any word.
+bool is_option(const std::string& word) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return word.size() > 1 && word[0] == '-' && (word[1] == '-' || is_letter(word[1]));
+}
+
+/// The words, with the value in the word of each option that may do without one, so that it does not take the name of a
+/// file, and without the = in -n=3. Throws: Error (usage) for an option without value, and for an empty one.
 std::vector<std::string> with_values(std::vector<std::string> words) {
   for (auto word = words.begin(); word != words.end() && *word != "--"; ++word) {
-    for (const OptionRow& row : option_table()) {
-      if (row.kind != ValueKind::attached) continue;
-      const std::string name(row.name);
-      if (*word == name + "=") throw value_missing(name);
-      if (*word != name) continue;
-      if (word + 1 != words.end() && word[1].empty()) throw value_empty().about(name);
-      *word += fmt::format("={}", row.default_value);
-      break;
+    const auto [row, end] = option_in(*word);
+    if (row == nullptr || row->kind == ValueKind::flag) continue;
+    const auto next = word + 1;
+    if (end < word->size()) {
+      const bool has_equals = (*word)[end] == '=';
+      if (has_equals && end + 1 == word->size()) throw value_empty().about(row->name);
+      if (has_equals && !word->starts_with("--")) word->erase(end, 1);
+    } else if (next != words.end() && next->empty()) {
+      throw value_empty().about(row->name);
+    } else if (row->kind == ValueKind::attached) {
+      *word += fmt::format("={}", row->default_value);
+    } else {
+      if (next == words.end())
+        throw usage_error("{}: the value is missing; expected one after the option; see --help", row->name);
+      if (is_option(*next)) {
+        throw usage_error(
+            "{0}: the value is missing before {1}; expected one after the option; add it, or write {0}={1}", row->name,
+            *next);
+      }
+      word = next;
     }
   }
   return words;

@@ -1,5 +1,7 @@
 // Reading of options: the words of a command line, and the errors of words that are wrong.
 
+#include <fmt/format.h>
+
 #include "cli/command_line.hpp"
 #include "cli/help.hpp"
 #include "cli/options.hpp"
@@ -62,13 +64,52 @@ TEST(CommandLine, errors_of_syntax_name_the_option) {
   EXPECT_THAT(refusal({"-n", "2", ""}), StartsWith("the name of a file is empty;"));
 }
 
-TEST(CommandLine, no_option_takes_an_empty_value) {
+/// The words that begin with each name of each option with a value; the option and the rest of a word follow.
+template <class Test>
+void for_each_valued_name(Test test) {
   for (const OptionRow& row : option_table()) {
     if (row.kind == ValueKind::flag) continue;
-    const std::string name(row.name);
-    EXPECT_THAT(refusal({name, ""}), StartsWith(name + ": the value is empty;"));
-    EXPECT_THAT(refusal({name + "="}), StartsWith(name + ": the value is missing;"));
+    for (const std::string_view name : row.all_names()) test(std::string(row.name), std::string(name));
   }
+}
+
+TEST(CommandLine, no_option_takes_an_empty_value_or_the_next_word_for_it) {
+  for_each_valued_name([](const std::string& option, const std::string& name) {
+    const auto message = StartsWith(option + ": the value is empty;");
+    EXPECT_THAT(refusal({name, ""}), message);
+    EXPECT_THAT(refusal({name, "", "keys.csv"}), message);
+    EXPECT_THAT(refusal({name + "="}), message);
+    EXPECT_THAT(refusal({name + "=", "keys.csv"}), message);
+    EXPECT_THAT(refusal({"-n", "2", "keys.csv", name + "=", "1"}), message);
+    if (name.starts_with("--")) return;
+    EXPECT_THAT(refusal({"-q" + name.substr(1) + "=", "keys.csv"}), message);
+  });
+}
+
+TEST(CommandLine, no_option_takes_another_option_for_its_value) {
+  for_each_valued_name([](const std::string& option, const std::string& name) {
+    if (row_of(option).kind == ValueKind::attached) return;
+    for (const char* const next : {"--golden", "--count", "--count=3", "-n", "-n3", "-qn3", "--"}) {
+      EXPECT_THAT(refusal({name, next, "keys.csv"}),
+                  StartsWith(fmt::format("{}: the value is missing before {};", option, next)));
+    }
+    EXPECT_THAT(refusal({name}), StartsWith(option + ": the value is missing;"));
+  });
+}
+
+TEST(CommandLine, a_value_may_look_like_an_option_in_its_own_word) {
+  EXPECT_EQ(stepped({"--output=--count"}).files.outputs.file, "--count");
+  EXPECT_EQ(stepped({"-o-n"}).files.outputs.file, "-n");
+  EXPECT_EQ(stepped({"--from", "-0"}).samples.request.from, Rational(0));
+  EXPECT_EQ(stepped({"--comment", "-"}).keys.input.delimited.comment, "-");
+  EXPECT_EQ(stepped({"-o", "-"}).files.outputs.file, "-");
+}
+
+TEST(CommandLine, the_value_of_a_letter_may_follow_an_equals_sign) {
+  EXPECT_EQ(stepped({"-o=a.csv"}).files.outputs.file, "a.csv");
+  EXPECT_EQ(stepped({"-qo=a.csv"}).files.outputs.file, "a.csv");
+  EXPECT_EQ(stepped({"-d=="}).keys.input.delimited.delimiter, '=');
+  EXPECT_THAT(job_of({"-n", "2", "--", "-o="}).files.files, ElementsAre("-o="));
 }
 
 }  // namespace
