@@ -88,7 +88,7 @@ constexpr Options options_without_picture{
 /// The conflicts, in the order of the options. Where several apply, an error is about the first.
 constexpr Conflict conflicts[] = {
     {{"--null"}, needs, {"--files"}},
-    {{"--recursive", "--suffix", "--update", "--fail-fast"}, needs, {"--output-dir"}, ", an output for each file"},
+    {{"--recursive", "--suffix", "--update"}, needs, {"--output-dir"}, ", an output for each file"},
 
     {{"--check"}, excludes, {"--identify"}},
     {{"--abs", "--rel", "--ulp"}, needs, {"--check"}},

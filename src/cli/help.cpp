@@ -17,6 +17,7 @@
 #include "read/input_options.hpp"
 #include "schema/roles.hpp"
 #include "tcb/spline/rules.hpp"
+#include "text/removed.hpp"
 #include "text/utf8.hpp"
 #include "write/layout.hpp"
 
@@ -305,18 +306,22 @@ std::string curves_page() {
                 {{"@PRESETS@\n", manual_presets()}, {"@TANGENTS@\n", manual_tangents()}, {"@ENDS@\n", manual_ends()}});
 }
 
-/// An object with the version, the options in the order of the help, and the presets.
+/// An object with the version, the options in the order of the help, the names of those that are gone, and the presets.
 std::string tables_text() {
-  std::vector<std::string> options, preset_rows;
+  std::vector<std::string> options, removed_options, preset_rows;
   for (const OptionRow* const row : rows_by_group()) options.push_back(option_object(*row));
+  for (const RemovedName& row : removed_names()) {
+    if (row.value.empty()) removed_options.push_back(json_text(row.option));
+  }
   for (const auto& row : spline::presets) {
     preset_rows.push_back(fmt::format(R"({{"name":{},"tangents":{},"ends":{},"timing":{},"product":{}}})",
                                       json_text(row.name), json_text(name_of(row.tangents)),
                                       json_text(name_of(row.ends)), json_text(name_of(row.timing)),
                                       json_text(row.product)));
   }
-  return fmt::format("{{\"version\":{},\n\"options\":[\n{}],\n\"presets\":[\n{}]}}", json_text(TCBSAMPLE_VERSION),
-                     fmt::join(options, ",\n"), fmt::join(preset_rows, ",\n"));
+  return fmt::format("{{\"version\":{},\n\"options\":[\n{}],\n\"removed\":[{}],\n\"presets\":[\n{}]}}",
+                     json_text(TCBSAMPLE_VERSION), fmt::join(options, ",\n"), fmt::join(removed_options, ","),
+                     fmt::join(preset_rows, ",\n"));
 }
 
 }  // namespace

@@ -76,9 +76,6 @@ constexpr OptionRow option_rows[] = {
     {"--update", "", "", files_group,
      "Skips inputs that are not newer than their outputs",
      "", flag, unrecorded, [](Typed& to, Text) { to.files.update = true; }},
-    {"--fail-fast", "", "", files_group,
-     "Stops at the first file that fails; by default the other files are processed",
-     "", flag, unrecorded, [](Typed& to, Text) { to.fail_fast = true; }},
 
     {"--check", "", "FILE", comparison_group,
      "Compares the samples in FILE, made by any program, with the curve, and prints a report. With a sampling "

@@ -46,7 +46,6 @@ struct PlacesOption {
 /// long name.
 struct TypedOptions {
   InputListOptions files;
-  bool fail_fast = false;
   KeyOptions keys;
   SamplingRequest sampling;
   PlacesOption places;

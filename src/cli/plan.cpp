@@ -395,7 +395,7 @@ ExplainJob explain_job(const TypedOptions& typed) {
 }
 
 FilesJob files_job(const TypedOptions& typed) {
-  return {files_of(typed), typed.fail_fast, keys_of(typed), typed.threads, verbosity_of(typed)};
+  return {files_of(typed), keys_of(typed), typed.threads, verbosity_of(typed)};
 }
 
 FitJob fit_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {

@@ -8,6 +8,7 @@
 
 #include "cli/options.hpp"
 #include "cli/values.hpp"
+#include "text/removed.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -38,6 +39,7 @@ Error value_empty() {
 }
 
 Error unknown_option(std::string_view name, std::string_view suggestion) {
+  if (const auto gone = removed(suggestion, "")) return usage_error("unknown option {}; {}", name, gone->message());
   const std::string meant = suggestion.empty() ? "" : fmt::format("; did you mean {}?", suggestion);
   return usage_error("unknown option {}{} (--help lists all options)", name, meant);
 }
@@ -59,7 +61,7 @@ void store(const OptionRow& row, TypedOptions& typed, const std::vector<std::str
     row.store(typed, value);
     if (color != nullptr) *color = typed.color;
   } catch (const Error& error) {
-    throw error.about(row.name);
+    throw removed(row.name, value).value_or(error.about(row.name));
   }
 }
 
@@ -109,7 +111,8 @@ std::string option_with_value(std::string_view name) {
   return found;
 }
 
-/// The option that an unknown one probably means, or "": one with a value of this name, or one with a similar name.
+/// The option that an unknown one probably means, or "": one with a value of this name, or one with a similar name,
+/// which may be gone.
 std::string meant_option(const std::string& unknown) {
   const std::string wanted = compared(unknown);
   if (unknown.starts_with("--")) {
@@ -119,6 +122,9 @@ std::string meant_option(const std::string& unknown) {
   std::vector<std::string_view> names;
   for (const OptionRow& row : option_table()) {
     for (const std::string_view name : row.all_names()) names.push_back(name);
+  }
+  for (const RemovedName& row : removed_names()) {
+    if (row.value.empty()) names.push_back(row.option);
   }
   std::vector<std::string> all;
   std::ranges::transform(names, std::back_inserter(all), compared);
@@ -153,6 +159,16 @@ void require_two_dashes(const std::vector<std::string>& words) {
     const std::string name = word.substr(0, word.find('=')), meant = "-" + name;
     const auto is_meant = [&meant](const OptionRow& row) { return row.name == meant || row.other_name == meant; };
     if (std::ranges::any_of(option_table(), is_meant)) throw unknown_option(name, meant);
+  }
+}
+
+/// Throws: Error (usage) for an option that is gone, also after a single dash.
+void require_not_removed(const std::vector<std::string>& words) {
+  for (auto word = words.begin(); word != words.end() && *word != "--"; ++word) {
+    const std::size_t end = std::min(word->find('='), word->size());
+    const std::string name = (word->starts_with("--") ? "" : "-") + word->substr(0, end);
+    const std::string next = word + 1 == words.end() ? "" : word[1];
+    if (const auto gone = removed(name, end == word->size() ? next : word->substr(end + 1))) throw *gone;
   }
 }
 
@@ -222,6 +238,7 @@ TypedOptions read_options(const std::vector<std::string>& given, ColorWhen* colo
   const std::vector<std::string> words = with_values(given);
   TypedOptions typed;
   CLI::App app;
+  require_not_removed(words);
   require_two_dashes(words);
   declare(app, typed, words, color);
   try {

@@ -94,6 +94,9 @@ OPTIONS = {{
 {options}
 }}
 
+# Those of earlier versions.
+REMOVED = {removed!r}
+
 PRESETS = {{
 {presets}
 }}
@@ -163,7 +166,8 @@ def options_module(tables):
     presets = [f"    {row['name']!r}: {tuple(row[name] for name in rules)!r}," for row in tables["presets"]]
     fields["plot"] += [f"    {name}: Value" for name in ("check", "identify", "fit")]
     parts = {**fields, "docs": docs, "options": options, "presets": presets}
-    return OPTIONS.format(version=tables["version"], **{name: "\n".join(lines) for name, lines in parts.items()})
+    removed = [python_name(name) for name in tables["removed"]]
+    return OPTIONS.format(version=tables["version"], removed=removed, **{name: "\n".join(lines) for name, lines in parts.items()})
 
 
 def make_module(folder, tables):

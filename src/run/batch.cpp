@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <new>
 #include <optional>
 #include <set>
@@ -36,12 +35,11 @@ constexpr std::uintmax_t large_file = 4UL * 1024 * 1024;
 struct FileOutcome {
   std::uint64_t rows = 0;
   std::optional<Error> error = {};
-  bool begun = true;
 };
 
 FileOutcome outcome_of(const InputFile& file, unsigned threads, const Convert& convert) {
   try {
-    return {convert(file, threads), {}};
+    return {convert(file, threads)};
   } catch (const std::exception& failure) {
     return {0, failure_of(failure).in(file.path)};
   }
@@ -49,33 +47,21 @@ FileOutcome outcome_of(const InputFile& file, unsigned threads, const Convert& c
 
 }  // namespace
 
-Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Report& report, const Convert& convert) {
+Summary convert_all(const Inputs& inputs, unsigned threads, Report& report, const Convert& convert) {
   Summary summary;
   summary.ignored = inputs.others;
-  // The first file that must not be started. It is never before the first file that failed, so that all files before
-  // that one are processed, whichever thread is first.
-  std::atomic<const InputFile*> stop = inputs.files.data() + inputs.files.size();
   const auto next_file = [&, next = inputs.files.begin()]() mutable -> std::optional<const InputFile*> {
     for (; next != inputs.files.end() && next->is_current; ++next) {
       ++summary.skipped;
       report.skip_file(next->size);
     }
-    const InputFile* const file = inputs.files.data() + (next - inputs.files.begin());
-    if (file >= stop) return std::nullopt;
-    ++next;
-    return file;
+    return next == inputs.files.end() ? std::nullopt : std::optional(&*next++);
   };
   const auto work = [&](const InputFile* file) {
-    if (file >= stop) return FileOutcome{.begun = false};
-    FileOutcome outcome = outcome_of(*file, file->size >= large_file ? threads : 1, convert);
-    if (!outcome.error || !fail_fast) return outcome;
-    for (const InputFile* first = stop; file < first && !stop.compare_exchange_weak(first, file);) {
-    }
-    return outcome;
+    return outcome_of(*file, file->size >= large_file ? threads : 1, convert);
   };
   const Source<FileOutcome> outcomes = ordered_map(Source<const InputFile*>(next_file), work, threads);
   while (const std::optional<FileOutcome> outcome = outcomes()) {
-    if (!outcome->begun) continue;
     summary.rows += outcome->rows;
     ++(outcome->error ? summary.failed : summary.done);
     if (outcome->error) report.error(*outcome->error);
@@ -118,7 +104,7 @@ Exit convert_each(const Inputs& inputs, const FilesJob& job, Report& report, con
     in_file(shown_name(first.path), [&] { convert(first, threads); });
     return Exit::done;
   }
-  const Summary summary = convert_all(inputs, job.fail_fast, threads, report, convert);
+  const Summary summary = convert_all(inputs, threads, report, convert);
   report.summary(summary);
   return summary.failed == 0 ? Exit::done : Exit::data;
 }

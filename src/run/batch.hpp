@@ -42,8 +42,8 @@ Exit convert_files(const FilesJob& job, Report& report, const OpenOutput& open);
 /// Throws: Error, in which case there is no new output. Threads: any number at once.
 using Convert = std::function<std::uint64_t(const InputFile& file, unsigned threads)>;
 
-/// Converts all files but those whose outputs are current. A file that fails is reported, and the others continue;
-/// `fail_fast`: no other one is begun. Errors are in the order of the files.
-Summary convert_all(const Inputs& inputs, bool fail_fast, unsigned threads, Report& report, const Convert& convert);
+/// Converts all files but those whose outputs are current. A file that fails is reported, in the order of the files,
+/// and the others continue.
+Summary convert_all(const Inputs& inputs, unsigned threads, Report& report, const Convert& convert);
 
 }  // namespace tcb

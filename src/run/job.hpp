@@ -69,7 +69,6 @@ struct Verbosity {
 /// What jobs have in common that make an output of each file of keys, or one of all.
 struct FilesJob {
   InputListOptions files;
-  bool fail_fast = false;  ///< stop at the first file that fails
   KeyOptions keys;
   ThreadOptions threads;
   Verbosity verbosity;

@@ -114,7 +114,6 @@ TEST(Conflicts, an_option_that_needs_another_is_refused_alone) {
        std::vector<std::pair<std::string, std::string>>{{"--recursive", "--output-dir"},
                                                         {"--suffix=a", "--output-dir"},
                                                         {"--update", "--output-dir"},
-                                                        {"--fail-fast", "--output-dir"},
                                                         {"--null", "--files"},
                                                         {"--abs=1", "--check"},
                                                         {"--rel=1", "--check"},

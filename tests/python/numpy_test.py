@@ -340,6 +340,9 @@ class OptionsTest(unittest.TestCase):
             tcbsample.resample(KEYS, count=3, tensoin=1)
         with self.assertRaisesRegex(TypeError, "did you mean preset"):
             tcbsample.resample(KEYS, count=3, presett="vtk")
+        for name in ("fail_fast", "failfast"):  # of an earlier version
+            with self.assertRaisesRegex(tcbsample.Error, "fail_fast is gone in this version; the exit code"):
+                tcbsample.resample(KEYS, count=3, **{name: True})
         with self.assertRaisesRegex(TypeError, "output: .*returned"):
             tcbsample.resample(KEYS, count=3, output="a.csv")
         with self.assertRaisesRegex(TypeError, "closed: 7; expected True or False"):

@@ -1,4 +1,4 @@
-// Batches: files that fail, files that are current, the first failure as the end, threads for large files.
+// Batches: files that fail, files that are current, threads for large files.
 #include "run/batch.hpp"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(Batch, a_file_that_fails_does_not_stop_the_others) {
   for (const unsigned threads : {1U, 2U, 5U}) {
     const Inputs inputs = numbered_files(10);
     const auto [errors, summary] =
-        run([&](tcb::Report& report) { return convert_all(inputs, false, threads, report, fail_at_threes); });
+        run([&](tcb::Report& report) { return convert_all(inputs, threads, report, fail_at_threes); });
     EXPECT_EQ(summary.done, 6);
     EXPECT_EQ(summary.failed, 4);
     EXPECT_EQ(summary.rows, 1 + 2 + 4 + 5 + 7 + 8);
@@ -64,21 +64,9 @@ TEST(Batch, texts_of_libraries_reach_nobody) {
             "the program failed by a fault of its own, and wrote no output; report the command and its input");
   const auto fail = [](const InputFile&, unsigned) -> std::uint64_t { throw std::runtime_error("of a library"); };
   const auto [errors, summary] =
-      run([&](tcb::Report& report) { return convert_all(numbered_files(1), false, 1, report, fail); });
+      run([&](tcb::Report& report) { return convert_all(numbered_files(1), 1, report, fail); });
   EXPECT_EQ(errors.find("of a library"), std::string::npos) << errors;
   EXPECT_EQ(summary.failed, 1);
-}
-
-TEST(Batch, with_fail_fast_the_first_failure_ends_the_batch) {
-  Inputs inputs = numbered_files(1000);
-  inputs.files.erase(inputs.files.begin());
-  for (const unsigned threads : {1U, 4U}) {
-    const auto [errors, summary] =
-        run([&](tcb::Report& report) { return convert_all(inputs, true, threads, report, fail_at_threes); });
-    EXPECT_EQ(errors.substr(0, errors.find('\n')), "3: error: it is a three");
-    EXPECT_GE(summary.done, 2);
-    EXPECT_LT(summary.done + summary.failed, 3 + 2 * threads);
-  }
 }
 
 TEST(Batch, current_files_are_skipped) {
@@ -86,7 +74,7 @@ TEST(Batch, current_files_are_skipped) {
   for (const std::size_t i : {0UL, 3UL, 5UL}) inputs.files[i].is_current = true;
   inputs.others = 7;
   const auto [errors, summary] =
-      run([&](tcb::Report& report) { return convert_all(inputs, false, 3, report, fail_at_threes); });
+      run([&](tcb::Report& report) { return convert_all(inputs, 3, report, fail_at_threes); });
   EXPECT_EQ(errors, "");
   EXPECT_EQ(summary.done, 3);
   EXPECT_EQ(summary.skipped, 3);
@@ -97,7 +85,7 @@ TEST(Batch, a_large_file_gets_all_threads_and_small_ones_one) {
   Inputs inputs = numbered_files(2);
   inputs.files[1].size = std::uintmax_t{1} << 30;
   const auto [errors, summary] = run([&](tcb::Report& report) {
-    return convert_all(inputs, false, 3, report, [](const InputFile& file, unsigned threads) {
+    return convert_all(inputs, 3, report, [](const InputFile& file, unsigned threads) {
       EXPECT_EQ(threads, file.path == "1" ? 3 : 1);
       return 0;
     });

@@ -21,7 +21,6 @@ COMMAND_ONLY = {
     "recursive": _ONE_INPUT,
     "suffix": _ONE_INPUT,
     "update": _ONE_INPUT,
-    "fail_fast": _ONE_INPUT,
     "progress": _NO_TERMINAL,
     "no_progress": _NO_TERMINAL,
     "color": _NO_TERMINAL,

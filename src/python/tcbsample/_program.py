@@ -22,7 +22,7 @@ from typing import IO, Any, NamedTuple, Optional
 import numpy as np
 
 from ._command_only import COMMAND_ONLY, PRODUCTS
-from ._options import OPTIONS
+from ._options import OPTIONS, REMOVED
 from ._tables import Table, date_text, encode, is_table, table, text
 
 
@@ -102,11 +102,14 @@ _OPTION = re.compile(r"""
 
 
 def _option_in_python(match: re.Match[str]) -> str:
-    option = OPTIONS.get((match["name"] or "").replace("-", "_"))
+    keyword = (match["name"] or "").replace("-", "_")
+    value, rest = match["value"] or "", match["rest"] or ""
+    if keyword in REMOVED:
+        return keyword + rest
+    option = OPTIONS.get(keyword)
     if option is None:
         return match[0]
     name = option.keyword
-    value, rest = match["value"] or "", match["rest"] or ""
     if name in PRODUCTS:
         return PRODUCTS[name] + rest
     if name in COMMAND_ONLY:
@@ -223,8 +226,13 @@ class Run:
     def _add(self, name: str, value: Any, allowed: Collection[str]) -> None:
         known = name.rstrip("_")
         if known not in OPTIONS:
-            near = "".join(f"; did you mean {other}?" for other in difflib.get_close_matches(known, OPTIONS, 1))
-            raise TypeError(f"unknown option {name!r}{near}; help(tcbsample.Options) lists all")
+            near = difflib.get_close_matches(known, [*OPTIONS, *REMOVED], 1)
+            if near and near[0] in REMOVED:  # the program tells what to do instead
+                option = "--" + known.replace("_", "-")
+                self.words.append(option if value is None or isinstance(value, bool) else f"{option}={text(value)}")
+                return
+            meant = "".join(f"; did you mean {other}?" for other in near)
+            raise TypeError(f"unknown option {name!r}{meant}; help(tcbsample.Options) lists all")
         if known in COMMAND_ONLY and known not in allowed:
             raise TypeError(f"{name}: not an option of this function; {COMMAND_ONLY[known]}")
         if isinstance(value, np.bool_):
