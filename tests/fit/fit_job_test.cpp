@@ -4,12 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
 #include "formats/formats.hpp"
+#include "temporary_folder.hpp"
 
 namespace tcb {
 namespace {
@@ -26,11 +26,6 @@ class FitPicture : public testing::Test {
     job_.options.tolerances = {{"", 0.1}};
     job_.verbosity.quiet = true;
   }
-  ~FitPicture() override {
-    std::filesystem::remove(path_);
-    std::filesystem::remove(picture_);
-  }
-
   std::string drawn() const {
     EXPECT_EQ(fit(job_), Exit::done);
     std::ostringstream text;
@@ -38,7 +33,8 @@ class FitPicture : public testing::Test {
     return text.str();
   }
 
-  std::string path_ = testing::TempDir() + "fit_picture.csv", picture_ = testing::TempDir() + "fit_picture.svg";
+  TemporaryFolder folder_;
+  std::string path_ = folder_.path("fit_picture.csv"), picture_ = folder_.path("fit_picture.svg");
   FitJob job_;
 };
 

@@ -72,8 +72,8 @@ TEST_F(FileTest, an_output_without_a_temporary_file_for_its_beginning_leaves_not
 TEST_F(FileTest, an_output_that_cannot_be_written_is_refused_at_once) {
   EXPECT_EQ(error_of([&] { Output output(path("none/out")); }),
             "usage: " + path("none/out") + ": error: cannot be written: No such file or directory");
-  EXPECT_EQ(error_of([&] { Output output(folder_.string()); }),
-            "usage: " + folder_.string() + ": error: cannot be written: Is a directory");
+  EXPECT_EQ(error_of([&] { Output output(folder_.path().string()); }),
+            "usage: " + folder_.path().string() + ": error: cannot be written: Is a directory");
 }
 
 TEST_F(FileTest, standard_output_gets_each_text_at_once_only_when_it_is_live) {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,6 +12,7 @@
 
 #include "error.hpp"
 #include "io/terminal.hpp"
+#include "temporary_folder.hpp"
 
 namespace tcb {
 
@@ -30,20 +30,14 @@ std::string error_of(F f) {
 
 class FileTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "tcbsample_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
   void TearDown() override {
     for (const int number : {0, 1}) {
       if (saved_[number] >= 0) ::dup2(saved_[number], number);
       if (saved_[number] >= 0) ::close(saved_[number]);
     }
-    fs::remove_all(folder_);
   }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
   std::string made(const std::string& name, const std::string& text) const {
     std::ofstream(path(name), std::ios::binary) << text;
     return path(name);
@@ -53,7 +47,7 @@ class FileTest : public testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
   std::size_t entries() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator()));
   }
 
   /// Puts a descriptor in the place of standard input (0) or output (1).
@@ -70,7 +64,7 @@ class FileTest : public testing::Test {
     return ends[1];
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
   int saved_[2] = {-1, -1};
 };
 

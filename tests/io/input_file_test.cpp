@@ -49,8 +49,8 @@ TEST_F(FileTest, what_cannot_be_read_is_refused) {
   EXPECT_EQ(error_of([&] { read_file(path("none")); }),
             "usage: " + path("none") + ": error: cannot be opened: No such file or directory");
   EXPECT_EQ(
-      error_of([&] { read_file(folder_.string())(); }),
-      "usage: " + folder_.string() +
+      error_of([&] { read_file(folder_.path().string())(); }),
+      "usage: " + folder_.path().string() +
           ": error: this is a folder; expected a file; give --recursive and --output-dir to process the files in it");
 }
 

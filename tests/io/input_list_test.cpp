@@ -2,7 +2,6 @@
 #include "io/input_list.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,6 +9,7 @@
 #include "error.hpp"
 #include "io/system.hpp"
 #include "io/terminal.hpp"
+#include "temporary_folder.hpp"
 
 namespace {
 
@@ -20,16 +20,8 @@ using tcb::output_path;
 
 class Inputs : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "tcbsample_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    fs::current_path(folder_);
-  }
-  void TearDown() override {
-    fs::current_path("/");
-    fs::remove_all(folder_);
-  }
+  void SetUp() override { fs::current_path(folder_.path()); }
+  void TearDown() override { fs::current_path("/"); }
 
   static void touch(const std::string& path) {
     fs::create_directories(fs::path("./" + path).parent_path());
@@ -54,7 +46,7 @@ class Inputs : public testing::Test {
   }
 
  private:
-  fs::path folder_;
+  tcb::TemporaryFolder folder_;
 };
 
 TEST_F(Inputs, a_folder_is_mirrored) {

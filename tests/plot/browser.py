@@ -5,6 +5,7 @@ according to the numbers on the axes, and the contrast in light and dark. A real
 77 where there is no Chromium.
 """
 import csv
+import fractions
 import html
 import json
 import math
@@ -95,6 +96,9 @@ def check_texts(name, picture):
 
 def base_of(title):
     """What the title of an axis adds to its numbers."""
+    after = re.search(r" seconds after (\d+)$", title)
+    if after:
+        return int(after[1])
     found = re.search(r" ([−+]) ([\d.]+)$", title)
     return 0 if not found else int(found[2]) if found[1] == "−" else -float(found[2])
 
@@ -147,7 +151,8 @@ def keys_of(path):
         return [key["time"] for key in data["keys"]], channels
     if path.suffix == ".jsonl":
         rows = [json.loads(line) for line in text.splitlines()]
-        return [row["timestamp"] for row in rows], {name: [row[name] for row in rows] for name in ("pan", "tilt", "zoom")}
+        seconds = [fractions.Fraction(row["timestamp"], 10**9) for row in rows]
+        return seconds, {name: [row[name] for row in rows] for name in ("pan", "tilt", "zoom")}
     if path.suffix == ".txt":
         rows = [line.lstrip("# ").split() for line in text.splitlines()]
     else:
@@ -205,7 +210,7 @@ def main():
             check_texts(name, picture)
             times, channels = keys_of(file)
             if "--closed" not in shape and len(times) < 100:  # of more keys there are no dots
-                check_dots(name, picture, times, channels, len(channels) > 1)
+                check_dots(name, picture, times, channels, path={"x", "y"} <= set(channels))
     print(f"{len(cases)} pictures in light and dark, {len(failures)} failures")
     for failure in failures[:40]:
         print(failure)

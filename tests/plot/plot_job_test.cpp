@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -12,6 +11,7 @@
 
 #include "error.hpp"
 #include "tcb/spline/rules.hpp"
+#include "temporary_folder.hpp"
 
 namespace tcb {
 namespace {
@@ -22,18 +22,16 @@ using testing::Not;
 
 /// The picture of files named a.csv, b.csv, ….
 std::string drawn(PlotJob job, const std::vector<std::string>& texts) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / fmt::format("plot_job.{}", getpid());
-  std::filesystem::create_directories(folder);
+  const TemporaryFolder folder;
   char name = 'a';
   for (const std::string& text : texts) {
-    job.files.files.push_back((folder / (std::string(1, name++) + ".csv")).string());
+    job.files.files.push_back(folder.path(std::string(1, name++) + ".csv"));
     std::ofstream(job.files.files.back()) << text;
   }
-  job.files.outputs.file = (folder / "picture.svg").string();
+  job.files.outputs.file = folder.path("picture.svg");
   job.verbosity.quiet = true;
   std::ostringstream bytes;
   if (plot(job) == Exit::done) bytes << std::ifstream(job.files.outputs.file).rdbuf();
-  std::filesystem::remove_all(folder);
   return bytes.str();
 }
 
