@@ -16,11 +16,11 @@ draw() { # NAME OPTION... FILE
 
 # The samples.
 draw camera --step 0.25 camera.csv
-draw pictures/arm --segments 50 arm.tsv
+draw pictures/arm --count 51 arm.tsv
 draw pictures/ball --step 0.06 ball.csv
 draw pictures/loop --arc-step 5 loop.txt
 draw pictures/animation --step 1 --axes hip_z:hip_y animation.json
-draw pictures/events --segments 50 events.jsonl
+draw pictures/events --count 51 events.jsonl
 draw pictures/poses --step 0.25 poses.csv
 draw pictures/drive --angle heading=degrees --fit 0.1,heading=1 --title "14 keys for a drive" drive.csv
 
@@ -37,7 +37,7 @@ family() { # NAME TITLE
       printf "%g,0,0,0,0,0,0\n%g,1,1,1.5,0,0,0\n%g,2,2.5,2,%g,%g,%g\n%g,3,4,0.5,0,0,0\n%g,4,5,0,0,0,0\n", \
              v, v, v, t, c, b, v, v
     }
-  }' | draw "pictures/$1" -g value --columns time=time,position=x:y --segments 32 --title "$2"
+  }' | draw "pictures/$1" -g value --columns time=time,position=x:y --count 33 --title "$2"
 }
 family tension "Tension of the third key: -1 to 1"
 family continuity "Continuity of the third key: -1 to 1"
@@ -52,7 +52,7 @@ rules() { # NAME SETTING TITLE RULE...
     printf '{"time":0,"x":0,"y":0},{"time":1,"x":1,"y":2},{"time":1.5,"x":3,"y":2.5},'
     printf '{"time":4,"x":4,"y":0},{"time":4.5,"x":6,"y":1}]}\n'
   done | awk 'BEGIN { print "{\"curves\":[" } { print (NR > 1 ? "," : "") $0 } END { print "]}" }' |
-    draw "pictures/$name" --segments 90 --title "$title" --size 1022x560
+    draw "pictures/$name" --count 91 --title "$title" --size 1022x560
 }
 rules presets preset "Each preset through the same uneven keys" \
   $(tcbsample --list-presets | awk 'NR > 1 && NF == 0 { exit } NR > 1 && !/^ / { print $1 }')

@@ -1,4 +1,4 @@
-# Completions at a terminal: bash, zsh and fish complete options, values, files and columns. 77: no shell is installed.
+# Completions at a terminal: bash, zsh and fish complete options, values and files. 77: no shell is installed.
 import os
 import pty
 import re
@@ -74,14 +74,9 @@ cases = [
     ("--fields vel", "--fields|velocity"),
     ("--fields time,curv", "--fields|time,curvature"),
     ("--fields=time,curv", "--fields=time,curvature"),
-    ("keys.csv --metric alt", "keys.csv|--metric|altitude"),
-    ("-n 5 keys.csv --metric alt,speed", "-n|5|keys.csv|--metric|alt,speed_kmh"),
     ("keys.csv --columns tens", "keys.csv|--columns|tension="),
-    ("keys.csv --columns time=see", "keys.csv|--columns|time=seen"),
-    ("keys.csv --columns time=seen,carry=pla", "keys.csv|--columns|time=seen,carry=place\\ name"),
-    ("keys.csv --axes alt", "keys.csv|--axes|altitude"),
-    ("keys.csv --axes altitude:speed", "keys.csv|--axes|altitude:speed_kmh"),
-    ("keys.json --metric hei", "keys.json|--metric|height"),
+    ("keys.csv --columns time=seen,carr", "keys.csv|--columns|time=seen,carry="),
+    ("keys.csv --columns time=see", "keys.csv|--columns|time=see"),
     ("--at @tim", "--at|@times.txt"),
     ("--at=@tim", "--at=@times.txt"),
     ("--output-dir fol", "--output-dir|folder/"),
@@ -98,7 +93,7 @@ def words_of(printed):
 def check_at_terminal(name, command, start, environment):
     shell = Shell(command, start, environment)
     for typed, expected in cases:
-        check(name, typed, expected.replace("\\ ", " "), words_of(shell.completed("tcbsample " + typed)))
+        check(name, typed, expected, words_of(shell.completed("tcbsample " + typed)))
     shell.close()
 
 
@@ -107,16 +102,12 @@ def check_fish(fish, script, environment):
         line = "source %s; complete -C 'tcbsample %s'" % (script, typed)
         printed = subprocess.run([fish, "-c", line], env=environment, capture_output=True, text=True, check=False).stdout
         found = [offer.split("\t")[0] for offer in printed.splitlines()]
-        last = expected.replace("\\ ", " ").split("|")[-1]
-        check("fish", typed, [last], found)
+        last = expected.split("|")[-1]
+        check("fish", typed, [] if typed.endswith(last) else [last], found)
 
 
 def prepare():
     """Files to complete, and the scripts of the program."""
-    with open("keys.csv", "w", encoding="ascii") as file:
-        file.write("seen,altitude,speed_kmh,place name\n0,1,2,a\n1,2,3,b\n")
-    with open("keys.json", "w", encoding="ascii") as file:
-        file.write('[{"time":0,"height":1},{"time":1,"height":2}]')
     with open("times.txt", "w", encoding="ascii") as file:
         file.write("0\n")
     os.mkdir("folder")

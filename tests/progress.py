@@ -125,6 +125,9 @@ def main():
     require(screen(shown) == "", "the progress is not erased by Ctrl-C", shown)
     require(sorted(os.listdir(".")) == ["keys.csv", "out.csv"], "files are left: " + " ".join(os.listdir(".")), shown)
 
+    shown, code = run([*golden, "--quiet", "-o", "out.csv", "keys.csv"], 80)
+    require(code == 0 and shown == "", "not quiet", shown)
+
     os.mkdir("keys")
     for name in ("a.csv", "b.csv", "c.csv"):
         os.link("keys.csv", "keys/" + name)

@@ -171,7 +171,6 @@ def random_mode(rng):
             lambda: ["--step", rng.choice(["0.1", "1/24", "0.37", "1001/30000", "2"])],
             lambda: ["--fps", rng.choice(["24", "30000/1001", "3"])],
             lambda: ["--count", str(rng.choice([1, 2, 7, 100]))],
-            lambda: ["--segments", str(rng.choice([1, 3, 50]))],
             lambda: ["--per-segment", str(rng.choice([1, 2, 5]))],
             lambda: ["--at", ",".join(f"{rng.uniform(0, 4):.3f}" for _ in range(rng.randint(1, 5)))],
             lambda: ["--arc-step", rng.choice(["0.5", "3", "1/7"])],

@@ -77,13 +77,13 @@ constexpr std::string_view picture_reason = ", which draws the curve and has no 
 constexpr Options range_options{"--from", "--to", "--end", "--keys", "--max-rows"};
 constexpr Options place_options{"--from", "--to", "--end", "--keys"};
 constexpr Options options_of_rows{
-    "--output-dir",     "--files",      "--meta",        "--explain",    "--progress",         "--digits",
-    "--fixed",          "--golden",     "--exact-input", "--hex",        "--no-output-header", "--output-delimiter",
-    "--output-decimal", "--like-input", "--file-column", "--time-format"};
+    "--output-dir",  "--files",       "--meta", "--explain",          "--digits",           "--fixed",
+    "--golden",      "--exact-input", "--hex",  "--no-output-header", "--output-delimiter", "--output-decimal",
+    "--file-column", "--time-format"};
 constexpr Options options_without_picture{
-    "--rotation-output", "--emit",        "--fields",   "--side", "--digits",           "--fixed",
-    "--golden",          "--exact-input", "--meta",     "--hex",  "--no-output-header", "--output-delimiter",
-    "--output-decimal",  "--like-input",  "--time-zero"};
+    "--rotation-output", "--emit",        "--fields", "--side", "--digits",           "--fixed",
+    "--golden",          "--exact-input", "--meta",   "--hex",  "--no-output-header", "--output-delimiter",
+    "--output-decimal",  "--time-zero"};
 
 /// The conflicts, in the order of the options. Where several apply, an error is about the first.
 constexpr Conflict conflicts[] = {
@@ -130,7 +130,7 @@ constexpr Conflict conflicts[] = {
 
     {{"--input-format"},
      disables,
-     {"--delimiter", "--header", "--no-header", "--comment", "--skip-lines", "--units", "--decimal", "--thousands"},
+     {"--delimiter", "--header", "--no-header", "--comment", "--skip-lines", "--decimal", "--thousands"},
      "",
      [](const Typed& typed) { return !typed.keys.input.format->has_marks; }},
     {{"--delimiter"},
@@ -160,7 +160,7 @@ constexpr Conflict conflicts[] = {
 
     {{"--count"}, excludes, {"--arc-step"}, "; --arc-count takes N samples by arc length"},
     {sampling_options, excludes, sampling_options},
-    {{"--count", "--segments", "--arc-count"}, disables, {"--end"}},
+    {{"--count", "--arc-count"}, disables, {"--end"}},
     {{"--per-segment", "--at", "--arc-at"}, disables, place_options},
     {{"--tolerance"}, disables, {"--from", "--to", "--end"}},
     {{"--emit"}, disables, {"--end", "--keys"}},
@@ -200,13 +200,13 @@ constexpr Conflict conflicts[] = {
     {{"--output-format"},
      disables,
      {"--fields", "--emit", "--fit", "--rotation-output", "--time-format", "--file-column", "--output-delimiter",
-      "--output-decimal", "--like-input"},
+      "--output-decimal"},
      ", whose rows are poses",
      writes_poses},
     {{"--output-format"},
      disables,
      {"--fields", "--fit", "--rotation-output", "--digits", "--fixed", "--time-format", "--file-column",
-      "--output-delimiter", "--output-decimal", "--like-input"},
+      "--output-delimiter", "--output-decimal"},
      ", which is an animation",
      writes_scene},
     {{"--output-format"},
@@ -217,7 +217,7 @@ constexpr Conflict conflicts[] = {
     {{"--output-format"},
      disables,
      {"--fields", "--fit", "--rotation-output", "--hex", "--time-format", "--file-column", "--output-delimiter",
-      "--output-decimal", "--like-input"},
+      "--output-decimal"},
      ", whose rows are polynomials",
      writes_pieces},
     {{"--output-format"},
@@ -263,9 +263,8 @@ constexpr Conflict conflicts[] = {
      [](const Typed& typed) { return any_field(typed, [](const Field& field) { return !field.is_exact; }); }},
     {{"--exact-input"}, needs, {"--golden"}},
     {{"--output-delimiter"}, has_no_effect, {}, " on a format other than csv", writes_no_csv},
-    {{"--output-delimiter"}, excludes, {"--like-input"}},
     {{"--output-decimal"}, has_no_effect, {}, " on a format that is not delimited text", writes_no_text},
-    {{"--output-decimal"}, excludes, {"--like-input", "--hex"}},
+    {{"--output-decimal"}, excludes, {"--hex"}},
     {{"--output-decimal"},
      needs,
      {"--output-delimiter"},
@@ -279,8 +278,6 @@ constexpr Conflict conflicts[] = {
      {"--output-delimiter"},
      ", as the comma cannot be both",
      [](const Typed& typed) { return typed.output.decimal == ',' && typed.output.delimiter == ','; }},
-    {{"--like-input"}, has_no_effect, {}, " on a format other than csv", writes_no_csv},
-    {{"--like-input"}, excludes, {"--hex"}},
     {{"--time-format"},
      needs,
      {"--input-fps"},
@@ -289,7 +286,6 @@ constexpr Conflict conflicts[] = {
     {{"--axes", "--title", "--size"}, has_no_effect, {}, " on an output that is not a picture", writes_no_picture},
 
     {{"--explain"}, disables, {"--meta"}, ", which prints no rows"},
-    {{"--progress"}, excludes, {"--no-progress", "--quiet"}},
 };
 
 /// A name, with the value if the conflict depends on values.

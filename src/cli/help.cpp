@@ -11,10 +11,6 @@
 #include <utility>
 
 #include "cli/options.hpp"
-#include "formats/formats.hpp"
-#include "io/input_file.hpp"
-#include "read/input.hpp"
-#include "read/input_options.hpp"
 #include "schema/roles.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/removed.hpp"
@@ -78,30 +74,14 @@ constexpr KindRow kind_rows[] = {
     {ValueKind::file, "file", ":", ":@VALUE@:_files", " -r -F"},
     {ValueKind::folder, "folder", "compopt +o default -o dirnames", ":@VALUE@:_files -/",
      " -x -a '(__fish_complete_directories)'"},
-    {ValueKind::columns, "columns", "compopt +o default -o nospace; _tcbsample_columns ,",
-     ":@VALUE@:_sequence _tcbsample_columns columns", " -x -a '(__tcbsample_list , (__tcbsample_columns columns))'"},
-    {ValueKind::column_pair, "column_pair", "compopt +o default -o nospace; _tcbsample_columns : positions",
-     ":@VALUE@:_tcbsample_pair", " -x -a '(__tcbsample_list : (__tcbsample_columns positions))'"},
     {ValueKind::roles, "roles",
-     "compopt +o default -o nospace; if [[ ${word##*,} == position=* ]]; then _tcbsample_columns ,=: positions; elif "
-     "[[ ${word##*,} == *=* ]]; then _tcbsample_columns ,=:; else _tcbsample_offer , = @ROLES@; fi",
+     "compopt +o default -o nospace; [[ ${word##*,} == *=* ]] || _tcbsample_offer , = @ROLES@",
      ":@VALUE@:_tcbsample_roles", " -x -a '(__tcbsample_roles)'"},
     {ValueKind::places, "places", "compopt +o default -o nospace; if [[ $word == @* ]]; then _tcbsample_files; fi",
      ":@VALUE@:_tcbsample_places", " -x -a '(__tcbsample_places)'"},
     {ValueKind::attached, "attached", "", "::@VALUE@: ", ""},
     {ValueKind::other, "other", "compopt +o default", ":@VALUE@: ", " -x"},
 };
-
-/// The options whose next word is a value.
-std::string valued_options(std::string_view separator) {
-  std::vector<std::string_view> names;
-  for (const OptionRow& row : option_table()) {
-    if (row.kind == ValueKind::flag || row.kind == ValueKind::attached) continue;
-    const auto own = row.all_names();
-    names.insert(names.end(), own.begin(), own.end());
-  }
-  return fmt::format("{}", fmt::join(names, separator));
-}
 
 std::string role_list() {
   std::vector<std::string_view> names;
@@ -152,9 +132,7 @@ std::string bash_completion() {
     const std::string command = action(row, &KindRow::bash);
     if (!command.empty()) values += fmt::format("    {}) {};;\n", fmt::join(own, "|"), command);
   }
-  return filled(bash_template, {{"@VALUED@", valued_options("|")},
-                                {"@VALUES@", values},
-                                {"@OPTIONS@", fmt::format("{}", fmt::join(names, " "))}});
+  return filled(bash_template, {{"@VALUES@", values}, {"@OPTIONS@", fmt::format("{}", fmt::join(names, " "))}});
 }
 
 std::string zsh_completion() {
@@ -170,7 +148,7 @@ std::string zsh_completion() {
       options += fmt::format("  '{}{}{}[{}]{}' \\\n", others, name, mark, zsh_text(row.description()), value);
     }
   }
-  return filled(zsh_template, {{"@VALUED@", valued_options("|")}, {"@ROLES@", role_list()}, {"@OPTIONS@", options}});
+  return filled(zsh_template, {{"@ROLES@", role_list()}, {"@OPTIONS@", options}});
 }
 
 std::string fish_completion() {
@@ -183,31 +161,7 @@ std::string fish_completion() {
     }
     options += fmt::format("{} -d '{}'", action(row, &KindRow::fish), fish_text(brief(row.text)));
   }
-  return filled(fish_template, {{"@VALUED@", valued_options(" ")}, {"@ROLES@", role_list()}, {"@OPTIONS@", options}});
-}
-
-/// The names of the columns of files, or of standard input, one per line. Throws: Error.
-std::string columns_text(const std::vector<std::string>& files, bool positions_only) {
-  std::vector<std::string> names;
-  for (const std::string& file : files.empty() ? std::vector<std::string>{"-"} : files) {
-    try {
-      const Input input = open_input(file, read_file(file), {});
-      const Schema& schema = input.schema;
-      if (positions_only) {
-        names.insert(names.end(), schema.channels.begin(), schema.channels.end());
-        continue;
-      }
-      if (schema.time.is_given) names.push_back(schema.time.name);
-      for (const auto* group : {&schema.channels, &schema.groups, &schema.labels, &input.facts.ignored}) {
-        names.insert(names.end(), group->begin(), group->end());
-      }
-      names.insert(names.end(), input.facts.roles.begin(), input.facts.roles.end());
-    } catch (const Error& error) {
-      throw error.in(shown_name(file));
-    }
-  }
-  std::ranges::transform(names, names.begin(), printable);
-  return fmt::format("{}", fmt::join(names, "\n"));
+  return filled(fish_template, {{"@ROLES@", role_list()}, {"@OPTIONS@", options}});
 }
 
 std::string option_object(const OptionRow& row) {
@@ -436,15 +390,13 @@ std::string presets_text() {
 
 std::string version_text() { return fmt::format("tcbsample {}", TCBSAMPLE_VERSION); }
 
-std::string generated_text(Generated kind, const std::vector<std::string>& files) {
+std::string generated_text(Generated kind) {
   switch (kind) {
     case Generated::manual: return manual_page();
     case Generated::curves: return curves_page();
     case Generated::bash: return bash_completion();
     case Generated::zsh: return zsh_completion();
     case Generated::fish: return fish_completion();
-    case Generated::columns: return columns_text(files, false);
-    case Generated::positions: return columns_text(files, true);
     case Generated::tables: return tables_text();
   }
   return "";

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "cli/options.hpp"
 
@@ -26,8 +25,7 @@ extern const char* const bash_template;
 extern const char* const zsh_template;
 extern const char* const fish_template;
 
-/// A page of the manual, a completion script, the names of the columns of files, or the tables; without the last line
-/// end.
-std::string generated_text(Generated kind, const std::vector<std::string>& files = {});
+/// A page of the manual, a completion script, or the tables; without the last line end.
+std::string generated_text(Generated kind);
 
 }  // namespace tcb

@@ -21,7 +21,6 @@ using Text = const std::string&;
 using enum ValueKind;
 
 constexpr auto fit_key_names = std::to_array<Named<FitKeys>>({{"tcb", FitKeys::tcb}, {"hermite", FitKeys::hermite}});
-constexpr auto unit_policies = std::to_array<Named<bool>>({{"error", false}, {"strip", true}});
 constexpr auto retiming_names = std::to_array<Named<bool>>({{"slower", false}, {"fit", true}});
 constexpr auto side_names = std::to_array<Named<bool>>({{"right", false}, {"left", true}});
 
@@ -132,11 +131,6 @@ constexpr OptionRow option_rows[] = {
      "Skips the first N lines, which are not part of the table",
      "", other, recorded,
      [](Typed& to, Text text) { to.keys.input.delimited.skipped_lines = count_between(text, 0, INT64_MAX); }},
-    {"--units", "", "POLICY", input_group,
-     "What happens to units in cells, as in 2.35 m: error rejects them, strip removes them",
-     "error", name, recorded,
-     [](Typed& to, Text text) { to.keys.input.delimited.strips_units = named_row(unit_policies, text).value; },
-     names_in<unit_policies>},
     {"--columns", "", "ROLE=NAME,...", input_group,
      "The roles of columns, by name or number, as in time=frame,position=px:py:pz,tension=k,carry=label. By default "
      "they follow from the header; without a header, the first column is the time, and the others are positions",
@@ -170,7 +164,7 @@ constexpr OptionRow option_rows[] = {
     {"--group", "-g", "COL[,COL]", input_group,
      "Makes one curve of all rows with the same values in these columns, in any order; output rows begin with these "
      "columns",
-     "", columns, recorded,
+     "", other, recorded,
      [](Typed& to, Text text) {
        to.keys.input.columns.roles.push_back({Role::group, column_list(text), "--group"});
      }},
@@ -218,7 +212,7 @@ constexpr OptionRow option_rows[] = {
      names_in<date_orders>},
     {"--scale", "", "CHANNEL=FACTOR,...", input_group,
      "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01",
-     "", columns, recorded, [](Typed& to, Text text) { to.keys.input.units.scales = channel_scales(text); }},
+     "", other, recorded, [](Typed& to, Text text) { to.keys.input.units.scales = channel_scales(text); }},
     {"--rotation", "", "FORM=COLUMN:...", input_group,
      "The columns, by name or number, that together are a rotation: quaternion=X:Y:Z:W, "
      "axis-angle=X:Y:Z:ANGLE[,relative], axis-angle=X:Y:Z whose length is the angle, euler=A:B:C,order=XYZ or "
@@ -242,7 +236,7 @@ constexpr OptionRow option_rows[] = {
      "", other, recorded, [](Typed& to, Text text) { to.keys.input.rotation.shown = rotation_form(text); }},
     {"--angle", "", "CHANNEL=UNIT,...", input_group,
      "Channels that are angles, in degrees or radians, and turn the shorter way from key to key",
-     "", columns, recorded, [](Typed& to, Text text) { to.keys.input.rotation.angles = angle_channels(text); }},
+     "", other, recorded, [](Typed& to, Text text) { to.keys.input.rotation.angles = angle_channels(text); }},
     {"--normalize", "", "", input_group,
      "Divides quaternions by their norm, which may be any number but 0, and replaces matrices by the nearest rotation",
      "", flag, recorded, [](Typed& to, Text) { to.keys.input.rotation.normalize = true; }},
@@ -301,7 +295,7 @@ constexpr OptionRow option_rows[] = {
      "The channels, by name or number, over which lengths and speeds are measured; by default those called x, y and "
      "z if there are any, otherwise all. all means all channels, rotation the angles in radians through which "
      "rotations turn",
-     "", columns, recorded, 
+     "", other, recorded, 
      [](Typed& to, Text text) {
        const auto names = split(text, ',');
        to.keys.rules.metric = {{names.begin(), names.end()}, {"--metric"}};
@@ -344,10 +338,6 @@ constexpr OptionRow option_rows[] = {
      "Takes N samples equally spaced in time, including the first and the last key",
      "", other, recorded,
      [](Typed& to, Text text) { to.sampling.mode = Mode::count; to.sampling.count = positive_count(text); }},
-    {"--segments", "", "N", sampling_group,
-     "Divides the time into N equal intervals, so there are N+1 samples",
-     "", other, recorded,
-     [](Typed& to, Text text) { to.sampling.mode = Mode::segments; to.sampling.count = positive_count(text); }},
     {"--per-segment", "", "N", sampling_group,
      "Divides every segment between two keys into N equal intervals of time",
      "", other, recorded,
@@ -478,9 +468,6 @@ constexpr OptionRow option_rows[] = {
     {"--output-decimal", "", "MARK", output_group,
      "The decimal mark of rows, a point or a comma",
      ".", other, recorded, [](Typed& to, Text text) { to.output.decimal = decimal_mark(text); }},
-    {"--like-input", "", "", output_group,
-     "Writes csv with the delimiter, the decimal mark and the line ends of the input",
-     "", flag, recorded, [](Typed& to, Text) { to.output.like_input = true; }},
     {"--file-column", "", "[=NAME]", output_group,
      "Adds the name of the input as the first column, called NAME, in place of a blank line between files",
      "file", attached, recorded, [](Typed& to, Text text) { to.output.file_column = text; }},
@@ -500,11 +487,11 @@ constexpr OptionRow option_rows[] = {
      }},
     {"--rename", "", "OLD=NEW,...", output_group,
      "Renames columns of the input, in the output and for the options about channels",
-     "", columns, recorded, [](Typed& to, Text text) { to.keys.input.renamings = renamings(text); }},
+     "", other, recorded, [](Typed& to, Text text) { to.keys.input.renamings = renamings(text); }},
     {"--axes", "", "X:Y", output_group,
      "With a picture: the channels, by name or number, that point right and up; by default the first two metric "
      "channels",
-     "", column_pair, unrecorded, [](Typed& to, Text text) { to.picture.axes = axis_names(text); }},
+     "", other, unrecorded, [](Typed& to, Text text) { to.picture.axes = axis_names(text); }},
     {"--title", "", "TEXT", output_group,
      "With a picture: its title; by default the name of the file",
      "", other, unrecorded, [](Typed& to, Text text) { to.picture.title = text; }},
@@ -515,12 +502,6 @@ constexpr OptionRow option_rows[] = {
     {"--explain", "", "", about_group,
      "Prints what was detected, and with a sampling option what would be done, instead of samples",
      "", flag, recorded, only_given},
-    {"--progress", "", "", about_group,
-     "Shows the progress on a terminal after a second, also if the rows go to the terminal",
-     "", flag, unrecorded, only_given},
-    {"--no-progress", "", "", about_group,
-     "Does not show the progress",
-     "", flag, unrecorded, only_given},
     {"--quiet", "-q", "", about_group,
      "Prints only errors on standard error",
      "", flag, unrecorded, only_given},
@@ -530,9 +511,8 @@ constexpr OptionRow option_rows[] = {
      "auto", name, unrecorded,
      [](Typed& to, Text text) { to.color = named_row(color_names, text).value; }, names_in<color_names>},
     {"--generate", "", "KIND", about_group,
-     "Prints a page of the manual (man, man-curves), the completions for a shell (bash, zsh, fish), the names of "
-     "the columns of FILE (columns), of those that may be positions (positions), or all options and presets as JSON "
-     "(tables)",
+     "Prints a page of the manual (man, man-curves), the completions for a shell (bash, zsh, fish), or all options and "
+     "presets as JSON (tables)",
      "", name, unrecorded,
      [](Typed& to, Text text) { to.generated = named_row(generated_names, text).value; }, names_in<generated_names>},
     {"--list-presets", "", "", about_group,

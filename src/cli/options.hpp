@@ -25,7 +25,7 @@
 namespace tcb {
 
 /// Texts that --generate prints instead of rows.
-enum class Generated { manual, curves, bash, zsh, fish, columns, positions, tables };
+enum class Generated { manual, curves, bash, zsh, fish, tables };
 
 /// A column of a file that has the times or arc lengths of an option.
 struct PlaceColumn {
@@ -97,11 +97,9 @@ enum class ValueKind {
   names,  ///< several of `known`, separated by commas
   file,
   folder,
-  columns,      ///< columns of the input, separated by commas
-  column_pair,  ///< two columns with a colon between them
-  roles,        ///< ROLE=COLUMN, separated by commas
-  places,       ///< numbers, or @FILE
-  attached,     ///< a text in the word of the option, or none
+  roles,     ///< ROLE=COLUMN, separated by commas
+  places,    ///< numbers, or @FILE
+  attached,  ///< a text in the word of the option, or none
   other,
 };
 
@@ -135,8 +133,8 @@ std::span<const OptionRow> option_table();
 const OptionRow& row_of(std::string_view name);
 
 inline constexpr std::initializer_list<const char*> sampling_options{
-    "--step",     "--rate",      "--fps",    "--count",     "--segments", "--per-segment", "--at",
-    "--arc-step", "--arc-count", "--arc-at", "--tolerance", "--emit",     "--fit"};
+    "--step",     "--rate",      "--fps",    "--count",     "--per-segment", "--at",
+    "--arc-step", "--arc-count", "--arc-at", "--tolerance", "--emit",        "--fit"};
 
 bool has_sampling_option(const TypedOptions& typed);
 

@@ -28,8 +28,7 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
   if (typed.has("--help")) return is_long ? help_text() : short_help_text();
   if (typed.has("--list-presets")) return presets_text();
   if (typed.has("--version")) return version_text();
-  require_no_input_replaced("-", typed.files.files);
-  return generated_text(*typed.generated, typed.files.files);
+  return generated_text(*typed.generated);
 }
 
 /// Sets the format that the ending of an output names, unless an option gives the same. A report is JSON by its ending.
@@ -299,7 +298,7 @@ SampleOptions samples_of(const TypedOptions& typed) {
   samples.request.in_seconds.has_duration |= typed.places.in_seconds;
   samples.request.from_left = is_from_left(typed, fields_of(typed));
   if (!has_sampling_option(typed)) {  // a picture has samples of its own, and an explanation mentions none
-    samples.request.mode = Mode::segments;
+    samples.request.mode = Mode::intervals;
     samples.request.count = 50;
     const bool is_drawn = typed.output.format->is_picture || typed.has("--explain");
     if (!is_drawn && may_have_frames(typed)) samples.unless_frames = no_sampling_option();
@@ -329,12 +328,10 @@ WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest
 }
 
 Verbosity verbosity_of(const TypedOptions& typed) {
-  const bool quiet = typed.has("--quiet"), terminal = system::is_terminal(system::standard_error);
+  const bool quiet = typed.has("--quiet"), notes = !quiet && system::is_terminal(system::standard_error);
   const bool to_file =
       typed.has("--output") || typed.has("--output-dir") || !system::is_terminal(system::standard_output);
-  const bool by_default = to_file && !typed.has("--no-progress") && !quiet;
-  const bool progress = terminal && (typed.has("--progress") || by_default);
-  return {quiet, terminal && !quiet, progress, colors_messages(typed.color)};
+  return {quiet, notes, notes && to_file, colors_messages(typed.color)};
 }
 
 /// The samples that the provenance of an output asks for; nothing for an output of several inputs or of other rows

@@ -115,10 +115,6 @@ std::string option_with_value(std::string_view name) {
 /// which may be gone.
 std::string meant_option(const std::string& unknown) {
   const std::string wanted = compared(unknown);
-  if (unknown.starts_with("--")) {
-    if (wanted == "tension" || wanted == "continuity" || wanted == "bias") return std::string("--tcb");
-    if (std::string option = option_with_value(wanted); !option.empty()) return option;
-  }
   std::vector<std::string_view> names;
   for (const OptionRow& row : option_table()) {
     for (const std::string_view name : row.all_names()) names.push_back(name);
@@ -129,8 +125,13 @@ std::string meant_option(const std::string& unknown) {
   std::vector<std::string> all;
   std::ranges::transform(names, std::back_inserter(all), compared);
   const std::string_view likely = likely_name(wanted, std::vector<std::string_view>(all.begin(), all.end()));
-  return likely.empty() ? ""
-                        : std::string(names[static_cast<std::size_t>(std::ranges::find(all, likely) - all.begin())]);
+  const std::string_view option =
+      likely.empty() ? "" : names[static_cast<std::size_t>(std::ranges::find(all, likely) - all.begin())];
+  if (unknown.starts_with("--") && !removed(option, "")) {
+    if (wanted == "tension" || wanted == "continuity" || wanted == "bias") return "--tcb";
+    if (std::string value = option_with_value(wanted); !value.empty()) return value;
+  }
+  return std::string(option);
 }
 
 /// CLI11's error as one of ours. It finds unknown options, and flags with a value.

@@ -24,8 +24,6 @@ inline constexpr auto generated_names = std::to_array<Named<Generated>>({{"man",
                                                                          {"bash", Generated::bash},
                                                                          {"zsh", Generated::zsh},
                                                                          {"fish", Generated::fish},
-                                                                         {"columns", Generated::columns},
-                                                                         {"positions", Generated::positions},
                                                                          {"tables", Generated::tables}});
 inline constexpr auto color_names = std::to_array<Named<ColorWhen>>(
     {{"auto", ColorWhen::by_terminal}, {"always", ColorWhen::always}, {"never", ColorWhen::never}});

@@ -23,7 +23,6 @@ struct DelimitedOptions {
   NumberMarks marks = {};                ///< in numbers
   bool has_decimal = false;              ///< the decimal mark is given, so a comma is no other one
   std::uint64_t skipped_lines = 0;       ///< at the beginning, which are not part of the table
-  bool strips_units = false;             ///< units after the numbers in cells are removed
   std::vector<std::string> names = {};   ///< of the columns of a format; empty: the text may have names
   std::vector<std::string> others = {};  ///< of columns that may follow these, and are read if they are requested
 

@@ -281,7 +281,7 @@ std::string samples_in_words(const SamplingRequest& request) {
     case Mode::arc_step: return fmt::format("every {} of {}", number_in_words(request.step), of);
     case Mode::arc_count:
     case Mode::count: return fmt::format("{}, equally spaced in {}", request.count, of);
-    case Mode::segments: return fmt::format("{} equal intervals of time", request.count);
+    case Mode::intervals: return fmt::format("{} equal intervals of time", request.count);
     case Mode::per_segment: return fmt::format("{} equal intervals in every segment", request.count);
     case Mode::at:
     case Mode::arc_at:

@@ -234,8 +234,8 @@ Spacing spacing(const SamplingRequest& request, const Extent& extent) {
     const Rational fitted = fitted_steps(request.end, steps);
     return {Grid(from, (*to - from) / fitted), whole_number(fitted) + 1, to};
   }
-  const bool seam_once = extent.closed && request.mode != Mode::segments && !request.from && !request.to;
-  const std::uint64_t intervals = request.mode == Mode::segments || seam_once ? request.count : request.count - 1;
+  const bool seam_once = extent.closed && request.mode != Mode::intervals && !request.from && !request.to;
+  const std::uint64_t intervals = request.mode == Mode::intervals || seam_once ? request.count : request.count - 1;
   const std::uint64_t rows = seam_once ? request.count : intervals + 1;
   require_rows(Rational(rows) - 1, request.max_rows);
   return {Grid(from, intervals == 0 ? 0 : (*to - from) / intervals), rows, to};

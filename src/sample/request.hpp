@@ -17,7 +17,18 @@
 
 namespace tcb {
 
-enum class Mode { step, count, segments, per_segment, at, arc_step, arc_count, arc_at, tolerance, emit };
+enum class Mode {
+  step,
+  count,
+  intervals,  ///< of equal time, also of closed curves: pictures without a sampling option
+  per_segment,
+  at,
+  arc_step,
+  arc_count,
+  arc_at,
+  tolerance,
+  emit,
+};
 
 /// Where the last rows are if the steps do not meet the end.
 enum class EndPolicy { drop, keep, fit, fit_down, fit_up };
@@ -50,7 +61,7 @@ struct SamplingRequest {
   bool is_rate = false;              ///< the step is that of a rate: step
   InSeconds in_seconds;              ///< the numbers that are seconds, where the unit of the times is known
   std::string rate_as_decimal;       ///< such as "29.97", where the rate is 30000/1001; else empty
-  std::uint64_t count = 0;           ///< rows, or for the segments modes the intervals between them
+  std::uint64_t count = 0;           ///< rows, or intervals between them: intervals, per_segment
   std::vector<Rational> places;      ///< times or arc lengths: at, arc_at
   CurveTolerance tolerance;          ///< tolerance
   std::optional<Rational> from, to;  ///< where to begin and end, in time, or in arc length for the arc modes

@@ -22,7 +22,6 @@ struct Renaming;
 struct TextMarks {
   char delimiter = ',';  ///< between cells; ' ' is any run of blanks and tabs
   char decimal = '.';    ///< in numbers
-  bool crlf = false;     ///< lines end with CR and LF, not LF alone
 };
 
 /// The times of records.

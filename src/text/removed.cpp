@@ -12,6 +12,16 @@ namespace tcb {
 namespace {
 
 constexpr RemovedName table[] = {
+    {"--segments", "",
+     "give --count @N+1@, or --count @N@ for the rows of a closed curve without the repeated first one"},
+    {"--units", "", "leave it out; the error about a unit in a cell prints the sed command that removes it"},
+    {"--like-input", "",
+     "give --output-delimiter CHAR and --output-decimal MARK; for line ends of CR and LF, pipe the rows through "
+     "sed 's/$/\\r/'"},
+    {"--progress", "", "remove it, as the progress shows by itself on a terminal, where rows go to a file"},
+    {"--no-progress", "", "give --quiet, which prints no notes either"},
+    {"--generate", "columns", "give --explain, which tells the columns and their roles"},
+    {"--generate", "positions", "give --explain, which tells the columns and their roles"},
     {"--fail-fast", "",
      "the exit code tells that files failed; to stop at the first one, run the program for each file, in a loop of the "
      "shell with || break"},

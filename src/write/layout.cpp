@@ -219,7 +219,7 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
 
 Layout delimited_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool header) {
   Layout layout;
-  layout.row_end = layout.divider = marks.crlf ? "\r\n" : "\n";
+  layout.row_end = layout.divider = "\n";
   layout.decimal = marks.decimal;
   for (const OutputColumn& column : columns) {
     layout.before.emplace_back(layout.before.empty() ? "" : std::string(1, marks.delimiter));

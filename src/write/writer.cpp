@@ -45,13 +45,6 @@ std::string with_decimal(std::string text, char mark) {
   return text;
 }
 
-/// A text with other ends of its lines.
-std::string with_crlf(std::string_view text) {
-  std::string result;
-  for (const char c : text) result += c == '\n' ? "\r\n" : std::string(1, c);
-  return result;
-}
-
 /// The first `count` cells from `begin` on; none if there are none at all.
 template <class T>
 std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t count) {
@@ -67,17 +60,6 @@ std::vector<std::string> OutputColumns::names() const {
   std::ranges::transform(numbers, std::back_inserter(all), &OutputColumn::name);
   all.insert(all.end(), labels.begin(), labels.end());
   return all;
-}
-
-TextMarks Writer::marks_for(const Schema& schema) const {
-  if (options_.like_input) {
-    if (!schema.marks)
-      throw usage_error(
-          "the input is JSON, which has neither a delimiter nor a decimal mark; expected delimited text; remove "
-          "--like-input");
-    return *schema.marks;
-  }
-  return {options_.delimiter.value_or(options_.format->delimiter), options_.decimal};
 }
 
 void Writer::begin(const Schema& schema, bool live, Facts rules, const std::string& file) {
@@ -102,12 +84,12 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
   }
   if (columns_.numbers.empty()) {
     columns_ = std::move(columns);
-    marks_ = marks_for(schema);
+    marks_ = {options_.delimiter.value_or(format.delimiter), options_.decimal};
     set_times(schema);
     const std::string head = set_layouts(!is_pose && options_.header.value_or(schema.named));
     recorder_.set_rules(std::move(rules));
     const std::string provenance = recorder_.before_rows(format);
-    output_.write((marks_.crlf ? with_crlf(provenance) : provenance) + head);
+    output_.write(provenance + head);
   } else if (columns.names() != columns_.names()) {
     throw data_error(
         "the columns are {}; expected {}, as in the earlier files; give --output-dir to write an output for each file",
@@ -377,9 +359,7 @@ void Writer::write(const Source<std::string>& rows) {
 void Writer::commit() {
   const std::string provenance = recorder_.after_rows(*options_.format);
   const bool is_member = options_.format->nests;
-  output_.write(is_member ? tail(provenance)
-                          : tail() + (keeper_ == nullptr ? "" : keeper_->tail(unit_)) +
-                                (marks_.crlf ? with_crlf(provenance) : provenance));
+  output_.write(is_member ? tail(provenance) : tail() + (keeper_ == nullptr ? "" : keeper_->tail(unit_)) + provenance);
   if (const auto counted_head = options_.format->output->counted_head) {
     const std::size_t columns = columns_.numbers.size();
     output_.write_beginning(counted_head(columns, bytes_ / (columns * sizeof(double))));

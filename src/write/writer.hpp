@@ -84,7 +84,6 @@ class Writer {
   std::string tail(std::string_view member = {}) const;
 
   /// The marks of delimited text. Throws: Error (usage) for those of an input that has none.
-  TextMarks marks_for(const Schema& schema) const;
 
   /// The notation and the unit of the times. Throws: Error (data) for frames without a rate.
   void set_times(const Schema& schema);

@@ -24,7 +24,6 @@ struct WriterOptions {
   std::optional<bool> header;       ///< nothing: as the input has one
   std::optional<char> delimiter;    ///< nothing: that of the format
   char decimal = '.';               ///< the decimal mark
-  bool like_input = false;          ///< instead of both: the marks of the input
   Notation notation;                ///< of numbers that may have a fraction
   std::vector<std::size_t> fields;  ///< indices into fields()
   std::optional<ProvenanceRequest> provenance;

@@ -70,17 +70,6 @@ TEST_F(CompletionTest, descriptions_are_escaped) {
   EXPECT_THAT(generated_text(Generated::fish), HasSubstr("-d 'The rule for the tangents at inner keys'"));
 }
 
-TEST_F(CompletionTest, columns_are_those_of_files) {
-  const std::string file = testing::TempDir() + "tcbsample_columns" + std::to_string(::getpid());
-  std::FILE* const out = std::fopen(file.c_str(), "w");
-  std::fputs("id,frame,pos x,y,Tension\na,0,1,2,0\na,1,2,3,0\n", out);
-  std::fclose(out);
-  EXPECT_EQ(printed_text({"--generate", "columns", file}), "frame\npos x\ny\nid\ntension");
-  EXPECT_EQ(printed_text({"--generate", "positions", file}), "pos x\ny");
-  std::remove(file.c_str());
-  EXPECT_THROW(parse({"--generate", "columns", file}), Error);
-}
-
 TEST_F(CompletionTest, shells_accept_their_scripts) {
   EXPECT_EQ(run("bash", generated_text(Generated::bash), "-n").value_or(""), "");
   EXPECT_EQ(run("zsh", generated_text(Generated::zsh), "-n").value_or(""), "");

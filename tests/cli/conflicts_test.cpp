@@ -11,8 +11,8 @@ using testing::StartsWith;
 
 using Words = std::vector<std::string>;
 
-const Words modes{"--step=1",     "--rate=1",      "--count=2",  "--segments=1",  "--per-segment=1", "--at=1",
-                  "--arc-step=1", "--arc-count=2", "--arc-at=1", "--tolerance=1", "--emit=poly",     "--fit=1"};
+const Words modes{"--step=1",      "--rate=1",   "--count=2",     "--per-segment=1", "--at=1", "--arc-step=1",
+                  "--arc-count=2", "--arc-at=1", "--tolerance=1", "--emit=poly",     "--fit=1"};
 
 std::string name_of(const std::string& word) { return word.substr(0, word.find('=')); }
 
@@ -44,9 +44,7 @@ TEST(Conflicts, options_that_exclude_each_other_are_refused) {
                                                         {"--digits=3", "--fixed=3"},
                                                         {"--digits=3", "--hex"},
                                                         {"--fixed=3", "--hex"},
-                                                        {"--output-format=svg", "--plot"},
-                                                        {"--progress", "--no-progress"},
-                                                        {"--progress", "--quiet"}}) {
+                                                        {"--output-format=svg", "--plot"}}) {
     EXPECT_THAT(stepped_refusal({other, option}),
                 StartsWith(name_of(option) + " and " + name_of(other) + " cannot be combined; "));
   }
@@ -57,8 +55,8 @@ TEST(Conflicts, options_that_exclude_each_other_are_refused) {
 
 TEST(Conflicts, options_without_effect_on_the_samples_are_refused) {
   expect_no_effect({"--from=1", "--to=1"}, {"--per-segment=1", "--at=1", "--arc-at=1", "--tolerance=1"});
-  expect_no_effect({"--end=drop"}, {"--count=2", "--segments=1", "--per-segment=1", "--at=1", "--arc-count=2",
-                                    "--arc-at=1", "--tolerance=1", "--emit=poly"});
+  expect_no_effect({"--end=drop"}, {"--count=2", "--per-segment=1", "--at=1", "--arc-count=2", "--arc-at=1",
+                                    "--tolerance=1", "--emit=poly"});
   expect_no_effect({"--keys"}, {"--per-segment=1", "--at=1", "--arc-at=1", "--emit=poly"});
 }
 
@@ -72,8 +70,8 @@ TEST(Conflicts, options_about_rows_have_no_effect_on_a_report) {
   EXPECT_EQ(refusal({"--check=a", "--step=1", "--from=1", "--to=2", "--end=keep", "--keys", "--max-rows=9"}), "");
   expect_no_effect({"--from=1", "--to=1", "--end=drop", "--keys", "--max-rows=1"}, {"--identify=a"});
   EXPECT_THAT(refusal({"--check=a", "--to=1"}), StartsWith("--to 1 has no effect with --check a, which takes"));
-  expect_no_effect({"--meta", "--output-dir=a", "--files=a", "--explain", "--progress", "--digits=3", "--fixed=3",
-                    "--golden", "--exact-input", "--hex", "--no-output-header", "--file-column", "--time-format=clock"},
+  expect_no_effect({"--meta", "--output-dir=a", "--files=a", "--explain", "--digits=3", "--fixed=3", "--golden",
+                    "--exact-input", "--hex", "--no-output-header", "--file-column", "--time-format=clock"},
                    reports);
   expect_no_effect({"--preset=vtk", "--tangents=uniform", "--ends=half", "--equal-speed", "--side=left"},
                    {"--identify=a"});

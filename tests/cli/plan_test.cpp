@@ -40,8 +40,6 @@ TEST(Plan, each_sampling_option_has_its_mode_and_value) {
   EXPECT_EQ(sampling("--rate", "24").mode, Mode::step);
   EXPECT_EQ(sampling("--count", "200").mode, Mode::count);
   EXPECT_EQ(sampling("--count", "200").count, 200U);
-  EXPECT_EQ(sampling("--segments", "7").mode, Mode::segments);
-  EXPECT_EQ(sampling("--segments", "7").count, 7U);
   EXPECT_EQ(sampling("--per-segment", "7").mode, Mode::per_segment);
   EXPECT_EQ(sampling("--at", "0,1/2").mode, Mode::at);
   EXPECT_THAT(sampling("--at", "0,1/2").places, ElementsAre(Rational(0), Rational(1, 2)));
@@ -163,7 +161,7 @@ TEST(ProvenanceOptions, are_those_that_change_bytes_each_as_one_word) {
 }
 
 TEST(ProvenanceOptions, are_not_those_of_files_and_speed) {
-  EXPECT_THAT(options({"-n", "3", "-o", "out", "-j", "2", "-q", "--no-progress"}), ElementsAre("--count=3", "--meta"));
+  EXPECT_THAT(options({"-n", "3", "-o", "out", "-j", "2", "-q"}), ElementsAre("--count=3", "--meta"));
   EXPECT_THAT(options({"-n", "3", "--output-dir", "out", "--suffix", "s", "--recursive", "--update", "folder"}),
               ElementsAre("--count=3", "--meta"));
 }
@@ -178,7 +176,7 @@ TEST(ProvenanceOptions, are_there_only_with_their_option) { EXPECT_FALSE(job_of(
 
 TEST(Plan, a_plot_has_samples_of_its_own) {
   const SamplingRequest samples = job_of<PlotJob>({"--plot"}).samples.request;
-  EXPECT_EQ(samples.mode, Mode::segments);
+  EXPECT_EQ(samples.mode, Mode::intervals);
   EXPECT_EQ(samples.count, 50U);
   EXPECT_EQ(job_of<PlotJob>({"--plot", "--count=7"}).samples.request.mode, Mode::count);
   EXPECT_THAT(refusal({"-f", "svg"}), testing::HasSubstr("--step"));

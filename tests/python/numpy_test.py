@@ -343,6 +343,8 @@ class OptionsTest(unittest.TestCase):
         for name in ("fail_fast", "failfast"):  # of an earlier version
             with self.assertRaisesRegex(tcbsample.Error, "fail_fast is gone in this version; the exit code"):
                 tcbsample.resample(KEYS, count=3, **{name: True})
+        with self.assertRaisesRegex(tcbsample.Error, 'segments is gone in this version; give count="6", or count="5"'):
+            tcbsample.resample(KEYS, segments=5)
         with self.assertRaisesRegex(TypeError, "output: .*returned"):
             tcbsample.resample(KEYS, count=3, output="a.csv")
         with self.assertRaisesRegex(TypeError, "closed: 7; expected True or False"):

@@ -52,7 +52,7 @@ TEST(Sampler, counts_rows_exactly) {
       EXPECT_EQ(result.front(), 0.1);
       EXPECT_EQ(result.back(), rows > 1 ? 2.7 : 0.1);
     }
-    EXPECT_EQ(sample(request(Mode::segments, "", rows), {0.1, 0.35, 2.7}).size(), rows + 1);
+    EXPECT_EQ(sample(request(Mode::intervals, "", rows), {0.1, 0.35, 2.7}).size(), rows + 1);
   }
 }
 
@@ -70,7 +70,7 @@ TEST(Sampler, keys_are_rows_without_near_doubles) {
 
 TEST(Sampler, a_closed_curve_does_not_repeat_its_seam_in_counts) {
   EXPECT_EQ(sample(request(Mode::count, "", 4), {0, 1, 2}, true), (Times{0, 0.5, 1, 1.5}));
-  EXPECT_EQ(sample(request(Mode::segments, "", 4), {0, 1, 2}, true), (Times{0, 0.5, 1, 1.5, 2}));
+  EXPECT_EQ(sample(request(Mode::intervals, "", 4), {0, 1, 2}, true), (Times{0, 0.5, 1, 1.5, 2}));
 }
 
 TEST(Sampler, rows_at_keys_are_on_the_requested_side) {

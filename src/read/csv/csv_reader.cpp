@@ -72,11 +72,6 @@ class RecordReader {
     return more;
   }
 
-  /// The characters of a number, without quotes, and without its unit where these are removed.
-  std::string_view number_text(std::string_view cell) const {
-    return head_.strips_units ? without_unit_of_number(bare(cell)) : bare(cell);
-  }
-
   void add_key() {
     const std::size_t expected = head_.columns.cells.size();
     if (cells_.size() != expected) {
@@ -114,7 +109,7 @@ class RecordReader {
   }
 
   void read_number(std::string_view cell, const Columns::Column& column) {
-    const std::string_view text = number_text(cell);
+    const std::string_view text = bare(cell);
     if (is_given_sign(text)) return read_no_number(cell, column);
     if (column.role == Role::time) {
       const auto time = decimals_.time(text);
@@ -136,7 +131,7 @@ class RecordReader {
     std::optional<std::string_view> missing;
     for (const std::size_t cell : time_cells_) {
       parts.push_back(unquoted(cells_[cell]));
-      if (!missing && is_missing_sign(number_text(cells_[cell]), head_.rules.signs)) missing = cells_[cell];
+      if (!missing && is_missing_sign(bare(cells_[cell]), head_.rules.signs)) missing = cells_[cell];
     }
     if (missing) return read_no_number(*missing, column);
     const std::string text = joined_time(parts);
@@ -164,7 +159,7 @@ class RecordReader {
 
   /// A number in a column of text is a fault: that is a column of numbers with other texts in it, or without the first.
   void require_text(std::string_view cell, const Columns::Column& column) {
-    if (!decimals_.number(number_text(cell)) || is_missing_sign(number_text(cell), head_.rules.signs)) return;
+    if (!decimals_.number(bare(cell)) || is_missing_sign(bare(cell), head_.rules.signs)) return;
     if (column.is_empty)
       return add_fault(cell, number_in_empty_column(unquoted(cell), head_.columns, index_of(column)));
     add_fault(
@@ -175,7 +170,7 @@ class RecordReader {
   }
 
   void read_no_number(std::string_view cell, const Columns::Column& column) {
-    if (is_missing_sign(number_text(cell), head_.rules.signs) && keys_.miss(column)) return;
+    if (is_missing_sign(bare(cell), head_.rules.signs) && keys_.miss(column)) return;
     const std::string text = unquoted(cell);
     const std::string name = head_.columns.name_of(column);
     const bool is_time = column.role == Role::time;
@@ -315,12 +310,6 @@ void require_keys(const Chunk& data, std::uint64_t end, const DelimitedHead& hea
   if (!keys.faults.errors.empty()) throw Error(keys.faults.errors.front());
 }
 
-/// Whether the first line ends with CR and LF.
-bool has_crlf(std::string_view text) {
-  const std::size_t end = text.find('\n');
-  return end != std::string_view::npos && text.substr(0, end).ends_with('\r');
-}
-
 /// Whether a quoted number with a decimal comma occurs, so that a comma outside quotes is the delimiter.
 bool has_quoted_decimal(std::string_view text) {
   for (std::size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',', comma + 1)) {
@@ -415,7 +404,6 @@ Records open_delimited(Source<std::string> bytes, InputOptions options) {
       throw unlike_table(*table, first_line, options.columns.roles.empty() ? "" : reason.substr(0, reason.find(';')));
     }
   }());
-  const bool crlf = has_crlf(rest.front().text);
   for (; !rest.empty(); rest.pop_back()) chunks = preceded_by(std::move(rest.back()), std::move(chunks));
   const auto parse = [head](const Chunk& chunk) { return parse_delimited(chunk, *head); };
   Records records{head->columns, head->units};
@@ -425,7 +413,7 @@ Records open_delimited(Source<std::string> bytes, InputOptions options) {
     records.columns.doubts.push_back(
         fmt::format("cells hold several numbers, which are taken as columns of their own: {}", listed(names)));
   }
-  records.marks = {dialect.delimiter, head->marks.decimal, crlf};
+  records.marks = {dialect.delimiter, head->marks.decimal};
   records.time_unit = head->time_unit;
   records.facts = head->facts;
   records.facts.comment = dialect.comment;

@@ -29,7 +29,6 @@ struct DelimitedHead {
   KeyUnits units;
   NumberMarks marks = {};
   InputFacts facts = {};                   ///< about names, texts and times
-  bool strips_units = false;               ///< units after numbers are removed
   std::optional<TimeUnit> time_unit = {};  ///< from a row of units
   bool is_of_format = false;               ///< the format has the columns, not the text
   bool begins_with_value = false;          ///< the first cell of the first record is a number or a time

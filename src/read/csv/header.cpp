@@ -157,7 +157,6 @@ class HeadRecords {
 /// Whether the cell looks like a number. One with the other decimal mark, or with
 /// separators of thousands, does too, and is an error later.
 bool may_be_number(std::string_view cell, const DelimitedHead& head) {
-  if (head.strips_units) cell = without_unit_of_number(cell);
   return Decimals({}).looks_numeric(cell) || is_missing_sign(cell, head.rules.signs) ||
          Decimals(head.marks).looks_numeric(cell) || has_thousands_separators(cell) ||
          (head.dialect.delimiter != ',' && Decimals({','}).looks_numeric(cell));
@@ -213,11 +212,10 @@ bool has_decimal_commas(const HeadRecords& first, std::size_t data, const Delimi
   bool has_commas = false;
   for (std::size_t i = data; i < first.records.size(); ++i) {
     for (const std::string& cell : first.records[i].cells) {
-      const std::string_view number = head.strips_units ? without_unit_of_number(cell) : std::string_view(cell);
-      const bool is_of_words = number.find_first_of(",.") == std::string_view::npos || find_notation(number);
+      const bool is_of_words = cell.find_first_of(",.") == std::string::npos || find_notation(cell);
       if (is_of_words) continue;
-      if (parse_number(number)) return false;
-      has_commas = has_commas || (Decimals({','}).number(number) && !has_thousands_separators(number));
+      if (parse_number(cell)) return false;
+      has_commas = has_commas || (Decimals({','}).number(cell) && !has_thousands_separators(cell));
     }
   }
   return has_commas;
@@ -921,7 +919,6 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   HeadRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.marks};
   head.is_of_format = !options.delimited.names.empty();
-  head.strips_units = options.delimited.strips_units;
   if (first.records.empty() && first.ends_in_comment() && options.delimited.names.empty()) {
     throw data_error(
         "all lines begin with {}, as comments do; expected a row for each key; give --comment none if they are keys",

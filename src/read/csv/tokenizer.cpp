@@ -222,6 +222,9 @@ std::string_view without_currency(std::string_view cell) {
   return cell;
 }
 
+namespace {
+
+/// A number without the unit after it or the currency before it, as in 2.35 m and $5; any other text as it is.
 std::string_view without_unit_of_number(std::string_view cell) {
   if (const std::string_view amount = without_currency(cell); amount.size() < cell.size() && !amount.empty()) {
     return is_digit(amount[0]) || std::string_view("+-.").find(amount[0]) != std::string_view::npos ? amount : cell;
@@ -235,6 +238,24 @@ std::string_view without_unit_of_number(std::string_view cell) {
   while (size > 0 && (cell[size - 1] == ' ' || cell[size - 1] == '\t')) --size;
   return size > 0 && is_unit(cell.substr(end)) ? cell.substr(0, size) : cell;
 }
+
+/// A command that removes the unit or the currency of a number, which is the rest of the cell, from a text.
+std::string sed_that_removes_unit(std::string_view cell, std::string_view number) {
+  const bool is_before = number.data() != cell.data();
+  std::string_view unit = is_before ? cell.substr(0, cell.size() - number.size()) : cell.substr(number.size());
+  unit.remove_prefix(std::min(unit.find_first_not_of(" \t"), unit.size()));
+  unit = unit.substr(0, unit.find_last_not_of(' ') + 1);
+  std::string pattern;
+  for (const char c : unit) {
+    if (std::string_view("^$[]()").find(c) != std::string_view::npos) pattern += '\\';
+    pattern += c;
+  }
+  const std::string script =
+      is_before ? "s#" + pattern + " *##g" : "s#([0-9.]) *" + pattern + R"(([",;|[:space:]]|$)#\1\2#g)";
+  return fmt::format("sed -E {} FILE | tcbsample", in_shell(script));
+}
+
+}  // namespace
 
 Error why_not_number(std::string_view column, std::string_view cell, const NumberMarks& marks) {
   if (looks_numeric(cell) || (marks.decimal != '.' && looks_numeric(with_point(cell)))) {
@@ -275,15 +296,15 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
     const std::optional<NumberMarks> other = marks_of(number);
     if (without_currency(cell).size() < cell.size() && other->decimal == marks.decimal) {
       return data_error(
-          "{}: {} is an amount with a currency; expected a number alone; remove what is not, or give --units strip "
+          "{}: {} is an amount with a currency; expected a number alone; remove what is not, as in {} "
           "--thousands {}",
-          column, in_quotes(cell), in_shell({&other->thousands, 1}));
+          column, in_quotes(cell), sed_that_removes_unit(cell, number), in_shell({&other->thousands, 1}));
     }
     return why_not_number(column, number, marks);
   }
   if (number.size() < cell.size() && Decimals(marks).number(number)) {
-    return data_error("{}: {} is a number with a unit; expected a number alone; remove the unit, or give --units strip",
-                      column, in_quotes(cell));
+    return data_error("{}: {} is a number with a unit; expected a number alone; remove the unit, as in {}", column,
+                      in_quotes(cell), sed_that_removes_unit(cell, number));
   }
   const bool has_digit = cell.find_first_of("0123456789") != std::string_view::npos;
   const bool may_be_time = (cell.find(':') != std::string_view::npos && cell[0] >= '0' && cell[0] <= '9') ||

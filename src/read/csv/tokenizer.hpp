@@ -98,9 +98,6 @@ bool has_thousands_separators(std::string_view text);
 /// A cell without the sign of a currency before it, as in $5.
 std::string_view without_currency(std::string_view cell);
 
-/// A number without the unit after it or the currency before it, as in 2.35 m and $5; any other text as it is.
-std::string_view without_unit_of_number(std::string_view cell);
-
 /// Why a cell of a column is not a number, which was expected. `marks` are those of the input.
 /// Requires: it is not a sign of a missing number.
 Error why_not_number(std::string_view column, std::string_view cell, const NumberMarks& marks);

@@ -109,7 +109,7 @@ def verdict(text):
     with tempfile.NamedTemporaryFile(suffix=".json") as file:
         file.write(text)
         file.flush()
-        return subprocess.run([program, "--segments", "1", file.name], capture_output=True).returncode
+        return subprocess.run([program, "--count", "2", file.name], capture_output=True).returncode
 
 
 def with_value(shape, value):
