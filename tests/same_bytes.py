@@ -177,11 +177,13 @@ def random_mode(rng):
             lambda: ["--arc-count", str(rng.choice([1, 2, 9, 60]))],
             lambda: ["--arc-at", ",".join(f"{rng.uniform(0, 9):.2f}" for _ in range(rng.randint(1, 4)))],
             lambda: ["--tolerance", rng.choice(["1", "0.1", "0.01"])],
-            lambda: ["--emit", rng.choice(["hermite", "bezier", "poly", "poly6"])],
+            lambda: ["--emit", rng.choice(["hermite", "bezier", "poly"])],
             lambda: ["--fit", rng.choice(["1", "0.1", "0.01"])],
             lambda: ["--plot"],
             lambda: ["--check", "samples.csv"],
             lambda: ["--identify", "samples.csv"],
+            lambda: ["--limits=all"],
+            lambda: ["--limits=speed=2", "--retime"],
         ]
     )()
 
@@ -190,13 +192,16 @@ def random_mode(rng):
 OF_RULES = {"--preset", "--tangents", "--ends", "--equal-speed", "--side"}
 OF_RANGE = {"--from", "--to", "--end", "--keys"}
 OF_NUMBERS = {"--digits", "--fixed", "--hex", "--golden", "--exact-input", "--no-output-header", "--time-format"}
+OF_ROWS = {"--output-delimiter", "--file-column"}
 REFUSED = {
     "--fit": OF_RULES | OF_RANGE | {"--fields", "--golden", "--exact-input", "--extrapolate", "--closed", "--period",
                                     "--parameter", "--tcb", "--rotation-output", "--rotation-curve", "--rename",
-                                    "--no-ease", "--keys"},
-    "--plot": OF_NUMBERS | {"--fields", "--meta", "--side", "-f", "--columns", "--extrapolate"},
-    "--check": OF_RANGE | OF_NUMBERS | {"--meta", "--explain"},
-    "--identify": OF_RULES | OF_RANGE | OF_NUMBERS | {"--meta", "--explain", "--fields", "--closed", "--period"},
+                                    "--no-ease", "--keys", "--no-overshoot"},
+    "--plot": OF_NUMBERS | OF_ROWS | {"--time-zero", "--fields", "--meta", "--side", "-f", "--columns", "--extrapolate"},
+    "--check": OF_RANGE | OF_NUMBERS | OF_ROWS | {"--meta", "--explain"},
+    "--identify": OF_RULES | OF_RANGE | OF_NUMBERS | OF_ROWS | {"--no-overshoot", "--max-gap", "--meta", "--explain", "--fields", "--closed", "--period"},
+    "--limits=all": OF_RANGE | OF_NUMBERS | {"--meta", "--explain", "--fields", "--side", "--extrapolate", *OF_ROWS},
+    "--limits=speed=2": {"--explain", "--exact-input"},
     "--emit": {"--fields", "--keys", "--end", "--extrapolate", "--side", "--rotation-output"},
     "--per-segment": {"--from", "--to", "--keys"},
     "--tolerance": {"--from", "--to"},
@@ -238,11 +243,14 @@ def random_options(rng, keys):
     measured = mode[0].startswith("--arc") or mode[0] == "--tolerance" or {"s", "speed", "tangent"} & set(fields)
     maybe(0.2, "--metric", rng.choice(["x", "1"]), needs=measured)
     maybe(0.5 if keys.groups else 0.1, "--sort")
-    maybe(0.1, "--duplicates", rng.choice("first last break".split()))
+    maybe(0.1, "--duplicates", rng.choice("first last break spread".split()))
+    maybe(0.1, "--max-gap", rng.choice(["1.5", "3"]), needs=not given & {"--period", "--closed"})
+    maybe(0.1, "--no-overshoot")
+    maybe(0.1, "--time-zero", rng.choice(["first", "-1.5"]))
     maybe(0.9 if keys.missing else 0.1, "--missing", rng.choice("skip-row skip-cell break".split()))
     maybe(0.15, "--tcb", rng.choice(["0.5,0,0", "0,-1,0", "0.1,0.2,-0.3"]))
     maybe(0.02, "--parameter", rng.choice("uniform chordal centripetal 0.3".split()))
-    if mode[0] in ("--check", "--identify"):
+    if mode[0] in ("--check", "--identify", "--limits=all"):
         maybe(0.4, "-f", rng.choice(["json", "svg"]))
     else:
         maybe(0.4, "-f", rng.choice("csv tsv ssv json jsonl npy".split()))
@@ -251,6 +259,9 @@ def random_options(rng, keys):
     maybe(0.2, "--side", rng.choice(["left", "right"]), needs=changing)
     maybe(0.15, *rng.choice([["--digits", "6"], ["--digits", "17"], ["--fixed", "3"], ["--hex"]]))
     maybe(0.1, "--no-output-header", needs="-f" not in given)
+    maybe(0.1, "--output-delimiter", rng.choice([";", "tab"]), needs="-f" not in given)
+    maybe(0.5, "--output-decimal", ",", needs="--output-delimiter" in given and "--hex" not in given)
+    maybe(0.05, "--file-column")
     maybe(0.1, "--meta", needs="-f" not in given)
     maybe(0.1, "--explain", needs="--meta" not in given)
     maybe(0.08, "--golden")
