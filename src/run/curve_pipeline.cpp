@@ -293,7 +293,7 @@ bool CurvePipeline::take_places_of_part(const Extent& extent) {
   });
   for (const Rational& place : request_.places) {
     if (!next || place <= last || spec_.extrapolations.after != Extrapolation::error) continue;
-    throw usage_error("time {} is in the gap from {} to {}; give a time on the curve, or --extrapolate", text(place),
+    throw usage_error("time {} is in the gap from {} to {}; give a time on the curve, or --extrapolate hold", text(place),
                       text(last), time_text(*next))
         .about("--at");
   }

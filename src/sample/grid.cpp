@@ -256,7 +256,7 @@ std::string beside(const Rational& value, const Rational& bound) {
   return shown == text(bound) ? ratio_text(value) : shown;
 }
 
-std::string or_extended(RangeEnds ends) { return ends == RangeEnds::of_keys ? ", or --extrapolate" : ""; }
+std::string or_extended(RangeEnds ends) { return ends == RangeEnds::of_keys ? ", or --extrapolate hold" : ""; }
 
 }  // namespace
 

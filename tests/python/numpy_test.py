@@ -1,9 +1,11 @@
 """The Python module with NumPy: its examples, inputs, outputs, options and errors. numpy_test.py FOLDER"""
 
+import array
 import datetime
 import decimal
 import doctest
 import fractions
+import inspect
 import io
 import json
 import os
@@ -300,7 +302,58 @@ class Outputs(unittest.TestCase):
         self.assertEqual(left, [])
 
 
+class PairsTest(unittest.TestCase):
+    def test_pairs_of_any_sequences(self):
+        times, x = [0.0, 1.0, 3.0], [1.0, 2.0, 5.0]
+        expected = tcbsample.resample((times, x), at=[3])
+        for kind in (tuple, np.array, lambda v: array.array("d", v), lambda v: memoryview(array.array("d", v))):
+            self.assertEqual(tcbsample.resample((kind(times), kind(x)), at=[3]), expected)
+        self.assertEqual(expected.tolist(), [(3.0, 5.0)])
+        self.assertEqual(tcbsample.Curve(times, x)(3).tolist(), [5])
+        self.assertEqual(tcbsample.Curve(times, np.zeros((3, 2)))(3).tolist(), [0, 0])
+
+
+class ProductsTest(unittest.TestCase):
+    def test_the_whole_length(self):
+        curve = tcbsample.Curve([[0, 0, 0], [1, 3, 4]])
+        self.assertEqual(float(curve.length()), 5)
+
+    def test_limits(self):
+        keys = [[0, 0], [1, 3]]  # at a constant speed of 3 with the ends of chords
+        report = tcbsample.limits(keys, {"speed": 2}, ends="chord")
+        self.assertEqual((bool(report), report["keys"], report["limits"][0]["maximum"]), (False, "keys", 3))
+        self.assertTrue(tcbsample.limits(keys, {"speed": 3}, ends="chord"))
+        self.assertGreater(len(tcbsample.limits(keys)["limits"]), 3)
+
+    def test_the_module_runs_the_program(self):
+        folder = pathlib.Path(tcbsample.__file__).parent.parent
+        command = [sys.executable, "-m", "tcbsample", "--version"]
+        done = subprocess.run(command, capture_output=True, text=True, cwd=folder, check=True)
+        self.assertEqual(done.stdout, f"tcbsample {tcbsample.__version__}\n")
+
+    def test_explain_speaks_of_arrays(self):
+        text = tcbsample.explain([[0, 1], [1, 2]])
+        self.assertTrue(text.startswith("data: 2 rows of 2 columns\ntime: t\n"), text)
+
+    def test_signatures_show_the_usual_options(self):
+        for function in (tcbsample.resample, tcbsample.check, tcbsample.plot, tcbsample.explain):
+            names = set(inspect.signature(function).parameters)
+            self.assertLessEqual({"fps", "group", "columns", "tcb"}, names)
+
+
 class OptionsTest(unittest.TestCase):
+    def test_what_is_meant(self):
+        keys = [[0, 1], [1, 2]]
+        for call, message in (
+            (lambda: tcbsample.Curve(keys, tension=0.5), r"tcb=\(T, C, B\)"),
+            (lambda: tcbsample.resample("t,x\n0,1\n1,2\n", count=3), "io.StringIO"),
+            (lambda: tcbsample.resample(keys, count=3, closed=np.float64(3)), "closed: 3.0; expected True or False"),
+        ):
+            with self.assertRaisesRegex(TypeError, message):
+                call()
+        with self.assertRaisesRegex(tcbsample.Error, 'extrapolate="hold"'):
+            tcbsample.Curve(keys)(np.nextafter(1, 2))
+
     def test_every_option_of_the_command_line_is_known(self):
         help_text = command("--help").decode()
         names = re.findall(r"--[a-z-]+", "\n".join(re.findall(r"^  (-.*)$", help_text, re.MULTILINE)))

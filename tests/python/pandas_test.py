@@ -1,7 +1,9 @@
 """The Python module with pandas: pandas_test.py FOLDER"""
 
+import importlib.util
 import sys
 import unittest
+import warnings
 
 sys.path.insert(0, sys.argv.pop())
 sys.dont_write_bytecode = True
@@ -22,6 +24,34 @@ class Frames(unittest.TestCase):
             np.testing.assert_array_equal(curve(when), same([0, 1, 2]))
         self.assertEqual(curve(dates[1]).shape, (2,))
         np.testing.assert_array_equal(curve(dates[0] + pd.Timedelta("250ms")), same(0.25))
+
+    def test_an_index_of_other_whole_numbers_is_the_time_where_no_column_is(self):
+        frame = pd.DataFrame({"x": [1.0, 2.0, 4.0]}, index=[0, 10, 30])
+        self.assertEqual(tcbsample.resample(frame, at=[10, 30])["x"].tolist(), [2, 4])
+        self.assertEqual(tcbsample.Curve(frame).times.tolist(), [0, 10, 30])
+        filtered = FRAME.set_axis([3, 7, 9])  # rows of a larger frame
+        np.testing.assert_array_equal(tcbsample.resample(filtered, count=3), tcbsample.resample(FRAME, count=3))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", tcbsample.Note)
+            uniform = tcbsample.resample(frame, count=3, parameter="uniform")
+        self.assertEqual(uniform["t"].tolist(), [0, 1, 2])
+
+    @unittest.skipIf(importlib.util.find_spec("xarray") is None, "there is no xarray")
+    def test_data_of_xarray_have_their_coordinate(self):
+        import xarray
+
+        times, x = [0, 10, 30], [1.0, 2.0, 4.0]
+        one = xarray.DataArray(x, dims=["time"], coords={"time": times})
+        self.assertEqual(tcbsample.resample(one, at=[10, 30])["x"].tolist(), [2, 4])
+        two = xarray.DataArray(list(zip(x, x)), dims=["n", "c"], coords={"n": times, "c": ["a", "b"]})
+        rows = tcbsample.resample(two, at=[30])
+        self.assertEqual((list(rows.columns), rows.index.tolist(), rows["b"].tolist()), (["a", "b"], [30], [4]))
+        several = xarray.Dataset({"a": ("time", x), "b": ("time", x)}, coords={"time": times, "place": "lab"})
+        self.assertEqual(tcbsample.Curve(several)(10).tolist(), [2, 2])
+        with self.assertRaisesRegex(TypeError, "'time' has no coordinate"):
+            tcbsample.resample(xarray.DataArray(x, dims=["time"]), count=3)
+        with self.assertRaisesRegex(TypeError, "expected one, whose coordinate is the time"):
+            tcbsample.resample(xarray.DataArray(np.zeros((2, 2, 2))), count=3)
 
     def test_a_frame_gives_a_frame_with_the_numbers_of_an_array(self):
         for count in (5, 50000):

@@ -23,7 +23,7 @@ COMMAND_ONLY = {
     "color": _NO_TERMINAL,
     "check": _OTHER_FUNCTION,
     "identify": _OTHER_FUNCTION,
-    "limits": "run the command tcbsample, which prints the report",
+    "limits": _OTHER_FUNCTION,
     "retime": "run the command tcbsample, which reads the keys twice",
     "fit": _OTHER_FUNCTION,
     "plot": _OTHER_FUNCTION,

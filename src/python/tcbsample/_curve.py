@@ -16,7 +16,7 @@ import numpy as np
 from ._options import Options
 from ._program import Error, run_of, source_of
 from ._rows import dates_of, durations_of, rows_of
-from ._tables import Table, array_of, decimal_seconds, is_missing
+from ._tables import Table, array_of, decimal_seconds, is_missing, shown
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -142,7 +142,7 @@ def _are_missing(places: Any) -> Any:
 class Curve:
     """A curve through keys, to evaluate at any times.
 
-    keys      keys of one curve, as for resample()
+    keys      keys of one curve, as for resample(); or their n times, followed by their positions, as in Curve(t, y)
     preset    the rules of a product; see presets()
     options   options of the curve and of its keys, such as closed=True, extrapolate="hold", ends="natural" or
               columns={"time": "stamp"}; see Options
@@ -167,7 +167,10 @@ class Curve:
     (2, 2)
     """
 
-    def __init__(self, keys: Any, /, *, preset: Optional[str] = None, **options: Unpack[Options]) -> None:
+    def __init__(self, keys: Any, positions: Any = None, /, *, preset: Optional[str] = None,
+                 **options: Unpack[Options]) -> None:  # fmt: skip
+        if positions is not None:
+            keys = keys, positions
         given = {name: value for name, value in options.items() if value is not None and value is not False}
         if "group" in given:
             raise TypeError("group: a Curve is one curve; make one for each group, as in {name: Curve(rows) for name, "
@@ -182,6 +185,7 @@ class Curve:
         if "equal_speed" not in given and "parameter" not in given:
             self._options.pop("metric", None)  # only lengths depend on it
         self._pieces: Optional[_Pieces] = None
+        self._length: Optional[Array] = None
         self.names: list[str] = []
         rows = None
         if "rotation_curve" not in given:  # components of rotations are cubics that are divided by their norm
@@ -292,7 +296,7 @@ class Curve:
             if isinstance(pieces.first, float) and pieces.first <= t <= pieces.last:  # without the cost of arrays
                 return pieces.at(float(t), nu)
         if nu != int(nu) or nu < 0:
-            raise ValueError(f"nu: {nu!r}; expected the order of a derivative: 0, 1, 2, ...")
+            raise ValueError(f"nu: {shown(nu)}; expected the order of a derivative: 0, 1, 2, ...")
         nu = int(nu)
         places = self._places(t)
         shape, places = (*places.shape, len(self.names)), places.ravel()
@@ -314,13 +318,19 @@ class Curve:
                                                        golden=golden, extrapolate=self._extrapolate)  # fmt: skip
         return result.reshape(shape)
 
-    def length(self, t: Any) -> Array:
-        """Arc lengths from the start of the curve to times, in an array of the shape of t. Raises Error as a call.
+    def length(self, t: Any = None) -> Array:
+        """Arc lengths from the start of the curve to times, in an array of the shape of t; without t, the whole length.
+        Raises Error as a call.
 
         >>> import tcbsample
-        >>> float(tcbsample.Curve([[0, 0, 0], [1, 3, 4]]).length(1))
-        5.0
+        >>> curve = tcbsample.Curve([[0, 0, 0], [1, 3, 4]])
+        >>> float(curve.length()), float(curve.length(0))
+        (5.0, 0.0)
         """
+        if t is None:
+            if self._length is None:
+                self._length = self.length(self.times[-1])
+            return self._length
         more = {"metric": self._metric, "extrapolate": self._extrapolate}
         return self._ask("at", self._places(t), "s", 1, **more)[..., 0]
 

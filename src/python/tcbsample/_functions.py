@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import base64
 import importlib
+import inspect
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 from collections.abc import Mapping, Sequence
-from typing import IO, TYPE_CHECKING, Any, NamedTuple, Optional, Protocol, Union, overload
+from typing import IO, TYPE_CHECKING, Any, Callable, NamedTuple, Optional, Protocol, TypeVar, Union, overload
 
 import numpy as np
 
 from ._options import PRESETS, Options, PlotOptions, SamplingOptions, Value
-from ._program import in_python, run_of
+from ._program import Run, in_python, run_of
 from ._rows import rows_of
 
 if TYPE_CHECKING:
@@ -111,6 +113,26 @@ class Picture:
         return subprocess.run(command, input=self.svg.encode(), stdout=subprocess.PIPE, check=True).stdout
 
 
+# What the signatures of help() show of the options, which type checkers see in **options.
+
+_USUAL = ("step", "count", "fps", "columns", "group", "tcb", "tangents", "ends", "closed", "fields")
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+def _shows(*names: str) -> Callable[[_Function], _Function]:
+    """The function with these options in its signature, before the others."""
+
+    def decorate(function: _Function) -> _Function:
+        signature = inspect.signature(function)
+        *parameters, others = signature.parameters.values()
+        known = [parameter.name for parameter in parameters]
+        shown = [inspect.Parameter(n, inspect.Parameter.KEYWORD_ONLY, default=None) for n in names if n not in known]
+        function.__signature__ = signature.replace(parameters=[*parameters, *shown, others])  # type: ignore[attr-defined]
+        return function
+
+    return decorate
+
+
 # The input is positional, and not called keys, as that is the option --keys, which type checkers see in **options.
 
 
@@ -122,6 +144,7 @@ def resample(data: Frame, /, *, step: Value = None, count: Optional[int] = None,
 def resample(data: Other, /, *, step: Value = None, count: Optional[int] = None, arc_step: Value = None,
              at: Value = None, tolerance: Value = None, preset: Optional[str] = None,
              **options: Unpack[Options]) -> Array: ...  # fmt: skip
+@_shows(*_USUAL)
 def resample(data: Any, /, *, step: Value = None, count: Optional[int] = None, arc_step: Value = None,
              at: Value = None, tolerance: Value = None, preset: Optional[str] = None,
              **options: Unpack[Options]) -> Any:  # fmt: skip
@@ -166,6 +189,7 @@ def resample(data: Any, /, *, step: Value = None, count: Optional[int] = None, a
 def fit(samples: Frame, /, tolerance: Value, **options: Unpack[Options]) -> pandas.DataFrame: ...
 @overload
 def fit(samples: Other, /, tolerance: Value, **options: Unpack[Options]) -> Array: ...
+@_shows("columns", "group", "fit_keys", "metric", "corner")
 def fit(samples: Any, /, tolerance: Value, **options: Unpack[Options]) -> Any:
     """Few keys whose curve is within a tolerance of all samples.
 
@@ -192,9 +216,18 @@ def fit(samples: Any, /, tolerance: Value, **options: Unpack[Options]) -> Any:
         return rows_of(run, options)
 
 
+def _report(run: Run) -> dict[str, Any]:
+    """The report that a run prints, with the names that Python has for its inputs."""
+    data: dict[str, Any] = json.load(run.result(["--output-format=json"], accepts_difference=True))
+    source = run.sources.get("standard input")
+    if source is not None:
+        data["keys"] = source.name
+    return data
+
+
 def _compare(option: str, keys: Any, samples: Any, options: Mapping[str, Any], agrees: str) -> Report:
     with run_of(keys, {**options, option: samples}, [option]) as run:
-        data = json.load(run.result(["--output-format=json"], accepts_difference=True))
+        data = _report(run)
         file = run.sources.get(data["file"])
         for name in ("first", "worst"):
             if data[name]:
@@ -204,12 +237,11 @@ def _compare(option: str, keys: Any, samples: Any, options: Mapping[str, Any], a
         for name in ("problems", "not_compared"):
             texts = map(in_python, data[name])
             data[name] = [file.in_rows(text) if file else text for text in texts]
-        for name in ("file", "keys"):
-            source = run.sources.get("standard input" if data[name] == "-" else data[name])
-            data[name] = source.name if source else data[name]
+        data["file"] = file.name if file else data["file"]
         return Report(data, data[agrees])
 
 
+@_shows(*_USUAL)
 def check(data: Keys, samples: Keys, /, *, abs: Value = None, rel: Value = None, ulp: Value = None,
           **options: Unpack[SamplingOptions]) -> Report:  # fmt: skip
     """Compares samples that any program made with the curve through keys.
@@ -235,6 +267,7 @@ def check(data: Keys, samples: Keys, /, *, abs: Value = None, rel: Value = None,
     return _compare("check", data, samples, dict(options, abs=abs, rel=rel, ulp=ulp), "passed")
 
 
+@_shows("columns", "group", "map", "metric")
 def identify(data: Keys, samples: Keys, /, **options: Unpack[SamplingOptions]) -> Report:
     """Finds the rules by which another program made samples of the curve through keys.
 
@@ -253,6 +286,28 @@ def identify(data: Keys, samples: Keys, /, **options: Unpack[SamplingOptions]) -
     return _compare("identify", data, samples, options, "fits")
 
 
+@_shows("columns", "group", "tcb", "tangents", "ends", "closed", "metric")
+def limits(data: Keys, /, limits: Value = None, **options: Unpack[Options]) -> Report:
+    """The largest speed, acceleration and the like on the curve through keys, certified, against limits.
+
+    data      n keys; see the description of the module
+    limits    a dict of limits, as in {"speed": 2, "velocity_x": "-1:2"}; None for all largest values
+    options   preset, from_, to, group, metric, ...; see Options
+
+    Returns a Report, which is true if no limit is exceeded; ["limits"] is a list of dicts with name, maximum, time, side,
+    limit and factor. Raises Error and TypeError as resample().
+
+    >>> import tcbsample
+    >>> report = tcbsample.limits([[0, 0], [1, 2], [2, 0]], {"speed": 100})
+    >>> bool(report), report["limits"][0]["name"]
+    (True, 'speed')
+    """
+    with run_of(data, {**options, "limits": True if limits is None else limits}, ["limits"]) as run:
+        report = _report(run)
+        return Report(report, report["passed"])
+
+
+@_shows(*_USUAL)
 def plot(data: Keys, /, **options: Unpack[PlotOptions]) -> Picture:
     """A picture of the curve through keys: its path, and each channel over time, with keys and samples.
 
@@ -273,6 +328,7 @@ def plot(data: Keys, /, **options: Unpack[PlotOptions]) -> Picture:
         return Picture(run.result(words, accepts_difference=compares).read().decode())
 
 
+@_shows(*_USUAL)
 def explain(data: Keys, /, **options: Unpack[SamplingOptions]) -> str:
     """What was detected in keys, and with a sampling option what resample() would do, as a text of lines NAME: VALUE.
 
@@ -287,7 +343,11 @@ def explain(data: Keys, /, **options: Unpack[SamplingOptions]) -> str:
     with run_of(data, options) as run:
         text = run.result(["--explain"]).read().decode()
         source = run.sources.get("standard input")
-        return source.in_rows(text) if source else text
+        if source is None or source.table is None:
+            return text
+        columns = source.table.columns
+        text = text.replace("file: standard input", f"data: {len(columns[0])} rows of {len(columns)} columns", 1)
+        return source.in_rows(re.sub(r"^(format|delimiter|comment|decimal|header|output): .*\n", "", text, flags=re.M))
 
 
 def presets() -> dict[str, Preset]:

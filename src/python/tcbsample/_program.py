@@ -23,7 +23,7 @@ import numpy as np
 
 from ._command_only import COMMAND_ONLY, PRODUCTS
 from ._options import OPTIONS, REMOVED
-from ._tables import Table, date_text, encode, is_table, table, text
+from ._tables import Table, date_text, encode, is_table, shown, table, text, with_index_as_time
 
 
 class Note(UserWarning):
@@ -172,6 +172,26 @@ def source_of(value: Any, name: str) -> Source:
     return Source(file if isinstance(file, str) else name, data.encode() if isinstance(data, str) else bytes(data))
 
 
+def _with_times(source: Source, options: Mapping[str, Any]) -> Source:
+    """The source, where a spare index is the time if neither a column nor an option is."""
+    if source.table is None or not source.table.has_spare_index or options.get("parameter") is not None:
+        return source
+    if _names_time(text(options.get("columns") or "")):
+        return source
+    words = ["--explain", "--quiet", "--input-format=csv", "--comment=none", "--header"]
+    head = source.text[: source.text.find(b"\n", 1 << 16) + 1] if len(source.text) > 1 << 16 else source.text
+    explained = subprocess.run([program(), *words], input=head, capture_output=True, check=False).stdout
+    if b"\ntimes: none" not in explained:
+        return source
+    rows = with_index_as_time(source.table)
+    return Source(source.name, encode(rows), rows)
+
+
+def _names_time(columns: str) -> bool:
+    """Whether the value of the option columns says which column is the time."""
+    return any(role.partition("=")[0].strip() == "time" for role in columns.split(","))
+
+
 _FORM = re.compile(r"^(?P<file>.*?)(?::(?P<line>\d+))?(?::(?P<column>\d+))?: (?P<kind>error|warning|note): (?P<message>.*)$")
 _FIT_REPORT = re.compile(r"[\d,]+ samples?, ")
 
@@ -192,15 +212,18 @@ _TEXT_OPTIONS = ["input_format", "delimiter", "header", "no_header", "comment", 
 class Run:
     """A run of the program: its words, its input, and the files made for it, which resources own."""
 
-    def __init__(self, keys: Any, name: str, resources: contextlib.ExitStack) -> None:
+    def __init__(self, keys: Any, resources: contextlib.ExitStack) -> None:
         self.sources: dict[str, Source] = {}
         self.words: list[str] = []
         self.files: list[str] = []
         if isinstance(keys, (str, os.PathLike)):
+            if "\n" in os.fspath(keys):
+                raise TypeError("a text is the path of a file, and this one has several lines; io.StringIO(text) makes a "
+                                "file of its contents")  # fmt: skip
             source = Source("", b"")
             self.files = ["--", os.fspath(keys)]
         else:
-            source = keys if isinstance(keys, Source) else source_of(keys, name)
+            source = keys
             self.sources["standard input"] = source
         self.table = source.table
         if self.table is not None:
@@ -225,6 +248,9 @@ class Run:
 
     def _add(self, name: str, value: Any, allowed: Collection[str]) -> None:
         known = name.rstrip("_")
+        if known in ("tension", "continuity", "bias"):
+            raise TypeError(f"unknown option {name!r}; tcb=(T, C, B) gives the parameters of all keys, and a column with "
+                            "this name those of each")  # fmt: skip
         if known not in OPTIONS:
             near = difflib.get_close_matches(known, [*OPTIONS, *REMOVED], 1)
             if near and near[0] in REMOVED:  # the program tells what to do instead
@@ -245,7 +271,7 @@ class Run:
             raise ValueError(f"{name}: nothing is in it; expected at least one value")
         option = OPTIONS[known]
         if option.kind == "flag" and value is not True:
-            raise TypeError(f"{name}: {value!r}; expected True or False")
+            raise TypeError(f"{name}: {shown(value)}; expected True or False")
         if option.kind in ("flag", "attached") and value is True:
             self.words.append(option.name)
         elif option.kind == "file" and not isinstance(value, (str, os.PathLike)):
@@ -261,8 +287,7 @@ class Run:
         """Adds options, which are those of functions, and those of the command line alone that are allowed here."""
         options = dict(options)
         columns = text(options.get("columns") or "")
-        names_time = any(role.partition("=")[0].strip() == "time" for role in columns.split(","))
-        if self.table is not None and self.table.time_index is not None and not names_time:
+        if self.table is not None and self.table.time_index is not None and not _names_time(columns):
             options["columns"] = ",".join(filter(None, ["time=1", columns]))  # the index
             if self.table.columns[0].dtype.kind == "m" and options.get("time_unit") is None:
                 options["time_unit"] = "s"
@@ -356,6 +381,8 @@ class Run:
 def run_of(keys: Any, options: Mapping[str, Any], allowed: Collection[str] = (), name: str = "keys") -> Iterator[Run]:
     """A run with options, whose files are removed when the block ends. Raises TypeError and ValueError."""
     with contextlib.ExitStack() as resources:
-        run = Run(keys, name, resources)
+        if not isinstance(keys, (str, os.PathLike)):
+            keys = _with_times(keys if isinstance(keys, Source) else source_of(keys, name), options)
+        run = Run(keys, resources)
         run.add(options, allowed)
         yield run

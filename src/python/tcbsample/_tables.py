@@ -5,6 +5,7 @@ A column of times is sent as text without loss: dates in UTC, durations as decim
 
 from __future__ import annotations
 
+import array
 import datetime
 import decimal
 import fractions
@@ -25,6 +26,8 @@ class Table(NamedTuple):
     originals   the columns as they are in the keys: arrays, or the Series of a DataFrame
     time_index  the name of the index of a DataFrame or Series that is the time, the first column; None without one
     frame       the DataFrame or Series
+    has_spare_index  whether its index has no name and has whole numbers other than 0, 1, 2, ...; these are the times if
+                no column is the time
     """
 
     names: Optional[list[str]]
@@ -33,6 +36,7 @@ class Table(NamedTuple):
     originals: list[Any]
     time_index: Optional[tuple[Any]] = None
     frame: Any = None
+    has_spare_index: bool = False
 
     def original(self, name: str) -> Optional[int]:
         """The number of the column with this name."""
@@ -48,6 +52,10 @@ class Table(NamedTuple):
 
 def is_pandas(value: Any) -> bool:
     return type(value).__module__.partition(".")[0] == "pandas" and hasattr(value, "iloc")
+
+
+def is_xarray(value: Any) -> bool:
+    return type(value).__module__.partition(".")[0] == "xarray" and hasattr(value, "coords")
 
 
 def is_table(value: Any) -> bool:
@@ -74,28 +82,42 @@ def array_of(values: Any) -> np.ndarray[Any, Any]:
     """Values as an array: dates, in UTC, and durations in nanoseconds, masked values as None. Raises ValueError."""
     if getattr(getattr(values, "dtype", None), "tz", None) is not None:
         return np.asarray(values, dtype="datetime64[ns]")
-    array = np.asarray(values)
+    found = np.asarray(values)
     if isinstance(values, np.ma.MaskedArray) and values.mask.any():
-        array = np.where(values.mask, None, array.astype(object))  # type: ignore[call-overload]
-    if array.dtype.kind in "mM":
-        return in_nanoseconds(array)
-    if array.dtype.kind != "O":
-        return array
-    objects = array.ravel().tolist()
+        found = np.where(values.mask, None, found.astype(object))  # type: ignore[call-overload]
+    if found.dtype.kind in "mM":
+        return in_nanoseconds(found)
+    if found.dtype.kind != "O":
+        return found
+    objects = found.ravel().tolist()
     objects = [one.to_timestamp() if hasattr(one, "to_timestamp") else one for one in objects]  # of periods
     known = [one for one in objects if not is_missing(one)]
     for types, unit in ((_DATES, "datetime64[ns]"), (_DURATIONS, "timedelta64[ns]")):
         if known and all(isinstance(one, types) for one in known):
             counts = [np.iinfo(np.int64).min if is_missing(one) else nanoseconds(one) for one in objects]
-            return np.array(counts, dtype=np.int64).view(unit).reshape(array.shape)
-    return array
+            return np.array(counts, dtype=np.int64).view(unit).reshape(found.shape)
+    return found
 
 
-def _frame_table(keys: Any) -> Table:
+def _frame_of_xarray(keys: Any) -> Any:
+    """A DataArray or Dataset as a Series or DataFrame with the coordinate of its first dimension as the index."""
+    kind, dimensions = type(keys).__name__, list(keys.dims)
+    if kind == "Dataset" and len(dimensions) != 1 or not 1 <= len(dimensions) <= 2:
+        raise TypeError(f"a {kind} with the dimensions {dimensions}; expected one, whose coordinate is the time, and for a "
+                        "DataArray at most one more, the channels")  # fmt: skip
+    time = dimensions[0]
+    if time not in keys.coords:
+        raise TypeError(f"the dimension {time!r} has no coordinate, so there are no times; assign them, as in "
+                        f"data.assign_coords({{{time!r}: times}})")  # fmt: skip
+    keys = keys.reset_coords(drop=True)
+    return keys.to_dataframe() if kind == "Dataset" else keys.to_pandas()
+
+
+def _frame_table(keys: Any, index_is_time: bool = False) -> Table:
     import pandas
 
     index, frame = keys.index, keys
-    is_time = index.nlevels == 1 and (index.dtype.kind in "mM" or str(index.dtype).startswith(("period", "datetime64")))
+    is_time = index_is_time or index.nlevels == 1 and (index.dtype.kind in "mM" or str(index.dtype).startswith(("period", "datetime64")))
     if not hasattr(keys, "columns"):  # a Series
         counts_rows = index.name is None and index.dtype.kind in "iu" and index.equals(pandas.RangeIndex(len(index)))
         if index.nlevels > 1 or counts_rows:
@@ -121,23 +143,32 @@ def _frame_table(keys: Any) -> Table:
                         "frame.rename_axis('time'), or a list of names, makes it columns, and "
                         "frame.reset_index(drop=True) leaves it out")  # fmt: skip
     time_index = (index.name,) if is_time else None
-    return Table([str(label) for label in labels], [array_of(one) for one in series], labels, series, time_index, frame)
+    names = [str(label) for label in labels]
+    is_spare = time_index is None and index.names == [None] and not index.equals(pandas.RangeIndex(len(index)))
+    columns = [array_of(one) for one in series]
+    return Table(names, columns, labels, series, time_index, frame, is_spare and index.dtype.kind in "iu")
+
+
+def with_index_as_time(table: Table) -> Table:
+    """The table of a DataFrame whose index is the time."""
+    return _frame_table(table.frame, index_is_time=True)
 
 
 def _named(columns: Mapping[Any, Any]) -> Table:
     arrays = [array_of(column) for column in columns.values()]
-    shapes = {str(name): array.shape for name, array in zip(columns, arrays)}
+    shapes = {str(name): column.shape for name, column in zip(columns, arrays)}
     if any(len(shape) != 1 for shape in shapes.values()) or len(set(shapes.values())) > 1:
         raise ValueError(f"shapes of columns: {shapes}; expected 1-D columns of one length, one for each channel")
     return Table([str(name) for name in columns], arrays, list(columns), arrays)
 
 
 def _is_column(values: Any) -> bool:
-    return isinstance(values, (list, range)) or hasattr(values, "__array__")
+    is_sequence = isinstance(values, (Sequence, array.array, memoryview)) and not isinstance(values, (str, bytes))
+    return is_sequence or hasattr(values, "__array__")
 
 
 def _pair_table(keys: Any) -> Table:
-    """Times and positions, each an array or a list, as interpolators of SciPy take them."""
+    """Times and positions, each an array or a sequence, as interpolators of SciPy take them."""
     times, positions = map(array_of, keys)
     if times.ndim != 1 or positions.ndim not in (1, 2) or len(times) != len(positions):
         raise ValueError(f"times of shape {times.shape} with positions of shape {positions.shape}; expected n times "
@@ -150,6 +181,8 @@ def table(keys: Any) -> Table:
     kind = type(keys).__name__
     if is_pandas(keys):
         return _frame_table(keys)
+    if is_xarray(keys):
+        return _frame_table(_frame_of_xarray(keys), index_is_time=True)
     if hasattr(keys, "__dataframe__"):  # as an array, it would lose its names
         raise TypeError(f"a {kind} of {type(keys).__module__.partition('.')[0]}; expected a DataFrame of pandas, which its "
                         "method to_pandas() returns")  # fmt: skip
@@ -164,16 +197,16 @@ def table(keys: Any) -> Table:
         names = dict.fromkeys(name for row in rows for name in row)
         return _named({name: [row.get(name) for row in rows] for name in names})
     try:
-        array = keys if isinstance(keys, np.ma.MaskedArray) else np.asarray(keys)
+        found = keys if isinstance(keys, np.ma.MaskedArray) else np.asarray(keys)
     except ValueError:
-        array = np.empty(0)  # rows of several lengths
-    if array.dtype.names:
-        return _named({name: array[name] for name in array.dtype.names})
-    if array.ndim == 2:
-        columns: Any = map(list, zip(*rows)) if rows else array.T  # columns of a list have types of their own
+        found = np.empty(0)  # rows of several lengths
+    if found.dtype.names:
+        return _named({name: found[name] for name in found.dtype.names})
+    if found.ndim == 2:
+        columns: Any = map(list, zip(*rows)) if rows else found.T  # columns of a list have types of their own
         return Table(None, [array_of(column) for column in columns], [], [])
     raise TypeError(f"{kind} is no table of keys; expected a 2-D or structured array, a pair of times "
-                    "and positions, a dict of columns, a list of dicts, a DataFrame, a Series, a path, an open file, "
+                    "and positions, a dict of columns, a list of dicts, a DataFrame, a Series, a DataArray, a path, an open file, "
                     "or bytes")  # fmt: skip
 
 
@@ -226,6 +259,11 @@ def encode(table: Table) -> bytes:
 # Values of options.
 
 
+def shown(value: Any) -> str:
+    """A value in a message: a number of NumPy as that of Python."""
+    return repr(value.item() if isinstance(value, np.generic) else value)
+
+
 def nanoseconds(value: Any) -> int:
     """A duration, or a date since 1970."""
     count = getattr(value, "value", None)  # of pandas, whose nanoseconds NumPy would drop
@@ -264,7 +302,7 @@ def word(value: Any) -> str:
         return repr(value)
     if isinstance(value, (int, np.longdouble, decimal.Decimal, fractions.Fraction)):
         return str(value)
-    raise TypeError(f"{value!r} is a {type(value).__name__}; expected a number, a text or a date")
+    raise TypeError(f"{shown(value)} is a {type(value).__name__}; expected a number, a text or a date")
 
 
 def _times_text(times: np.ndarray[Any, Any]) -> str:
