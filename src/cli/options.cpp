@@ -70,7 +70,8 @@ constexpr OptionRow option_rows[] = {
      "gets the same tree",
      "", flag, unrecorded, [](Typed& to, Text) { to.files.recursive = true; }},
     {"--suffix", "", "S", files_group,
-     "Appends S to the name of each output, before the ending",
+     "Appends S to the name of each output, before the ending; an S such as _s.csv.gz is the end of the name, and names "
+     "the format",
      "", other, unrecorded, [](Typed& to, Text text) { to.files.outputs.suffix = name_part(text); }},
     {"--update", "", "", files_group,
      "Skips inputs that are not newer than their outputs",

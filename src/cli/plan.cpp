@@ -31,27 +31,39 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
   return generated_text(*typed.generated);
 }
 
+/// The name whose ending may name the format: that of the output, or the suffix of the names of all outputs.
+struct NameOfOutput {
+  std::string_view option;
+  std::string text;
+};
+
+std::optional<NameOfOutput> name_of_output(const OutputPaths& outputs) {
+  if (outputs.file != "-") return NameOfOutput{"--output", outputs.file};
+  if (!outputs.suffix.empty()) return NameOfOutput{"--suffix", outputs.suffix};
+  return std::nullopt;
+}
+
 /// Sets the format that the ending of an output names, unless an option gives the same. A report is JSON by its ending.
 /// `earlier`: the format is that of an earlier output. Throws: Error (usage) for another format than the option's, and
 /// for the ending of a format that is not written.
 void set_output_format(TypedOptions& typed, bool earlier) {
-  const std::string& path = typed.files.outputs.file;
-  if (path == "-") return;
+  const auto name = name_of_output(typed.files.outputs);
+  if (!name) return;
   const bool is_report = is_comparison(typed) || prints_limits(typed);
-  const Format* const named = find_output_format(path);
-  const std::string other(other_ending(path));
+  const Format* const named = find_output_format(name->text);
+  const std::string other(other_ending(name->text));
   if (named == nullptr && !other.empty()) {
     throw usage_error(
-        "--output {}: {} is not an output format; expected one of {}; choose another ending, and convert the file "
+        "{} {}: {} is not an output format; expected one of {}; choose another ending, and convert the file "
         "afterwards",
-        path, other, listed(output_endings()));
+        name->option, name->text, other, listed(output_endings()));
   }
   if (named == nullptr || (is_report && !named->has_reports)) return;
   if (typed.has("--output-format") || typed.has("--plot") || earlier) {
     if (named->ending != typed.output.format->ending) {
       throw usage_error(
-          "the ending of --output {} means {}, but --output-format is {}; expected the same format; change one of them",
-          path, named->name, typed.output.format->name);
+          "the ending of {} {} means {}, but --output-format is {}; expected the same format; change one of them",
+          name->option, name->text, named->name, typed.output.format->name);
     }
     return;
   }
@@ -226,7 +238,7 @@ InputListOptions files_of(const TypedOptions& typed) {
   InputListOptions files = typed.files;
   if (files.files.empty() && files.list.empty()) files.files = {"-"};
   if (typed.keys.input.format == nullptr) files.endings = input_endings();
-  files.outputs.ending = typed.output.format->ending;
+  if (find_output_format(files.outputs.suffix) == nullptr) files.outputs.ending = typed.output.format->ending;
   return files;
 }
 

@@ -14,7 +14,7 @@ struct OutputPaths {
   std::string file = "-";             ///< one output for all inputs, or
   std::optional<std::string> folder;  ///< one for each, in this folder
   std::string suffix;                 ///< of their names, before the ending
-  std::string_view ending;            ///< that of the format, with the point
+  std::string_view ending;            ///< that of the format, with the point; none where the suffix has it
 };
 
 struct InputListOptions {
@@ -46,7 +46,7 @@ struct Inputs {
 /// output.
 Inputs find_inputs(const InputListOptions& options);
 
-/// The path of the output of a file: its name below the output folder, with the suffix and the format's ending.
+/// The path of the output of a file: its name below the output folder, with the suffix and the ending.
 /// Requires: outputs.folder. Throws: Error (usage) for standard input.
 std::string output_path(const InputFile& file, const OutputPaths& outputs);
 

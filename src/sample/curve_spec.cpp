@@ -25,6 +25,20 @@ void set_rotation_rules(spline::CurveRules<double>& rules, const spline::PresetR
   if (settings.rotation_curve) own.curve = *settings.rotation_curve;
 }
 
+/// Times made from distances belong to another curve of three.js than its preset.
+/// Source: CatmullRomCurve3 of three.js, whose tangents with curveType centripetal and chordal are those of the
+/// parabola
+///   through three points, and at the ends the chords.
+void require_tracks_of_three_js(const CurveSettings& settings) {
+  const bool has_preset = settings.preset == spline::Preset::threejs && !settings.tangents;
+  if (!has_preset || !settings.parameter || settings.parameter->exponent == 0) return;
+  throw usage_error(
+      "the preset threejs is that of keyframe tracks, whose keys have times; CatmullRomCurve3 of three.js with "
+      "--parameter {} has other tangents; give --tangents finite-difference --ends chord instead of --preset threejs",
+      settings.parameter->name)
+      .about("--parameter");
+}
+
 /// Multiplies times, also those of velocities.
 void retime(CurveSpec& spec, const Rational& factor) {
   if (spec.period) *spec.period *= factor;
@@ -67,6 +81,7 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
 CurveSpec make_spec(const CurveSettings& settings) {
   CurveSpec spec;
   spec.preset = settings.preset.value_or(spline::Preset::gte);
+  require_tracks_of_three_js(settings);
   const spline::PresetRow& preset = spline::row_of(spec.preset);
   spec.rules.tangents = settings.tangents.value_or(preset.tangents);
   set_rotation_rules(spec.rules, preset, settings);

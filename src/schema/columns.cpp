@@ -71,6 +71,22 @@ std::size_t find_cell(const std::string& wanted, std::string_view option, std::s
   throw no_such_column(wanted, header).about(option);
 }
 
+/// The cells of requested columns: of one, or of a range of numbers such as "2-4" that is no name.
+std::vector<std::size_t> find_cells(const std::string& wanted, std::string_view option,
+                                    std::span<const std::string> header, const NameIndex& named, std::size_t cells) {
+  const std::size_t dash = wanted.find('-');
+  if (dash != std::string::npos && !named.find(wanted)) {
+    const std::size_t first = in_digits<std::size_t>(wanted.substr(0, dash)).value_or(0);
+    const std::size_t last = in_digits<std::size_t>(wanted.substr(dash + 1)).value_or(0);
+    if (first >= 1 && first <= last && last <= cells) {
+      std::vector<std::size_t> range(last - first + 1);
+      std::iota(range.begin(), range.end(), first - 1);
+      return range;
+    }
+  }
+  return {find_cell(wanted, option, header, named, cells)};
+}
+
 /// Sets the role of a cell. Throws: Error if it has another.
 void assign(Columns& columns, std::size_t cell, Role role, const std::string& name) {
   if (columns.cells[cell].role != Role::ignored)
@@ -450,15 +466,17 @@ Columns requested_columns(std::span<const std::string> header, const std::vector
   columns.named = !header.empty();
   const NameIndex named(requests.empty() ? std::span<const std::string>{} : header);
   for (const RoleRequest& request : requests) {
+    std::size_t before = 0;  // columns of the request
     for (const std::string& name : request.columns) {
-      const std::size_t cell = find_cell(name, request.option, header, named, numeric.size());
-      const Role role = columns.cells[cell].role;
-      if (request.unless_taken && (request.option.empty() ? role != Role::ignored : role == request.role)) continue;
-      if (is_of_channel(request.role)) of_channels.push_back({cell, {request.role, request.channel}, name, true});
-      const bool is_text = request.role == Role::group || request.role == Role::carry;
-      const bool is_after_date = request.role == Role::time && &name != &request.columns.front();
-      assign(columns, cell, is_after_date ? Role::clock : request.role,
-             !header.empty() ? header[cell] : fmt::format("{}{}", is_text ? "column" : "", cell + 1));
+      for (const std::size_t cell : find_cells(name, request.option, header, named, numeric.size())) {
+        const bool is_first = before++ == 0;
+        const Role role = columns.cells[cell].role;
+        if (request.unless_taken && (request.option.empty() ? role != Role::ignored : role == request.role)) continue;
+        if (is_of_channel(request.role)) of_channels.push_back({cell, {request.role, request.channel}, name, true});
+        const bool is_text = request.role == Role::group || request.role == Role::carry;
+        assign(columns, cell, request.role == Role::time && !is_first ? Role::clock : request.role,
+               !header.empty() ? header[cell] : fmt::format("{}{}", is_text ? "column" : "", cell + 1));
+      }
     }
   }
   return columns;

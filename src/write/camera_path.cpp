@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -22,8 +24,18 @@ constexpr const char* usual_members =
     R"({"keyframes":[],"camera_type":"perspective","render_height":1080,"render_width":1920,"is_cycle":false,)"
     R"("smoothness_value":0})";
 
+/// The least number of seconds in which int(seconds * rate), computed in doubles, is this number of frames.
+double least_seconds(const Rational& frames, const Rational& exact_rate) {
+  const double count = nearest_double(frames), rate = nearest_double(exact_rate);
+  double seconds = nearest_double(frames / exact_rate);
+  while (seconds * rate < count) seconds = std::nextafter(seconds, std::numeric_limits<double>::infinity());
+  while (seconds > 0 && std::nextafter(seconds, 0) * rate >= count) seconds = std::nextafter(seconds, 0);
+  return seconds;
+}
+
 /// One row after the other is a camera, {"camera_to_world": 16 numbers, "fov", "aspect"}. The cameras are played in
-/// seconds n h, with n their number and h the mean duration between them, as nerfstudio plays n frames at times i h.
+/// seconds n h, with n their number and h the mean duration between them, as nerfstudio plays n = int(seconds * fps)
+/// frames at times i h.
 /// Source: the viewer of nerfstudio, which reads and writes such files.
 class CameraPath : public RowKeeper {
  public:
@@ -62,8 +74,9 @@ class CameraPath : public RowKeeper {
     const Rational duration = (exact_time(last_) - exact_time(first_)) * unit;
     const Rational mean = rows_ > 1 && duration > 0 ? Rational(rows_ - 1) / duration : Rational(1);
     const PlayedFrames frames = frames_.value_or(PlayedFrames{mean});
-    return fmt::format(",\"fps\":{},\"seconds\":{}}}\n", nearest_double(frames.rate),
-                       nearest_double(frames.seconds.value_or(Rational(rows_) / frames.rate)));
+    const double seconds =
+        frames.seconds ? nearest_double(*frames.seconds) : least_seconds(Rational(rows_), frames.rate);
+    return fmt::format(",\"fps\":{},\"seconds\":{}}}\n", nearest_double(frames.rate), seconds);
   }
 
  private:

@@ -394,7 +394,7 @@ inline constexpr std::array presets{
               "threejs",
               TangentRule::velocity,
               EndRule::chord,
-              "smooth tracks of three.js; its AnimationAction has the ends zero",
+              "smooth tracks of three.js; its AnimationAction has the ends zero,half",
               {.curve = RotationCurve::slerp}},
     PresetRow{Preset::godot, "godot", TangentRule::finite_difference, EndRule::zero,
               "cubic tracks of Godot 4, except those of rotations"},

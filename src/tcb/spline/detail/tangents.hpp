@@ -19,16 +19,19 @@ namespace tcb::spline {
 
 /// The factor by which a key's two tangents in a channel are scaled so that the cubics beside it stay between their
 /// keys: 1 where each tangent lies between 0 and three times the chord on its side. Otherwise the largest factor that
-/// brings both there, less a part of 2^-50, so that no rounding leads beyond: a key with one direction keeps it. A side
-/// without a segment has two zeros.
+/// brings both there: a key with one direction keeps it. At doubles it is less by a part of 2^-50, so that no rounding
+/// leads beyond. A side without a segment has two zeros.
 /// Source: F. N. Fritsch, R. E. Carlson, "Monotone piecewise cubic interpolation", doi:10.1137/0717021, section 3.
 template <class S>
 working_t<S> overshoot_factor(const working_t<S>& in, const working_t<S>& chord_before, const working_t<S>& out,
                               const working_t<S>& chord_after) {
   using W = working_t<S>;
   const auto size = [](const W& value) { return value < W(0) ? -value : value; };
-  [[maybe_unused]] W margin(0);  // what counts as 0: the rounding errors of double-doubles
-  if constexpr (std::is_same_v<S, double>) margin = W(0x1p-90) * (size(chord_before) + size(chord_after));
+  W margin(0), room(1);
+  if constexpr (std::is_same_v<S, double>) {
+    margin = W(0x1p-90) * (size(chord_before) + size(chord_after));  // rounding errors of double-doubles, which are 0
+    room = W(1) - W(0x1p-50);
+  }
   W factor(1);
   const auto limit = [&](const W& tangent, const W& chord) {
     if (size(tangent) <= margin) return;
@@ -36,7 +39,7 @@ working_t<S> overshoot_factor(const working_t<S>& in, const working_t<S>& chord_
     if (tangent < W(0) ? !(chord < W(0)) : !(chord > W(0))) {
       factor = W(0);
     } else if (size(tangent) > size(most) + margin) {
-      const W needed = most / tangent * (W(1) - W(0x1p-50));
+      const W needed = most / tangent * room;
       if (needed < factor) factor = needed;
     }
   };
