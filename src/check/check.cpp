@@ -1,7 +1,7 @@
 // Check: compares every number of given rows with the computed one, and the rows with those that are expected.
 //
 // Curves get their rows and their limits; each row is computed at its place, and its numbers are compared column by
-// column. Then the places of all rows are compared with those that the options or the provenance request.
+// column. Then the places of all rows are compared with those that the options request.
 #include "check/check.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,6 @@
 
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
-#include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
 #include "run/curve_pipeline.hpp"
 #include "sample/fields.hpp"
@@ -88,18 +87,10 @@ class Checker {
   std::vector<Limits> limits_;
 };
 
-/// The number that is read from the text of a place.
-double as_printed(const Time& place, const Notation& notation) {
-  std::string text(longest_number_in(notation) + spare_room, '\0');
-  text.resize(static_cast<std::size_t>(write_time(place, notation, text.data()) - text.data()));
-  return parse_number(text).value_or(place.hi);
-}
-
 /// Decides which rows are the expected ones.
 class RowMatcher {
  public:
-  RowMatcher(std::span<const Time> expected, const Notation& notation, const Limits& limits)
-      : expected_(expected), notation_(notation), limits_(limits) {
+  RowMatcher(std::span<const Time> expected, const Limits& limits) : expected_(expected), limits_(limits) {
     if (!expected.empty()) rounding_ = billionth * (expected.back() - expected.front()).hi;
   }
 
@@ -108,8 +99,7 @@ class RowMatcher {
     const Time& wanted = expected_[index];
     const double apart = std::abs((place - wanted).hi);
     if (apart <= rounding_ || apart < part_of_gap * gap(index)) return true;
-    if (limits_.admit(distance(place.hi, wanted.hi))) return true;
-    return notation_.is_rounded() && as_printed(wanted, notation_) == place.hi;
+    return limits_.admit(distance(place.hi, wanted.hi));
   }
 
  private:
@@ -126,21 +116,18 @@ class RowMatcher {
   }
 
   std::span<const Time> expected_;
-  const Notation& notation_;
   const Limits& limits_;
   double rounding_ = 0;  ///< differences up to this are those of rounding
 };
 
 /// The places that the rows of a curve should have, in increasing order: arc lengths if the given rows are at these,
 /// otherwise times. Throws: Error if the request does not fit the curve.
-std::vector<Time> expected_places(const ExpectedSamples& expected, const Comparison& comparison,
+std::vector<Time> expected_places(const SampleOptions& expected, const Comparison& comparison,
                                   const ComparisonInputs& inputs, const KeptKeys& curve) {
   const std::vector<std::size_t> fields{field_of(inputs.columns.by_length ? "s" : "time")};
   const Schema& schema = inputs.kept.schema;
-  CurveSettings rules = comparison.keys.rules;
-  if (!rules.metric) rules.metric = expected.metric;
-  const CurveRequest request{.samples = expected.samples.of({curve.group, curve.curve_info, {}}, schema),
-                             .rules = rules,
+  const CurveRequest request{.samples = expected.of({curve.group, curve.curve_info, {}}, schema),
+                             .rules = comparison.keys.rules,
                              .fields = fields,
                              .threads = inputs.threads};
   CurvePipeline pipeline(request, schema, inputs.kept.traits, *curve.curve_info, curve.part);
@@ -155,14 +142,13 @@ std::vector<Time> expected_places(const ExpectedSamples& expected, const Compari
 }
 
 /// Compares the rows of a curve with those that are expected. A row counts as the expected one from which it is less
-/// than an eighth of the way to the next one, within `limits`, or different only as printed in `notation`. Nothing:
-/// they are the same; otherwise the problem.
+/// than an eighth of the way to the next one, or within `limits`. Nothing: they are the same; otherwise the problem.
 std::optional<std::string> rows_differ(std::span<const Time> expected, const Places& found, const SampleRows& rows,
-                                       const Notation& notation, const Limits& limits) {
+                                       const Limits& limits) {
   std::vector<std::size_t> order(found.places.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::less<>(), [&](std::size_t i) { return found.places[i]; });
-  const RowMatcher matcher(expected, notation, limits);
+  const RowMatcher matcher(expected, limits);
   std::vector<std::size_t> missing, surplus;  // expected rows, and found ones
   std::size_t row = 0, next = 0;
   while (row < expected.size() && next < order.size()) {
@@ -191,8 +177,7 @@ std::optional<std::string> rows_differ(std::span<const Time> expected, const Pla
   return text;
 }
 
-/// Notes which part of the curve has rows, and compares these with those that are expected. Rows of provenance that
-/// these keys do not make are unknown.
+/// Notes which part of the curve has rows, and compares these with those that are expected.
 void check_coverage(const Pair& pair, const Comparison& comparison, const ComparisonInputs& inputs, const Places& found,
                     const Limits& limits, Check& result) {
   Coverage& coverage = result.coverage.emplace_back(Coverage{group_title(inputs.kept.schema.groups, pair.curve->group),
@@ -202,18 +187,10 @@ void check_coverage(const Pair& pair, const Comparison& comparison, const Compar
     const auto [least, most] = std::ranges::minmax(found.places, std::less<>());
     coverage.covered = {least, most};
   }
-  std::optional<ExpectedSamples> expected = comparison.expected;
-  if (!expected && inputs.table.provenance) expected = comparison.recorded(*inputs.table.provenance);
-  if (!expected) return;
-  std::vector<Time> places;
-  try {
-    places = expected_places(*expected, comparison, inputs, *pair.curve);
-  } catch (const Error&) {
-    if (comparison.expected) throw;
-    return;
-  }
+  if (!comparison.expected) return;
+  const std::vector<Time> places = expected_places(*comparison.expected, comparison, inputs, *pair.curve);
   coverage.expected_rows = places.size();
-  const auto problem = rows_differ(places, found, pair.rows, expected->notation, limits);
+  const auto problem = rows_differ(places, found, pair.rows, limits);
   if (!problem) return;
   result.problems.push_back(coverage.curve.empty() ? *problem
                                                    : fmt::format("curve {}: {}", listed(coverage.curve), *problem));

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,16 +18,6 @@
 
 namespace tcb {
 
-struct EarlierOutput;
-
-/// The samples that a file should have, no fewer and no more.
-struct ExpectedSamples {
-  SampleOptions samples;
-  std::optional<MetricSetting> metric = {};  ///< over which they are placed, if the keys have none
-  Notation notation = {};                    ///< of the numbers in the file
-  std::optional<TimeZero> time_zero = {};    ///< from which the times in the file count
-};
-
 /// A request to compare the samples in a file with the curves of keys.
 struct Comparison {
   std::string keys_file;  ///< "-" is standard input
@@ -39,10 +28,8 @@ struct Comparison {
   std::vector<std::size_t> fields;  ///< that are compared, as indices into fields(); none: all that the samples have
   bool from_left = true;            ///< a sample at a key is on the segment before it, not on the one after
   ThreadOptions threads;
-  std::optional<TimeZero> time_zero = {};  ///< from which the times of samples count; nothing: that of the provenance
-  std::optional<ExpectedSamples> expected = {};  ///< nothing: those of the provenance, if the file has one
-  /// The samples that provenance records; nothing if they cannot be known. Null: provenance is not read.
-  std::function<std::optional<ExpectedSamples>(const EarlierOutput&)> recorded = {};
+  std::optional<TimeZero> time_zero = {};      ///< from which the times of samples count
+  std::optional<SampleOptions> expected = {};  ///< the samples that the file should have, no fewer and no more
 };
 
 /// A report on samples.

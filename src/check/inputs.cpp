@@ -205,16 +205,12 @@ MatchedColumns match_by_order(const SampleTable& table, const Schema& keys, cons
   return result;
 }
 
-/// The time from which those of the samples count: that of the job, or of the provenance of the samples.
-std::optional<Rational> time_zero_of(const Comparison& comparison, const ComparisonInputs& inputs) {
-  std::optional<TimeZero> zero = comparison.time_zero;
-  if (!zero && inputs.table.provenance) {
-    if (const auto recorded = comparison.recorded(*inputs.table.provenance)) zero = recorded->time_zero;
-  }
+/// The time from which those of the samples count.
+std::optional<Rational> time_zero_of(const std::optional<TimeZero>& zero, const KeptInput& kept) {
   if (!zero || zero->time) return zero ? zero->time : std::nullopt;
-  const bool has_key = !inputs.kept.curves.empty() && !inputs.kept.curves.front().blocks.empty();
-  if (!has_key || !inputs.kept.schema.time.is_given) return std::nullopt;
-  return exact_time(inputs.kept.curves.front().blocks.front().keys.times.front());
+  const bool has_key = !kept.curves.empty() && !kept.curves.front().blocks.empty();
+  if (!has_key || !kept.schema.time.is_given) return std::nullopt;
+  return exact_time(kept.curves.front().blocks.front().keys.times.front());
 }
 
 /// Adds a time to those of all samples, exactly where that is a decimal.
@@ -234,10 +230,6 @@ void add_to_times(SampleTable& table, const Rational& zero) {
 SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes, const Schema& keys,
                          std::optional<std::size_t> time_place) {
   bytes = decompressed(std::move(bytes));
-  EarlierOutputReader provenance(comparison.keys.input.max_memory);
-  if (comparison.recorded) {
-    bytes = observed(std::move(bytes), [&provenance](const std::string& text) { provenance.add(text); });
-  }
   std::string beginning = bytes().value_or("");
   InputOptions options;
   options.columns.samples =
@@ -257,7 +249,6 @@ SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes
     SampleRows& rows = table.curves.emplace_back(SampleRows{curve->group, {}, {}, {}});
     while (const std::optional<KeyBlock> block = curve->keys()) append(rows, *block);
   }
-  if (comparison.recorded) table.provenance = provenance.end();
   return table;
 }
 
@@ -341,7 +332,7 @@ ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std
   in_file(inputs.file, [&] {
     const auto before_time = columns_before_time(chosen, inputs.kept.schema);
     inputs.table = read_samples(comparison, bytes_of(comparison.file), inputs.kept.schema, before_time);
-    if (const auto zero = time_zero_of(comparison, inputs)) add_to_times(inputs.table, *zero);
+    if (const auto zero = time_zero_of(comparison.time_zero, inputs.kept)) add_to_times(inputs.table, *zero);
     inputs.columns = match_columns(inputs.table, inputs.kept.schema, chosen);
   });
   return inputs;

@@ -14,7 +14,6 @@
 #include "check/compare_job.hpp"
 #include "error.hpp"
 #include "keys/curves.hpp"
-#include "read/earlier_output.hpp"
 #include "run/progress.hpp"
 #include "sample/table.hpp"
 #include "schema/key_block.hpp"
@@ -52,7 +51,6 @@ struct SampleTable {
   std::vector<std::string> columns;  ///< names of all other columns of numbers
   std::vector<std::string> ignored;  ///< names of the columns of text
   std::vector<SampleRows> curves;
-  std::optional<EarlierOutput> provenance = {};  ///< if it is read
 };
 
 /// Reads samples of the curves of `keys` from the bytes of `comparison.file`, to its end. Format, header and delimiter

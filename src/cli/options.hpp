@@ -60,7 +60,7 @@ struct TypedOptions {
   std::optional<std::size_t> form = {};  ///< the field with the cubics of pieces
 
   bool has(std::string_view option) const { return find(option) != nullptr; }
-  /// The value of an option as messages and provenance show it; "" of a flag, and where it is not given.
+  /// The value of an option as typed; "" of a flag, and where it is not given.
   std::string value(std::string_view option) const;
   void give(std::string_view option, std::string value = {});
 
@@ -70,7 +70,7 @@ struct TypedOptions {
  private:
   struct Given {
     std::string_view option;  ///< its name
-    std::string value;        ///< as typed; of a list in a file its numbers
+    std::string value;
   };
   const Given* find(std::string_view option) const;
 
@@ -112,7 +112,6 @@ struct OptionRow {
   std::string_view text;           ///< what it does, without a point at the end; @NAMES@ stands for `known`
   std::string_view default_value;  ///< as it would be typed; empty: none, or described in the text
   ValueKind kind;
-  bool changes_rows;  ///< it is part of the provenance of the output
   /// Reads the value. Throws: Error (usage); the caller adds the name of the option.
   void (*store)(TypedOptions& typed, const std::string& value);
   /// The names that the value is made of, for ValueKind::name and names.

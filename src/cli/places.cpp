@@ -1,9 +1,6 @@
 // Places: the times or arc lengths of --at and --arc-at, as listed, in a file of numbers, or in a column of a file.
 #include "cli/values.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <filesystem>
 #include <system_error>
 
@@ -11,7 +8,6 @@
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
-#include "numbers/print_number.hpp"
 #include "read/csv/splitter.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
@@ -206,8 +202,7 @@ void store_places(TypedOptions& typed, std::string_view option, const std::strin
   if (typed.places.column) return;
   if (typed.places.from_input) typed.files.other_inputs.push_back(text);
   if (text.starts_with('@')) typed.files.other_inputs.push_back(text.substr(1));
-  typed.give(option, listed_numbers(text));
-  const std::string listed = typed.value(option);
+  const std::string listed = listed_numbers(text);
   PlaceNumbers numbers(typed.keys.input.units);
   for (const std::string_view item : split(listed, ',')) numbers.add(item);
   NumberedPlaces places = numbers.take();
@@ -225,19 +220,10 @@ void read_place_column(TypedOptions& typed) {
   GroupedPlaces places = in_file(column.path, [&] { return read_places(column, typed.keys.input); });
   const auto alone = places.find({});
   if (alone == places.end()) {
-    if (typed.has("--meta"))
-      throw usage_error(
-          "the column has different numbers for each group, which --meta cannot record; expected the same numbers for "
-          "all groups; remove --meta, or list the numbers")
-          .about(column.option);
     typed.places.grouped = std::move(places);
-    return;
+  } else {
+    typed.places.list = std::move(alone->second);
   }
-  typed.places.list = std::move(alone->second);
-  std::vector<std::string> texts;
-  for (const Rational& place : typed.places.list)
-    texts.push_back(denominator(place) == 1 ? whole_text(place) : ratio_text(place));
-  typed.give(column.option, fmt::format("{}", fmt::join(texts, ",")));
 }
 
 }  // namespace tcb

@@ -8,11 +8,8 @@
 #include "cli/options.hpp"
 #include "cli/values.hpp"
 #include "formats/formats.hpp"
-#include "io/compression.hpp"
-#include "io/input_file.hpp"
 #include "io/input_list.hpp"
 #include "io/system.hpp"
-#include "read/earlier_output.hpp"
 #include "read/input.hpp"
 #include "sample/curve_spec.hpp"
 #include "sample/table.hpp"
@@ -44,9 +41,8 @@ std::optional<NameOfOutput> name_of_output(const OutputPaths& outputs) {
 }
 
 /// Sets the format that the ending of an output names, unless an option gives the same. A report is JSON by its ending.
-/// `earlier`: the format is that of an earlier output. Throws: Error (usage) for another format than the option's, and
-/// for the ending of a format that is not written.
-void set_output_format(TypedOptions& typed, bool earlier) {
+/// Throws: Error (usage) for another format than the option's, and for the ending of a format that is not written.
+void set_output_format(TypedOptions& typed) {
   const auto name = name_of_output(typed.files.outputs);
   if (!name) return;
   const bool is_report = is_comparison(typed) || prints_limits(typed);
@@ -59,7 +55,7 @@ void set_output_format(TypedOptions& typed, bool earlier) {
         name->option, name->text, other, listed(output_endings()));
   }
   if (named == nullptr || (is_report && !named->has_reports)) return;
-  if (typed.has("--output-format") || typed.has("--plot") || earlier) {
+  if (typed.has("--output-format") || typed.has("--plot")) {
     if (named->ending != typed.output.format->ending) {
       throw usage_error(
           "the ending of {} {} means {}, but --output-format is {}; expected the same format; change one of them",
@@ -70,105 +66,6 @@ void set_output_format(TypedOptions& typed, bool earlier) {
   if (named == &formats().front()) return;  // as without the ending
   typed.output.format = named;
   typed.give("--output-format", std::string(named->name));
-}
-
-// The options that provenance records, and those of an earlier output.
-
-/// Throws: Error (data) if an option of an earlier output, which may be a stranger's, names a file to be read.
-void require_no_file(const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    const std::size_t end = std::min(word.find('='), word.size());
-    for (const OptionRow& row : option_table()) {
-      const bool is_named = std::ranges::count(row.all_names(), std::string_view(word).substr(0, end)) > 0;
-      const std::string_view value = std::string_view(word).substr(std::min(end + 1, word.size()));
-      const bool reads = row.kind == ValueKind::file || row.kind == ValueKind::folder ||
-                         (row.kind == ValueKind::places && (value.starts_with('@') || value == "-"));
-      if (is_named && row.changes_rows && reads)
-        throw data_error(
-            "the provenance has {} with the name of a file to be read; expected the numbers themselves, as the program "
-            "records them; replace the name",
-            row.name);
-    }
-  }
-}
-
-/// An option as one word; numbers are listed in it, wherever they came from.
-std::string word_of(const OptionRow& row, const TypedOptions& typed) {
-  std::string word(row.name);
-  if (row.kind != ValueKind::flag) word += "=" + typed.value(row.name);
-  if (word.find_first_of("\r\n") != std::string::npos) {
-    throw usage_error(
-        "the value has a line end, which --meta cannot record; expected a value of one line; remove --meta, or rename "
-        "columns")
-        .about(row.name);
-  }
-  return word;
-}
-
-/// Throws: Error unless all options of an earlier output are such that provenance records, --meta among them, and none
-/// names a file to be read, as the output may be a stranger's.
-void require_recorded(const std::vector<std::string>& words) {
-  require_no_file(words);
-  const TypedOptions typed = read_options(words);
-  for (const OptionRow& row : option_table()) {
-    if (!typed.has(row.name) || row.changes_rows) continue;
-    throw data_error(
-        "the provenance has the option {}, which does not affect the rows; expected options that do; remove it from "
-        "the provenance",
-        row.name);
-  }
-  if (!typed.files.files.empty())
-    throw data_error(
-        "the provenance has the file {} among its options; expected options only; remove it from the provenance",
-        in_quotes(typed.files.files[0]));
-  if (!typed.has("--meta"))
-    throw data_error("the provenance lacks the option --meta; expected all options of the run; add it");
-}
-
-/// The provenance of an output that is made with these options: its program, and all options that change a byte.
-/// Throws: Error (usage) for a value that no line can hold.
-Provenance new_provenance(const TypedOptions& typed) {
-  Provenance provenance;
-  provenance.program = version_text();
-  for (const OptionRow& row : option_table()) {
-    if (row.changes_rows && typed.has(row.name)) provenance.options.push_back(word_of(row, typed));
-  }
-  return provenance;
-}
-
-/// The provenance of the output to reproduce. Throws: Error (usage) if options are given that it has,
-/// or another number of files than it was made from; Error where it cannot be read.
-ProvenanceRequest earlier_provenance(const TypedOptions& typed) {
-  const std::string from = typed.value("--from-meta");
-  for (const OptionRow& row : option_table()) {
-    if (!row.changes_rows || !typed.has(row.name)) continue;
-    throw usage_error("{} is given with --from-meta, which takes all options from {}; remove {}", row.name, from,
-                      row.name);
-  }
-  ProvenanceRequest request;
-  request.from = from;
-  in_file(shown_name(from), [&] {
-    EarlierOutput earlier = read_earlier_output(decompressed(read_file(from)), typed.keys.input.max_memory);
-    request.earlier.program = std::move(earlier.program);
-    request.earlier.options = std::move(earlier.options);
-    request.earlier.inputs = std::move(earlier.inputs);
-    require_recorded(request.earlier.options);
-  });
-  const std::size_t files = std::max<std::size_t>(typed.files.files.size(), 1), before = request.earlier.inputs.size();
-  const bool counted = typed.files.list.empty() && !typed.files.recursive;
-  if (counted && files != before)
-    throw usage_error("the number of key files is {}, but {} was made from {}; give the same files", files, from,
-                      before);
-  return request;
-}
-
-/// Whether an earlier output measured lengths over all channels by default, as versions before 0.4 did.
-bool measures_all_channels(std::string_view program, const std::vector<std::string>& options) {
-  constexpr std::array<std::string_view, 4> before{" 0.0.", " 0.1.", " 0.2.", " 0.3."};
-  const bool is_before =
-      std::ranges::any_of(before, [&](std::string_view version) { return program.find(version) != std::string::npos; });
-  const TypedOptions typed = is_before ? read_options(options) : TypedOptions();
-  return is_before && program != version_text() && !typed.has("--metric") && !needs_no_metric(typed);
 }
 
 /// An output of pieces has the exact ones where no samples are requested.
@@ -323,8 +220,25 @@ std::optional<GoldenOptions> golden_of(const TypedOptions& typed) {
   return GoldenOptions{typed.has("--exact-input"), typed.output.notation};
 }
 
+/// The command that prints an output with these options, without those that change no byte of it. Each output of a
+/// folder has a command for its own input.
+ProvenanceRequest provenance_of(const TypedOptions& typed) {
+  constexpr std::array<std::string_view, 4> change_no_byte{"--output", "--jobs", "--quiet", "--color"};
+  const bool is_one_of_many = typed.files.outputs.folder.has_value();
+  ProvenanceRequest request{version_text(), {"tcbsample"}, std::nullopt};
+  for (const OptionRow& row : option_table()) {
+    const bool is_told =
+        std::ranges::count(change_no_byte, row.name) == 0 && !(is_one_of_many && row.group == files_group);
+    if (!is_told || !typed.has(row.name)) continue;
+    const std::string value = row.kind == ValueKind::flag ? "" : "=" + typed.value(row.name);
+    request.command.push_back(std::string(row.name) + value);
+  }
+  if (!is_one_of_many) request.files = files_of(typed).files;
+  return request;
+}
+
 /// Throws: Error (usage) for rows that a terminal cannot show.
-WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
+WriterOptions rows_of(const TypedOptions& typed) {
   const bool to_terminal =
       typed.files.outputs.file == "-" && !typed.files.outputs.folder && system::is_terminal(system::standard_output);
   if (to_terminal && typed.output.format->is_binary) {
@@ -334,7 +248,7 @@ WriterOptions rows_of(const TypedOptions& typed, std::optional<ProvenanceRequest
   }
   WriterOptions rows = typed.output;
   rows.fields = fields_of(typed);
-  rows.provenance = std::move(provenance);
+  if (typed.has("--meta")) rows.provenance = provenance_of(typed);
   rows.frame_rate = typed.keys.input.units.frame_rate;
   return rows;
 }
@@ -344,26 +258,6 @@ Verbosity verbosity_of(const TypedOptions& typed) {
   const bool to_file =
       typed.has("--output") || typed.has("--output-dir") || !system::is_terminal(system::standard_output);
   return {quiet, notes, notes && to_file, colors_messages(typed.color)};
-}
-
-/// The samples that the provenance of an output asks for; nothing for an output of several inputs or of other rows
-/// than samples, and for options that are unknown here or name a file.
-std::optional<ExpectedSamples> recorded_samples(const EarlierOutput& earlier) {
-  if (earlier.inputs.size() != 1) return std::nullopt;
-  TypedOptions typed;
-  try {
-    require_recorded(earlier.options);
-    typed = read_options(earlier.options);
-  } catch (const Error&) {
-    return std::nullopt;
-  }
-  if (!has_sampling_option(typed) || typed.has("--emit") || typed.has("--fit")) return std::nullopt;
-  if (measures_all_channels(earlier.program, earlier.options)) typed.keys.rules.metric = {{"all"}, {"--metric"}};
-  ExpectedSamples expected{samples_of(typed), typed.keys.rules.metric, typed.output.notation, typed.output.time_zero};
-  SamplingRequest& request = expected.samples.request;
-  const std::optional<TimeUnit>& unit = typed.keys.input.units.time;
-  if (unit && *unit != TimeUnit::frames) request.convert_seconds(units_per_second(*unit));  // keys of a check have none
-  return expected;
 }
 
 // The jobs.
@@ -381,9 +275,7 @@ CompareJob compare_job(const TypedOptions& typed) {
   comparison.time_zero = typed.output.time_zero;
   if (has_sampling_option(typed)) {
     require_forward_range(typed);
-    comparison.expected = ExpectedSamples{samples_of(typed)};
-  } else if (!identifies) {
-    comparison.recorded = recorded_samples;
+    comparison.expected = samples_of(typed);
   }
   return {comparison,    identifies,          files.outputs.file, typed.output.format,
           typed.picture, verbosity_of(typed), files.other_inputs};
@@ -407,11 +299,11 @@ FilesJob files_job(const TypedOptions& typed) {
   return {files_of(typed), keys_of(typed), typed.threads, verbosity_of(typed)};
 }
 
-FitJob fit_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
+FitJob fit_job(const TypedOptions& typed) {
   FitOptions options = typed.fit;
   options.kept_times = typed.places.list;
   options.grouped_kept_times = typed.places.grouped;
-  return {files_job(typed), options, rows_of(typed, std::move(provenance)), typed.picture};
+  return {files_job(typed), options, rows_of(typed), typed.picture};
 }
 
 PlotJob plot_job(const TypedOptions& typed) {
@@ -420,12 +312,12 @@ PlotJob plot_job(const TypedOptions& typed) {
   return job;
 }
 
-ResampleJob resample_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
-  return {files_job(typed), samples_of(typed), golden_of(typed), rows_of(typed, std::move(provenance))};
+ResampleJob resample_job(const TypedOptions& typed) {
+  return {files_job(typed), samples_of(typed), golden_of(typed), rows_of(typed)};
 }
 
 /// Throws: Error (usage) without limits or samples.
-RetimeJob retime_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
+RetimeJob retime_job(const TypedOptions& typed) {
   const auto has_limit = [](const Limit& limit) { return limit.most.has_value(); };
   if (std::ranges::none_of(typed.limits.limits, has_limit)) {
     throw usage_error("--limits gives no limit; expected one to keep, as in --limits=speed=2; give its number")
@@ -437,46 +329,34 @@ RetimeJob retime_job(const TypedOptions& typed, std::optional<ProvenanceRequest>
   LimitsJob limits = limits_job(typed);
   limits.part = {};
   if (is_picture) return {std::move(limits), plot_job(typed)};
-  return {std::move(limits), resample_job(typed, std::move(provenance))};
+  return {std::move(limits), resample_job(typed)};
 }
 
-/// The job of these options. `provenance`: that of its output, if it has one. Requires: no conflict. Throws: Error
-/// (usage) if they do not fit each other.
-Job make_job(const TypedOptions& typed, std::optional<ProvenanceRequest> provenance) {
+/// The job of these options. Requires: no conflict. Throws: Error (usage) if they do not fit each other.
+Job make_job(const TypedOptions& typed) {
   require_one_reader(typed);
   if (is_comparison(typed)) return compare_job(typed);
-  if (typed.has("--retime")) return retime_job(typed, std::move(provenance));
+  if (typed.has("--retime")) return retime_job(typed);
   if (typed.has("--limits")) return limits_job(typed);
   require_samples(typed);
   if (typed.has("--explain")) return explain_job(typed);
-  if (typed.has("--fit")) return fit_job(typed, std::move(provenance));
+  if (typed.has("--fit")) return fit_job(typed);
   if (typed.output.format->is_picture) return plot_job(typed);
-  return resample_job(typed, std::move(provenance));
+  return resample_job(typed);
 }
 
 }  // namespace
 
-Job parse(std::vector<std::string> words, ColorWhen* color) {
+Job parse(const std::vector<std::string>& words, ColorWhen* color) {
   if (words.empty() && system::is_terminal(system::standard_input)) return PrintText{usage_text(), Exit::usage};
   TypedOptions typed = read_options(words, color);
   if (typed.wants_text()) return PrintText{asked_text(typed, words)};
-  std::optional<ProvenanceRequest> provenance;
-  if (typed.has("--from-meta")) {
-    provenance = earlier_provenance(typed);
-    words.insert(words.begin(), provenance->earlier.options.begin(), provenance->earlier.options.end());
-    if (measures_all_channels(provenance->earlier.program, provenance->earlier.options))
-      words.insert(words.begin(), "--metric=all");
-    typed = read_options(words);
-    typed.files.other_inputs.push_back(provenance->from);
-  }
-  set_output_format(typed, provenance.has_value());
+  set_output_format(typed);
   if (!has_sampling_option(typed) && typed.output.format->has_nodes) set_exact_pieces(typed, "hermite");
   if (!has_sampling_option(typed) && typed.output.format->has_pieces) set_exact_pieces(typed, "poly8");
   require_no_conflict(typed);
   read_place_column(typed);
-  if (typed.has("--meta") && !provenance) provenance.emplace();
-  if (provenance) provenance->meta = new_provenance(typed);
-  return make_job(typed, std::move(provenance));
+  return make_job(typed);
 }
 
 }  // namespace tcb

@@ -12,7 +12,6 @@
 #include "limits/limits_job.hpp"
 #include "plot/plot_job.hpp"
 #include "run/pipeline.hpp"
-#include "write/provenance.hpp"
 
 namespace tcb {
 
@@ -33,6 +32,6 @@ using Job = std::variant<PrintText, ResampleJob, ExplainJob, PlotJob, FitJob, Co
 
 /// Reads the words of a command line, without the program's name. Throws: Error (usage) that names the option, what was
 /// expected, and the remedy. `color`: as requested, so that errors have it too.
-Job parse(std::vector<std::string> words, ColorWhen* color = nullptr);
+Job parse(const std::vector<std::string>& words, ColorWhen* color = nullptr);
 
 }  // namespace tcb

@@ -50,7 +50,7 @@ class FittedKeys final : public BatchOutput {
     FileNotes notes(report_, file.path);
     ProvenanceRecorder& provenance = writer_.recorder();
     Source<std::string> bytes = progress->observe_bytes(read_file(file.path));
-    bytes = provenance.observe_bytes(shown_name(file.path), std::move(bytes));
+    bytes = provenance.observe_bytes(file.path, std::move(bytes));
     InputOptions options = job_.keys.input;
     options.threads = job_.threads.for_reading(threads, live);
     const Input input = open_input(file.path, bytes, options);  // split, parse
@@ -210,7 +210,6 @@ Exit draw_fit(const FitJob& job) {
 Exit fit(const FitJob& job) {
   if (job.rows.format->is_picture) return draw_fit(job);
   Report report(job.verbosity);
-  warn_of_other_program(report, job.rows.provenance);
   return convert_files(job, report,
                        [&](const std::string& path) { return std::make_unique<FittedKeys>(job, report, path); });
 }

@@ -1,4 +1,4 @@
-// File notes: what is reported about an input, from its first bytes to its last curve, and about an earlier output.
+// File notes: what is reported about an input, from its first bytes to its last curve.
 #include "run/file_notes.hpp"
 
 #include <fmt/format.h>
@@ -223,14 +223,6 @@ void FileNotes::end(const Curves& curves) {
     for (const LikelySign& sign : signs) names.push_back(sign.channel);
     add(important("{} in {} may stand for a missing number; --na={} --missing skip-cell leaves it out", signs[0].number,
                   listed(names), signs[0].number));
-  }
-}
-
-void warn_of_other_program(Report& report, const std::optional<ProvenanceRequest>& request) {
-  if (!request || request->from.empty()) return;
-  const std::string &earlier = request->earlier.program, &current = request->meta.program;
-  if (earlier != current) {
-    report.warning(request->from, {fmt::format("{} made this file; last digits may differ in {}", earlier, current)});
   }
 }
 

@@ -1,5 +1,5 @@
-// File notes: what is reported about an input, from its first bytes to its last curve, and about an earlier output; the
-// rules of a curve and the requested samples in words, for provenance, explanations and pictures.
+// File notes: what is reported about an input, from its first bytes to its last curve; the rules of a curve and the
+// requested samples in words, for provenance, explanations and pictures.
 #pragma once
 
 #include <cstdint>
@@ -56,9 +56,6 @@ Note angles_note(const std::vector<NamedAngle>& angles);
 
 /// The range ends between rows; `at_key`: at the last key.
 Note remainder_note(double distance, bool at_key);
-
-/// Warns if another version made the output to reproduce, as its last digits may differ.
-void warn_of_other_program(Report& report, const std::optional<ProvenanceRequest>& request);
 
 std::string number_in_words(const Rational& value);
 

@@ -40,7 +40,7 @@ class FileRun {
   std::uint64_t run() {
     ProvenanceRecorder& provenance = writer_.recorder();
     Source<std::string> bytes = progress_->observe_bytes(job_.keys.bytes_of(path_));
-    bytes = provenance.observe_bytes(shown_name(path_), std::move(bytes));
+    bytes = provenance.observe_bytes(path_, std::move(bytes));
     InputOptions options = job_.keys.input;
     options.threads = threads_;
     const Input input = open_input(path_, bytes, options);  // split, parse
@@ -178,7 +178,6 @@ class Rows final : public BatchOutput {
 
 Exit resample(const ResampleJob& job) {
   Report report(job.verbosity);
-  warn_of_other_program(report, job.rows.provenance);
   return convert_files(job, report, [&](const std::string& path) { return std::make_unique<Rows>(job, report, path); });
 }
 

@@ -1,11 +1,15 @@
 // Names: the distance between them, and their case.
 #include "text/suggest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
+
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -90,6 +94,18 @@ std::string in_shell(std::string_view word) {
   std::string text = "'";
   for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
   return text + "'";
+}
+
+std::string command_in_shell(std::span<const std::string> words) {
+  std::string command;
+  for (const std::string& word : words) command += (command.empty() ? "" : " ") + in_shell(word);
+  if (printable(command) == command) return command;
+  std::string format;  // of printf, within single quotes; a shell may expand ! in spite of them
+  for (const char c : command) {
+    const bool is_plain = c >= ' ' && c <= '~' && std::string_view("'\\!%").find(c) == std::string_view::npos;
+    format += is_plain ? std::string(1, c) : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+  }
+  return fmt::format("eval \"$(printf '{}')\"", format);
 }
 
 std::string listed(std::span<const std::string> names) { return joined(names); }

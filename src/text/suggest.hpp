@@ -39,6 +39,10 @@ std::string listed(std::span<const std::string_view> names);
 /// A word of a command as a shell takes it: with quotes unless it needs none.
 std::string in_shell(std::string_view word);
 
+/// A command of these words as a line of printable characters that every POSIX shell takes. Words with other
+/// characters, such as line ends, are made by printf, whose output the shell evaluates.
+std::string command_in_shell(std::span<const std::string> words);
+
 /// "1 cell", "2 cells".
 std::string how_many(std::size_t count, std::string_view noun);
 

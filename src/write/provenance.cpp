@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <deque>
+#include <algorithm>
 #include <string_view>
 
-#include "error.hpp"
-#include "io/digest.hpp"
+#include "io/input_file.hpp"
 #include "sample/rows.hpp"
 #include "schema/key_block.hpp"
+#include "text/suggest.hpp"
 #include "text/utf8.hpp"
 #include "write/layout.hpp"
 
@@ -34,31 +34,25 @@ Facts results_of(const Provenance& provenance, std::size_t input) {
 }
 
 std::string json_member(const Provenance& provenance) {
-  std::string out = "\"meta\":{" + member("program", provenance.program), options, inputs;
+  std::string out = "\"meta\":{" + member("program", provenance.program), inputs;
   for (const auto& [name, value] : provenance.rules) out += "," + member(name, value);
-  for (const std::string& option : provenance.options) options += (options.empty() ? "" : ",") + json_word(option);
+  out += "," + member("command", provenance.command);
   for (std::size_t i = 0; i < provenance.inputs.size(); ++i) {
     const auto& [name, digest] = provenance.inputs[i];
     inputs += fmt::format("{}{{{},{}", inputs.empty() ? "" : ",", member("name", name), member("sha256", digest));
     for (const auto& [result, value] : results_of(provenance, i)) inputs += "," + member(result, value);
     inputs += "}";
   }
-  return out + fmt::format(",\"options\":[{}],\"inputs\":[{}],\"curves\":{},\"keys\":{},\"rows\":{}}}", options, inputs,
-                           provenance.curves, provenance.keys, provenance.rows);
+  return out + fmt::format(",\"inputs\":[{}],\"curves\":{},\"keys\":{},\"rows\":{}}}", inputs, provenance.curves,
+                           provenance.keys, provenance.rows);
 }
 
-/// All bytes, read ahead. Throws: Error (data) if they have another SHA-256.
-Source<std::string> verified(const Source<std::string>& bytes, const std::string& expected, const std::string& from) {
-  std::deque<std::string> parts;
-  Sha256 sha256;
-  while (std::optional<std::string> more = bytes()) {
-    sha256.add(*more);
-    parts.push_back(std::move(*more));
-  }
-  if (const std::string digest = sha256.digest(); digest != expected)
-    throw data_error("its SHA-256 is {}; expected {}, as recorded in {}; give the recorded file", digest, expected,
-                     from);
-  return each_of(std::move(parts));
+/// A command that reads these files, none of which is taken for an option, for a shell.
+std::string with_files(std::vector<std::string> command, const std::vector<std::string>& files) {
+  const auto looks_like_option = [](std::string_view file) { return file.starts_with('-') && file != "-"; };
+  if (std::ranges::any_of(files, looks_like_option)) command.emplace_back("--");
+  command.insert(command.end(), files.begin(), files.end());
+  return command_in_shell(command);
 }
 
 }  // namespace
@@ -67,8 +61,8 @@ std::string text_before_rows(const Provenance& provenance, const Format& format)
   if (!format.has_marks) return "";
   std::string out = fmt::format("# {}\n", provenance.program);
   for (const auto& [name, value] : provenance.rules) out += line(name, value);
-  for (const std::string& option : provenance.options) out += line("option", option);
-  return out + "#\n";  // so that the comment directly above a row is empty, and not taken for a header
+  return out + line("command", provenance.command) +
+         "#\n";  // so that the comment directly above a row is empty, and not taken for a header
 }
 
 std::string text_after_rows(const Provenance& provenance, const Format& format) {
@@ -87,22 +81,14 @@ std::string text_after_rows(const Provenance& provenance, const Format& format) 
 }
 
 ProvenanceRecorder::ProvenanceRecorder(const std::optional<ProvenanceRequest>& request)
-    : request_(request), provenance_(request ? request->meta : Provenance()) {}
+    : request_(request), provenance_(request ? Provenance{.program = request->program} : Provenance()) {}
 
-Source<std::string> ProvenanceRecorder::observe_bytes(const std::string& name, Source<std::string> bytes) {
+Source<std::string> ProvenanceRecorder::observe_bytes(const std::string& path, Source<std::string> bytes) {
   if (!request_) return bytes;
-  auto& inputs = provenance_.inputs;
-  const auto& earlier = request_->earlier.inputs;
-  if (!earlier.empty()) {
-    if (inputs.size() == earlier.size())
-      throw usage_error("there are more key files than {} was made from; expected {}; remove the rest", request_->from,
-                        earlier.size());
-    const auto& [first_name, digest] = earlier[inputs.size()];
-    bytes = verified(bytes, digest, request_->from);
-    inputs.emplace_back(first_name, "");  // the file may have another name now
-  } else {
-    inputs.emplace_back(name, "");
+  if (provenance_.inputs.empty()) {
+    provenance_.command = with_files(request_->command, request_->files.value_or(std::vector{path}));
   }
+  provenance_.inputs.emplace_back(shown_name(path), "");
   bytes_ = observed(std::move(bytes), [this](const std::string& part) { sha256_.add(part); });
   return [this] { return bytes_(); };
 }
@@ -142,12 +128,7 @@ std::string ProvenanceRecorder::before_rows(const Format& format) const {
 }
 
 std::string ProvenanceRecorder::after_rows(const Format& format) const {
-  if (!request_) return "";
-  if (provenance_.inputs.size() < request_->earlier.inputs.size()) {
-    throw usage_error("there are fewer key files than {} was made from; expected {}; add the rest", request_->from,
-                      request_->earlier.inputs.size());
-  }
-  return text_after_rows(provenance_, format);
+  return request_ ? text_after_rows(provenance_, format) : "";
 }
 
 }  // namespace tcb

@@ -1,5 +1,4 @@
-// Provenance: how an output was made, in comment lines or in a JSON object; its recorder. read/earlier_output.hpp
-// reads it back.
+// Provenance: how an output was made, in comment lines or in a JSON object; its recorder.
 //
 // Comment lines have what is known before the first row above the rows, and the checksums and counts below them.
 // JSON has all of it after the rows; JSON Lines has it in the last line.
@@ -26,7 +25,7 @@ using Facts = std::vector<std::pair<std::string, std::string>>;
 struct Provenance {
   std::string program;                                      ///< with its version
   Facts rules;                                              ///< of the curve, in words
-  std::vector<std::string> options;                         ///< as given, each as one word
+  std::string command;                                      ///< that prints the output, for a shell
   std::vector<std::pair<std::string, std::string>> inputs;  ///< names, and SHA-256 in hexadecimal digits
   std::uint64_t curves = 0, keys = 0, rows = 0;
   std::vector<Facts> results = {};  ///< of each input, in words; or none
@@ -38,9 +37,9 @@ std::string text_before_rows(const Provenance& provenance, const Format& format)
 std::string text_after_rows(const Provenance& provenance, const Format& format);
 
 struct ProvenanceRequest {
-  Provenance meta;     ///< program and options
-  Provenance earlier;  ///< that of the output to reproduce, if there is one
-  std::string from;    ///< the name of that output
+  std::string program;                            ///< with its version
+  std::vector<std::string> command;               ///< its words without the files
+  std::optional<std::vector<std::string>> files;  ///< of the command; nothing: the input, the only one of its output
 };
 
 /// Observes an input's bytes, keys and rows, and reads each to its end, so that the counts and checksums are complete.
@@ -49,9 +48,8 @@ class ProvenanceRecorder {
  public:
   explicit ProvenanceRecorder(const std::optional<ProvenanceRequest>& request);
 
-  /// The bytes of the next input. Throws: Error, before the first byte, for an input other than that of the earlier
-  /// output, or one too many.
-  Source<std::string> observe_bytes(const std::string& name, Source<std::string> bytes);
+  /// The bytes of the next input.
+  Source<std::string> observe_bytes(const std::string& path, Source<std::string> bytes);
   /// The keys of the next curve.
   Source<KeyBlock> observe_keys(Source<KeyBlock> keys);
   Source<SampleBlock> observe_rows(Source<SampleBlock> rows);
@@ -66,7 +64,6 @@ class ProvenanceRecorder {
 
   /// The two texts, or empty ones without a request.
   std::string before_rows(const Format& format) const;
-  /// Throws: Error (usage) if there were fewer inputs than the earlier output has.
   std::string after_rows(const Format& format) const;
 
  private:

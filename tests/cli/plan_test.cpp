@@ -150,27 +150,27 @@ TEST(Plan, each_product_has_a_job_of_its_own) {
   EXPECT_EQ(fit.options.keys, FitKeys::hermite);
 }
 
-std::vector<std::string> options(std::vector<std::string> words) {
+std::vector<std::string> command(std::vector<std::string> words) {
   words.insert(words.begin(), "--meta");
-  return job_of(words).rows.provenance->meta.options;
+  return job_of(words).rows.provenance->command;
 }
 
-TEST(ProvenanceOptions, are_those_that_change_bytes_each_as_one_word) {
-  EXPECT_THAT(options({"-s", "1/24", "keys.csv", "--from=-1", "--closed", "--period", "9"}),
-              ElementsAre("--closed", "--period=9", "--step=1/24", "--from=-1", "--meta"));
+TEST(CommandOfProvenance, has_the_options_that_change_bytes_each_as_one_word) {
+  EXPECT_THAT(command({"-s", "1/24", "keys.csv", "--from=-1", "--closed", "--period", "9"}),
+              ElementsAre("tcbsample", "--closed", "--period=9", "--step=1/24", "--from=-1", "--meta"));
+  EXPECT_THAT(command({"-n", "3", "-o", "out", "-j", "2", "-q", "--color=never", "--files=list"}),
+              ElementsAre("tcbsample", "--files=list", "--count=3", "--meta"));
+  EXPECT_THAT(command({"-n", "3", "--output-dir", "out", "--suffix", "s", "--recursive", "--update", "folder"}),
+              ElementsAre("tcbsample", "--count=3", "--meta"));
 }
 
-TEST(ProvenanceOptions, are_not_those_of_files_and_speed) {
-  EXPECT_THAT(options({"-n", "3", "-o", "out", "-j", "2", "-q"}), ElementsAre("--count=3", "--meta"));
-  EXPECT_THAT(options({"-n", "3", "--output-dir", "out", "--suffix", "s", "--recursive", "--update", "folder"}),
-              ElementsAre("--count=3", "--meta"));
+TEST(CommandOfProvenance, has_the_files_of_one_output) {
+  EXPECT_THAT(*job_of({"-n", "3", "--meta", "a.csv", "b.csv"}).rows.provenance->files, ElementsAre("a.csv", "b.csv"));
+  EXPECT_THAT(*job_of({"-n", "3", "--meta"}).rows.provenance->files, ElementsAre("-"));
+  EXPECT_FALSE(job_of({"-n", "3", "--meta", "--output-dir", "out", "a.csv", "b.csv"}).rows.provenance->files);
 }
 
-TEST(ProvenanceOptions, have_no_line_ends) {
-  EXPECT_THAT(stepped_refusal({"--meta", "--group", "a\nb"}), testing::StartsWith("--group: the value has a line end"));
-}
-
-TEST(ProvenanceOptions, are_there_only_with_their_option) { EXPECT_FALSE(job_of({"-n", "3"}).rows.provenance); }
+TEST(CommandOfProvenance, is_there_only_with_its_option) { EXPECT_FALSE(job_of({"-n", "3"}).rows.provenance); }
 
 }  // namespace
 

@@ -13,7 +13,6 @@ COMMAND_ONLY = {
     "output_decimal": _RETURNED,
     "hex": _RETURNED,
     "meta": _RETURNED,
-    "from_meta": "run the command tcbsample, which reproduces files",
     "output_dir": _ONE_INPUT,
     "files": _ONE_INPUT,
     "null": _ONE_INPUT,
