@@ -297,12 +297,6 @@ Source<KeyBlock> KeptKeys::keys() const {
   };
 }
 
-std::size_t KeptKeys::key_count() const {
-  std::size_t count = 0;
-  for (const KeyBlock& block : blocks) count += block.size();
-  return count;
-}
-
 KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes) {
   InputOptions options = comparison.keys.input;
   options.threads = comparison.threads.count();

@@ -96,7 +96,6 @@ struct KeptKeys {
 
   /// The curve must outlive the source.
   Source<KeyBlock> keys() const;
-  std::size_t key_count() const;
 };
 
 /// All curves of an input.

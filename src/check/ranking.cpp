@@ -1,7 +1,7 @@
 // Ranking: comparing samples with all conventions, which of these fit, and in which order they are listed.
 //
-// All conventions are compared with a subset of the rows, and the best of them with all rows. Where none fits, the best
-// ones are tried again with different rules at the two ends.
+// All conventions are compared with all rows. Where none fits, the best ones are tried again with different rules at
+// the two ends.
 #include "check/ranking.hpp"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "check/allowances.hpp"
 #include "error.hpp"
 #include "run/curve_pipeline.hpp"
 #include "sample/build.hpp"
@@ -20,7 +21,7 @@
 namespace tcb {
 namespace {
 
-constexpr std::size_t most_selected = 64, most_mixed = 16;
+constexpr std::size_t most_mixed = 16;
 
 void set_order(KeyBlock& block, const TcbOrder& order) {
   block.keys.common_tcb = order.of(block.keys.common_tcb);
@@ -37,7 +38,7 @@ class Comparer {
   }
 
   Candidate compare(const Convention& convention, const std::vector<GivenSamples>& samples) const {
-    Candidate candidate{convention, 0, {}, 0, {}, {}};
+    Candidate candidate{convention};
     for (const GivenSamples& sample : samples) {
       const std::shared_ptr<const KeptCurve> curve = curve_of(*sample.curve, convention);
       for_each_row(sample.rows, places(sample, *curve), inputs_.columns, curve, spline::Side::left, 1,
@@ -78,15 +79,10 @@ class Comparer {
       const double computed = cells[columns[i].computed].hi;
       const Distance found = distance(given, computed);
       const Allowance& allowed = sample.allowances[row * columns.size() + i];
-      for (std::size_t p = 0; p < allowed.size(); ++p) {
-        if (found.abs == 0) continue;
-        candidate.excess[p] = std::max(candidate.excess[p], found.abs / allowed[p]);
-      }
-      const bool beyond = found.abs > *std::ranges::max_element(allowed);
+      if (found.abs > allowed.rounding) candidate.excess = std::max(candidate.excess, found.abs / allowed.most);
+      const bool beyond = found.abs > allowed.most;
       const std::uint64_t line = sample.rows.lines[row];
-      const auto difference = [&] {
-        return Difference{sample.numbers[row], line, columns[i].name, given, computed, found};
-      };
+      const auto difference = [&] { return Difference{row + 1, line, columns[i].name, given, computed, found}; };
       if (beyond && (!candidate.first || line < candidate.first->line)) candidate.first = difference();
       if (!candidate.worst || found.abs > candidate.largest) candidate.worst = difference();
       candidate.largest = std::max(candidate.largest, found.abs);
@@ -101,18 +97,6 @@ class Comparer {
   const ComparedParts& parts_;
   SamplingRequest request_;
 };
-
-/// Which candidates fit with a precision; with coarse numbers only those nearly as good as the best.
-std::vector<bool> fitting(const std::vector<Candidate>& candidates, std::size_t precision) {
-  const auto excess = [precision](const Candidate& candidate) { return candidate.excess[precision]; };
-  const double best = excess(*std::ranges::min_element(candidates, {}, excess));
-  std::vector<bool> fits;
-  for (const Candidate& candidate : candidates) {
-    const bool as_good = candidate.excess[0] <= 1 || excess(candidate) <= 1.5 * best;
-    fits.push_back(excess(candidate) <= 1 && as_good);
-  }
-  return fits;
-}
 
 /// Keeps only the columns of positions among those that are compared.
 void compare_positions_only(ComparisonInputs& inputs) {
@@ -149,30 +133,20 @@ void find_rows(const Comparer& comparer, const std::vector<GivenSamples>& sample
 }
 
 std::vector<Candidate> compared_conventions(const Comparer& comparer, const std::vector<Convention>& conventions,
-                                            const std::vector<GivenSamples>& samples, unsigned threads,
-                                            FileProgress* progress) {
+                                            const std::vector<GivenSamples>& samples, std::uint64_t rows,
+                                            const ComparisonInputs& inputs) {
   Source<Convention> source = [&conventions, next = std::size_t{0}]() mutable {
     return next < conventions.size() ? std::optional(conventions[next++]) : std::nullopt;
   };
-  const std::uint64_t rows = count_rows(samples);
   const auto compare = [&](const Convention& convention) {
     Candidate candidate = comparer.compare(convention, samples);
-    if (progress != nullptr) progress->add_rows(rows);
+    if (inputs.progress != nullptr) inputs.progress->add_rows(rows);
     return candidate;
   };
-  const auto answers = ordered_map(std::move(source), compare, threads);
+  const auto answers = ordered_map(std::move(source), compare, inputs.threads);
   std::vector<Candidate> candidates;
   while (std::optional<Candidate> candidate = answers()) candidates.push_back(std::move(*candidate));
   return candidates;
-}
-
-/// The conventions that a subset of the rows selects.
-std::vector<Convention> selected(const Ranking& ranking) {
-  std::vector<Convention> best;
-  for (std::size_t i = 0; i < ranking.candidates.size() && i < std::max(most_selected, ranking.fitting); ++i) {
-    best.push_back(ranking.candidates[i].convention);
-  }
-  return best;
 }
 
 /// The best conventions with different rules at their ends.
@@ -203,7 +177,7 @@ bool allows_equal_speed(const KeptInput& kept) {
                               [&](const KeptKeys& curve) { return std::ranges::any_of(curve.blocks, refuses); });
 }
 
-/// Ranks all conventions, by a subset of the rows first. Throws: Error (data) if there is nothing to compare.
+/// Ranks all conventions. Throws: Error (data) if there is nothing to compare.
 void rank(Identification& result, const CurveSettings& rules, const ComparisonInputs& inputs,
           const std::vector<GivenSamples>& samples) {
   const Comparer comparer(rules, inputs, result.orders, result.parts);
@@ -214,19 +188,12 @@ void rank(Identification& result, const CurveSettings& rules, const ComparisonIn
     for (const std::string& problem : result.problems) error.add({Exit::data, problem});
     throw error.in(inputs.file);
   }
-  const Subset subset = subset_of(samples, inputs, result.parts);
-  const auto rank_by = [&](const std::vector<GivenSamples>& rows, const std::vector<Convention>& some) {
-    return ranked(compared_conventions(comparer, some, rows, inputs.threads, inputs.progress), count_rows(rows),
-                  result.parts);
-  };
-  const auto rank_some = [&](const std::vector<Convention>& some) {
-    Ranking ranking = rank_by(subset.samples, some);
-    return subset.all ? ranking : rank_by(samples, selected(ranking));
-  };
   std::vector<Convention> all = conventions(result.orders.size(), result.parts);
   if (!allows_equal_speed(inputs.kept)) std::erase_if(all, [](const Convention& one) { return one.equal_speed; });
   result.conventions = all.size();
-  result.ranking = rank_some(all);
+  std::uint64_t rows = 0;
+  for (const GivenSamples& sample : samples) rows += sample.rows.size();
+  result.ranking = ranked(compared_conventions(comparer, all, samples, rows, inputs), rows, result.parts);
   if (!result.ranking.candidates.front().worst) {
     throw data_error("no row has a number to compare; expected at least one; give other samples").in(inputs.file);
   }
@@ -234,24 +201,19 @@ void rank(Identification& result, const CurveSettings& rules, const ComparisonIn
   const std::vector<Convention> more = mixed(result.ranking);
   result.conventions += more.size();
   std::vector<Candidate> both = std::move(result.ranking.candidates);
-  std::ranges::move(rank_some(more).candidates, std::back_inserter(both));
-  result.ranking = ranked(std::move(both), count_rows(samples), result.parts);
+  std::ranges::move(compared_conventions(comparer, more, samples, rows, inputs), std::back_inserter(both));
+  result.ranking = ranked(std::move(both), rows, result.parts);
 }
 
 }  // namespace
 
 Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, const ComparedParts& parts) {
   Ranking result;
-  std::vector<bool> fits(candidates.size());
-  for (std::size_t p = 0; p < precisions && !result.precision; ++p) {
-    if (std::ranges::any_of(candidates, [p](const Candidate& one) { return one.excess[p] <= 1; })) {
-      result.precision = static_cast<Precision>(p);
-      fits = fitting(candidates, p);
-    }
-  }
+  const double best = std::ranges::min_element(candidates, {}, &Candidate::excess)->excess;
   std::vector<Candidate> others;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    (fits[i] ? result.candidates : others).push_back(std::move(candidates[i]));
+  for (Candidate& one : candidates) {
+    const bool fits = one.excess <= 1 && one.excess <= 1.5 * best;  // of coarse numbers only those nearly as good
+    (fits ? result.candidates : others).push_back(std::move(one));
   }
   result.fitting = result.candidates.size();
   std::ranges::stable_sort(result.candidates, {}, [&parts](const Candidate& one) {

@@ -1,7 +1,6 @@
 // Ranking: comparing samples with all conventions, which of these fit, and in which order they are listed.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -12,17 +11,16 @@
 #include "check/check.hpp"
 #include "check/conventions.hpp"
 #include "check/inputs.hpp"
-#include "check/precision.hpp"
 
 namespace tcb {
 
 /// A convention, and how well it agrees with the samples.
 struct Candidate {
   Convention convention;
-  double largest = 0;                       ///< error of a position
-  std::array<double, precisions> excess{};  ///< the largest error in allowances of each precision
-  std::uint64_t rows_off = 0;               ///< rows with an error beyond all allowances
-  std::optional<Difference> first, worst;   ///< of the first of these rows; the largest of all
+  double largest = 0;                      ///< error of a position
+  double excess = 0;                       ///< the largest error beyond rounding, as a part of what is allowed
+  std::uint64_t rows_off = 0;              ///< rows with an error beyond what is allowed
+  std::optional<Difference> first, worst;  ///< of the first of these rows; the largest of all
 };
 
 /// The candidates by agreement: those that fit and are equivalent here, the most usual first; then those that are off
@@ -30,7 +28,6 @@ struct Candidate {
 struct Ranking {
   std::vector<Candidate> candidates;
   std::size_t fitting = 0;
-  std::optional<Precision> precision;  ///< the finest with which any fits
 };
 Ranking ranked(std::vector<Candidate> candidates, std::uint64_t rows, const ComparedParts& parts);
 
@@ -41,7 +38,7 @@ struct Identification : ComparisonSummary {
   std::uint64_t conventions = 0;       ///< number of conventions compared
   Ranking ranking = {};
 
-  bool fits() const { return ranking.precision.has_value(); }
+  bool fits() const { return ranking.fitting > 0; }
 };
 
 // Its report, as that of a check.
@@ -49,9 +46,7 @@ std::string text(const Identification& found);
 std::string json(const Identification& found);
 std::string in_short(const Identification& found);
 
-/// Compares the positions with those of every convention. If there are more, a subset of 1,000 rows and 256
-/// keys selects the 64 best conventions and all that fit, which are then compared with all rows. Throws: Error as
-/// check().
+/// Compares the positions with those of every convention. Throws: Error as check().
 Identification identify(const Comparison& comparison, ComparisonInputs inputs);
 
 /// Reads both files, and drops what is not a position. Throws: Error, naming the file.

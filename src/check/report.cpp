@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "check/check.hpp"
@@ -16,11 +15,6 @@ namespace tcb {
 namespace {
 
 constexpr std::size_t most_listed = 30, most_ranked = 10;
-
-constexpr std::array<std::string_view, precisions> precision_names{"rounding", "the printed digits",
-                                                                   "single precision"};
-
-std::string_view name_of(Precision precision) { return precision_names[static_cast<std::size_t>(precision)]; }
 
 /// The shortest text that reads back as the same double; "nothing" for NaN, "-" for an infinite number.
 std::string number_text(double value) {
@@ -137,8 +131,7 @@ std::string verdict(const Identification& found) {
            (best.first ? fmt::format("departs first: {}\n", text(*best.first, found.file)) : "") +
            (best.worst ? fmt::format("departs most: {}\n", text(*best.worst, found.file)) : "");
   }
-  std::string out =
-      fmt::format("identify: {}\nfits: within {}\n", full_title(found, best), name_of(*found.ranking.precision));
+  std::string out = fmt::format("identify: {}\n", full_title(found, best));
   for (std::size_t i = 1; i < std::min(found.ranking.fitting, most_listed); ++i) {
     out += fmt::format("the same here: {}\n", full_title(found, found.ranking.candidates[i]));
   }
@@ -225,13 +218,12 @@ std::string json(const Identification& found) {
   }
   const Candidate& best = ranking.candidates.front();
   return fmt::format(
-      "{{\"fits\":{},\"within\":{},\"file\":{},\"keys\":{},\"samples\":\"{}\",\n"
+      "{{\"fits\":{},\"file\":{},\"keys\":{},\"samples\":\"{}\",\n"
       "\"rows\":{},\"conventions\":{},\"same_orders\":{},\n\"first\":{},\n\"worst\":{},\n"
       "\"ranking\":[{}],\n\"problems\":{},\n\"not_compared\":{}}}\n",
-      found.fits(), ranking.precision ? json_text(name_of(*ranking.precision)) : "null", json_text(found.file),
-      json_text(found.keys), samples_at(found.by_length), found.rows, found.conventions,
-      json_list(order_of(found, best).same), json(best.first), json(best.worst), rows, json_list(found.problems),
-      json_list(found.ignored));
+      found.fits(), json_text(found.file), json_text(found.keys), samples_at(found.by_length), found.rows,
+      found.conventions, json_list(order_of(found, best).same), json(best.first), json(best.worst), rows,
+      json_list(found.problems), json_list(found.ignored));
 }
 
 std::string in_short(const Check& check) {
@@ -240,10 +232,8 @@ std::string in_short(const Check& check) {
 }
 
 std::string in_short(const Identification& found) {
-  const std::string_view precision = found.fits() ? name_of(*found.ranking.precision) : "";
   return fmt::format("{} · {} · {} rows", title(found, found.ranking.candidates.front()),
-                     found.fits() ? fmt::format("fits within {}", precision) : "the nearest, but it does not fit",
-                     found.rows);
+                     found.fits() ? "fits" : "the nearest, but it does not fit", found.rows);
 }
 
 }  // namespace tcb

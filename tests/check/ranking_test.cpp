@@ -12,8 +12,8 @@ using spline::EndRule;
 using spline::TangentRule;
 using testing::ElementsAre;
 
-/// A candidate, identified by its tangents, with its largest error in allowances of each precision.
-Candidate candidate(std::size_t tangents, double largest, std::array<double, 3> excess, std::uint64_t rows_off = 0) {
+/// A candidate, identified by its tangents, with its largest error as a part of what is allowed.
+Candidate candidate(std::size_t tangents, double largest, double excess, std::uint64_t rows_off = 0) {
   return {
       {static_cast<TangentRule>(tangents), EndRule::half, EndRule::half, false, 0}, largest, excess, rows_off, {}, {}};
 }
@@ -25,25 +25,19 @@ std::vector<std::size_t> tangents(const Ranking& ranking) {
 }
 
 TEST(Ranking, those_that_fit_come_first_the_most_usual_before_others) {
-  const Ranking ranking = ranked(
-      {candidate(2, 1, {9, 9, 9}, 9), candidate(4, 1e-16, {0.1, 0.1, 0.1}), candidate(0, 2e-16, {0.2, 0.2, 0.2})}, 10,
-      {});
+  const Ranking ranking = ranked({candidate(2, 1, 9, 9), candidate(4, 1e-16, 0), candidate(0, 2e-16, 0)}, 10, {});
   EXPECT_EQ(ranking.fitting, 2U);
-  EXPECT_EQ(ranking.precision, Precision::rounding);
   EXPECT_THAT(tangents(ranking), ElementsAre(0, 4, 2)) << "velocity + half is a preset";
 }
 
 TEST(Ranking, among_coarse_numbers_the_clearly_better_ones_fit) {
-  const Ranking ranking = ranked({candidate(1, 9e-5, {99, 0.9, 9}), candidate(2, 5e-5, {55, 0.5, 9})}, 10, {});
-  EXPECT_EQ(ranking.precision, Precision::printed_digits);
+  const Ranking ranking = ranked({candidate(1, 9e-5, 0.9), candidate(2, 5e-5, 0.5)}, 10, {});
   EXPECT_EQ(ranking.fitting, 1U);
   EXPECT_THAT(tangents(ranking), ElementsAre(2, 1));
 }
 
 TEST(Ranking, if_none_fits_few_wrong_rows_rank_before_small_errors) {
-  const Ranking ranking =
-      ranked({candidate(1, 3, {9, 9, 9}, 40), candidate(2, 5, {9, 9, 9}, 1), candidate(3, 2, {9, 9, 9}, 39)}, 40, {});
-  EXPECT_FALSE(ranking.precision);
+  const Ranking ranking = ranked({candidate(1, 3, 9, 40), candidate(2, 5, 9, 1), candidate(3, 2, 9, 39)}, 40, {});
   EXPECT_EQ(ranking.fitting, 0U);
   EXPECT_THAT(tangents(ranking), ElementsAre(2, 3, 1));
 }

@@ -86,14 +86,12 @@ Identification identification(std::size_t fitting) {
   }
   ranking.candidates[0].worst = Difference{1, 2, "x", 2.5, 2, distance(2.5, 2)};
   ranking.fitting = fitting;
-  if (fitting > 0) ranking.precision = Precision::printed_digits;
   return result;
 }
 
 TEST(Report, of_conventions_that_fit_has_all_of_them) {
   const std::string report = text(identification(2));
   EXPECT_THAT(report, testing::StartsWith("identify: tangents interval, ends zero (vtk)\n"
-                                          "fits: within the printed digits\n"
                                           "the same here: tangents interval, ends chord\n"
                                           "the same here: T,C,B from C,T,B\n"
                                           "file: rows.csv\nkeys: keys.csv\nsamples: at its arc lengths\n"
@@ -110,14 +108,13 @@ TEST(Report, of_conventions_that_do_not_fit_has_the_nearest) {
 
 TEST(Report, of_conventions_in_json_has_a_row_for_each) {
   const std::string report = json(identification(1));
-  EXPECT_THAT(report, HasSubstr(R"({"fits":true,"within":"the printed digits","file":"rows.csv",)"));
+  EXPECT_THAT(report, HasSubstr(R"({"fits":true,"file":"rows.csv",)"));
   EXPECT_THAT(report, HasSubstr(R"("same_orders":["C,T,B"],)"));
   EXPECT_THAT(report, HasSubstr(R"({"fits":true,"tangents":"interval","ends":"zero","equal_speed":false,)"
                                 R"("order":"T,C,B","presets":["vtk"],"largest":0.5,"rows_off":3},)"));
   EXPECT_THAT(report, HasSubstr(R"({"fits":false,"tangents":"interval","ends":"chord",)"));
   Identification closed = identification(0);
   closed.parts.closed = true;
-  EXPECT_THAT(json(closed), HasSubstr(R"("within":null)"));
   EXPECT_THAT(json(closed), HasSubstr(R"("ends":null)"));
 }
 
