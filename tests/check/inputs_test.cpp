@@ -17,8 +17,8 @@ TEST(KeptInput, can_be_read_more_than_once) {
   comparison.keys.input.columns.roles = {{Role::group, {"id"}}};
   const KeptInput kept = keep_input(comparison, read_file(comparison.keys_file));
   ASSERT_EQ(kept.curves.size(), 2U);
-  EXPECT_EQ(kept.curves[0].key_count(), 2U);
-  EXPECT_EQ(kept.curves[1].key_count(), 1U);
+  EXPECT_EQ(kept.curves[0].blocks.at(0).size(), 2U);
+  EXPECT_EQ(kept.curves[1].blocks.at(0).size(), 1U);
   for (int times = 0; times < 2; ++times) {
     std::vector<double> positions;
     const auto next_block = kept.curves[0].keys();
