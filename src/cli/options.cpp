@@ -291,9 +291,8 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.keys.rules.parameter = parameter_in(text); }, names_in<parameter_names>},
     {"--metric", "", "CHANNEL,...", curve_group,
      "The channels, by name or number, over which lengths and speeds are measured; by default those called x, y and "
-     "z if there are any, otherwise all. all means all channels, rotation the angles in radians through which "
-     "rotations turn",
-     "", other, 
+     "z if there are any, otherwise all. all means all channels",
+     "", other,
      [](Typed& to, Text text) {
        const auto names = split(text, ',');
        to.keys.rules.metric = {{names.begin(), names.end()}, {"--metric"}};

@@ -34,7 +34,7 @@ double legendre(int n, double x, double& slope) {
 /// Roots by Newton's method, from x_i = cos(pi (i + 3/4)/(n + 1/2)), in doubles and then in more digits.
 BallRule<Real> make_rule(int n, int bits) {
   const std::vector<Real> numbers(static_cast<std::size_t>(n));
-  BallRule<Real> rule{numbers, numbers, {numbers, numbers, numbers, numbers}};
+  BallRule<Real> rule{numbers, numbers};
   for (int i = 0; i < n / 2; ++i) {
     double rough = spline::sine_cosine(3.14159265358979 * (i + 0.75) / (n + 0.5)).cosine, slope = 0;
     for (int step = 0; step < 6; ++step) {
@@ -62,18 +62,6 @@ BallRule<Real> make_rule(int n, int bits) {
     rule.node[first] = left + Real();
     rule.node[last] = right + Real();
     rule.weight[first] = rule.weight[last] = weight + Real();
-    // P_(n-1) and P_(n-2) at a root of P_n follow from the derivative there and from the recurrence.
-    const auto size = static_cast<double>(n);
-    const Real value = (Real(1.0) - x * x) * rate / Real(size),
-               before = Real(2 * size - 1) * x * value / Real(size - 1);
-    const int middle = n / 4 * 2 - 1;
-    const auto add_orders = [&](std::size_t even, int odd, const std::pair<Real, Real>& values) {
-      rule.orders[even][first] = rule.orders[even][last] = Real(2.0 * odd - 1) * weight * values.second;
-      rule.orders[even + 1][last] = Real(2.0 * odd + 1) * weight * values.first;
-      rule.orders[even + 1][first] = -rule.orders[even + 1][last];
-    };
-    add_orders(0, middle, legendre(middle, x));
-    add_orders(2, n - 1, {value, before});
   }
   return rule;
 }
@@ -100,9 +88,6 @@ const BallRule<DoubleDouble>& ball_rule() {
     BallRule<DoubleDouble> result;
     for (const Real& node : exact.node) result.node.push_back(rounded(node));
     for (const Real& weight : exact.weight) result.weight.push_back(rounded(weight));
-    for (std::size_t i = 0; i < exact.orders.size(); ++i) {
-      for (const Real& weight : exact.orders[i]) result.orders[i].push_back(rounded(weight));
-    }
     return result;
   }();
   return rule;

@@ -1,9 +1,8 @@
-// Quadrature in balls: the Gauss-Legendre rules of double-doubles and of other floats, and what lengths of paths and
-// angles of rotations do alike with panels, the parts of a segment under one rule.
+// Quadrature in balls: the Gauss-Legendre rules of double-doubles and of other floats, and places in panels, the parts of
+// a segment under one rule.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <vector>
 
@@ -16,9 +15,6 @@ namespace tcb {
 template <class M>
 struct BallRule {
   std::vector<M> node, weight;
-  /// The weights that give coefficients of the polynomial through the nodes in Legendre polynomials: of the two orders
-  /// in the middle, and the last two.
-  std::array<std::vector<M>, 4> orders;
 };
 
 /// A rule with an even number of points, for the digits in use.

@@ -153,8 +153,8 @@ class Rows final : public BallRows {
  public:
   using B = BallOf<M>;
 
-  Rows(const RowsOfCurve& rows, std::vector<std::size_t> chosen, bool measures_in_double_doubles)
-      : rows_(rows), measured_(needs_lengths(chosen)), point_(rows, measures_in_double_doubles) {
+  Rows(const RowsOfCurve& rows, const std::vector<std::size_t>& chosen)
+      : rows_(rows), measured_(needs_lengths(chosen)), point_(rows) {
     for (const std::size_t index : chosen) {
       const RowShape shape{rows.exact.keys.channels, rows.exact.channels.rotations};
       const Field& field = fields()[index];
@@ -273,17 +273,16 @@ class Rows final : public BallRows {
 
 }  // namespace
 
-std::unique_ptr<BallRows> BallRows::in_double_doubles(const RowsOfCurve& rows, std::vector<std::size_t> chosen) {
+std::unique_ptr<BallRows> BallRows::in_double_doubles(const RowsOfCurve& rows, const std::vector<std::size_t>& chosen) {
   try {
-    return std::make_unique<Rows<spline::DoubleDouble>>(rows, std::move(chosen), true);
+    return std::make_unique<Rows<spline::DoubleDouble>>(rows, chosen);
   } catch (const Undecided&) {
     return nullptr;
   }
 }
 
-std::unique_ptr<BallRows> BallRows::in_reals(const RowsOfCurve& rows, std::vector<std::size_t> chosen,
-                                             bool measures_in_double_doubles) {
-  return std::make_unique<Rows<Real>>(rows, std::move(chosen), measures_in_double_doubles);
+std::unique_ptr<BallRows> BallRows::in_reals(const RowsOfCurve& rows, const std::vector<std::size_t>& chosen) {
+  return std::make_unique<Rows<Real>>(rows, chosen);
 }
 
 }  // namespace tcb

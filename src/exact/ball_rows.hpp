@@ -23,11 +23,10 @@ enum class AlongSegment { open, zero, empty, other };
 class BallRows {
  public:
   /// In double-doubles; null for a curve that these cannot hold. `chosen`: the fields of all rows.
-  static std::unique_ptr<BallRows> in_double_doubles(const RowsOfCurve& rows, std::vector<std::size_t> chosen);
-  /// In floats of the digits in use (Real::bits), which are to be in use for all rows; rotations are measured in
-  /// double-doubles, or in these floats. Throws: Undecided for a curve that needs more.
-  static std::unique_ptr<BallRows> in_reals(const RowsOfCurve& rows, std::vector<std::size_t> chosen,
-                                            bool measures_in_double_doubles);
+  static std::unique_ptr<BallRows> in_double_doubles(const RowsOfCurve& rows, const std::vector<std::size_t>& chosen);
+  /// In floats of the digits in use (Real::bits), which are to be in use for all rows. Throws: Undecided for a curve
+  /// that needs more.
+  static std::unique_ptr<BallRows> in_reals(const RowsOfCurve& rows, const std::vector<std::size_t>& chosen);
   virtual ~BallRows() = default;
 
   /// Sets those cells of a row that are not decided yet and that their balls decide. False if the place of the row is

@@ -117,26 +117,17 @@ class ExactRows::Evaluation {
   }
 
  private:
-  /// A precision of floats. Rotations are measured in double-doubles first, and in these floats where that leaves a
-  /// number open.
+  /// A precision of floats.
   struct Level {
     int bits;
-    bool measures_in_double_doubles;
     std::unique_ptr<BallRows> rows = nullptr;  ///< null until it is needed
   };
 
   static std::vector<Level> levels_of(const RowsOfCurve& rows, const Notation& notation) {
-    const bool has_turns = spline::is_turn(rows.exact.rules.metric);
     std::vector<Level> levels;
-    constexpr int of_turns = 256;  // double-doubles measure rotations that are known to twice as many digits
-    const int first = first_precision(notation), last = last_precision(rows);
-    for (int bits = has_turns ? std::max(first, of_turns) : first; bits < last; bits *= 2) {
-      levels.push_back({bits, has_turns});
-    }
-    levels.push_back({last, has_turns});
-    if (has_turns) {
-      for (const int bits : {first, 2 * first, last}) levels.push_back({bits, false});
-    }
+    const int last = last_precision(rows);
+    for (int bits = first_precision(notation); bits < last; bits *= 2) levels.push_back({bits});
+    levels.push_back({last});
     return levels;
   }
 
@@ -161,7 +152,7 @@ class ExactRows::Evaluation {
     if (levels_.empty()) levels_ = levels_of(rows_, notation_);
     return levels_;
   }
-  Level& last() { return *std::ranges::max_element(levels(), {}, &Level::bits); }
+  Level& last() { return levels().back(); }
 
   static bool is_set(const RowCell& cell) { return cell.printed.has_value(); }
   bool is_open() const { return !std::ranges::all_of(cells_, is_set); }
@@ -197,16 +188,12 @@ class ExactRows::Evaluation {
     if (!rows_.arc || is_placed) set_rationals(row, rows_.arc ? balls_->key_at_end() : std::nullopt);
     set_zeros(row);
     if (!is_open()) return;  // before levels are made
-    bool is_placed_here = false;
     for (Level& level : levels()) {
       if (!is_open()) return;
-      if (rows_.arc && is_placed_here && level.measures_in_double_doubles && !row.is_middle) continue;
       const RealPrecision precision(level.bits, level.bits == last().bits);
       try {
         const bool has_place = rows_at(level).set(row, notation_, cells_);
         if (rows_.arc && has_place) set_rationals(row, level.rows->key_at_end());
-        // Double-doubles do not measure a place to more digits at later levels; that of a key is exact.
-        is_placed_here = is_placed_here || (has_place && !level.rows->key_at_end());
       } catch (const Undecided&) {
         continue;
       }
@@ -242,7 +229,7 @@ class ExactRows::Evaluation {
   }
 
   BallRows& rows_at(Level& level) {
-    if (level.rows == nullptr) level.rows = BallRows::in_reals(rows_, chosen_, level.measures_in_double_doubles);
+    if (level.rows == nullptr) level.rows = BallRows::in_reals(rows_, chosen_);
     return *level.rows;
   }
 

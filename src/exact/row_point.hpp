@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "exact/axis_angle.hpp"
 #include "exact/ball_length.hpp"
 #include "exact/exact_curve.hpp"
 #include "exact/exact_keys.hpp"
@@ -67,9 +66,7 @@ double printed_length(const S& length);
 template <class S>
 class RowPoint {
  public:
-  /// `in_double_doubles`: rotations are measured in these.
-  explicit RowPoint(const RowsOfCurve& rows, bool in_double_doubles = false)
-      : rows_(rows), in_double_doubles_(in_double_doubles), curve_(curve_at<S>(rows.exact)) {
+  explicit RowPoint(const RowsOfCurve& rows) : rows_(rows), curve_(curve_at<S>(rows.exact)) {
     for (const Rational& cycle : rows.facts.cycle) cycle_.push_back(scalar_of<S>(cycle));
     if constexpr (spline::has_roots<S>) set_turns();
   }
@@ -101,14 +98,10 @@ class RowPoint {
       const spline::LocalParameter<S> at{S(place), S(place) - S(1)};
       const std::vector<std::size_t>& metric = rows_.exact.rules.metric;
       S square(0);
-      const auto add = [&](const S& rate) { square = square + rate * rate; };
-      if (spline::is_turn(metric)) {
-        for (const auto& rotation : one.rotations) std::ranges::for_each(rotation.rate(at), add);
-      } else {
-        for (std::size_t i = 0; i < one.channels; ++i) {
-          const bool counts = metric.empty() || std::ranges::find(metric, i) != metric.end();
-          if (counts) add(spline::first_derivative(one[0][i], at));
-        }
+      for (std::size_t i = 0; i < one.channels; ++i) {
+        if (!metric.empty() && std::ranges::find(metric, i) == metric.end()) continue;
+        const S rate = spline::first_derivative(one[0][i], at);
+        square = square + rate * rate;
       }
       return square;
     };
@@ -193,24 +186,14 @@ class RowPoint {
 
   const spline::SegmentLength<S>& arc(std::size_t number) {
     Known& one = known(number);
-    if (!one.arc) one.arc = measured(one.segments, number);  // only now: some scalars throw
+    if (!one.arc) one.arc = measured(one.segments);  // only now: some scalars throw
     return *one.arc;
   }
 
-  spline::SegmentLength<S> measured(const spline::Segments<S>& one, std::size_t number) {
+  spline::SegmentLength<S> measured(const spline::Segments<S>& one) const {
     spline::SegmentLength<S> arc;
-    const bool about_axes = spline::is_turn(rows_.exact.rules.metric) && are_about_axes(one, number);
-    arc.assign(one[0], one.rotations_of(0), rows_.exact.rules.metric, about_axes, in_double_doubles_);
+    arc.assign(one[0], rows_.exact.rules.metric);
     return arc;
-  }
-
-  /// Whether each rotation of a segment is about one axis: balls with few digits show where one is not.
-  bool are_about_axes(const spline::Segments<S>& one, std::size_t number) {
-    constexpr int last_precision = 1536;  // bits
-    if (!std::ranges::all_of(one.rotations, may_be_about_one_axis<S>)) return false;
-    const RealPrecision precision(last_precision, true);
-    if (last_curve_ == nullptr) last_curve_ = curve_at<RealBall>(rows_.exact);
-    return std::ranges::all_of(last_curve_->segments(number, number + 1).rotations, may_be_about_one_axis<RealBall>);
   }
 
   /// Sets the length at the start of the sample's segment, or at its end if the sample is there, and returns the
@@ -230,7 +213,7 @@ class RowPoint {
     if (lengths_.empty()) lengths_.push_back(S(0));
     for (std::size_t i = lengths_.size(); i <= key; ++i) {
       const bool is_kept = has_room() || known_.contains(i - 1);
-      const S length = is_kept ? arc(i - 1).total().value : measured(curve_->segments(i - 1, i), i - 1).total().value;
+      const S length = is_kept ? arc(i - 1).total().value : measured(curve_->segments(i - 1, i)).total().value;
       lengths_.push_back(lengths_.back() + length);
     }
     return lengths_[key];
@@ -374,10 +357,8 @@ class RowPoint {
   }
 
   const RowsOfCurve& rows_;
-  const bool in_double_doubles_;
   std::unique_ptr<const spline::CurveKeys<S>> curve_;
   std::unique_ptr<const spline::CurveKeys<Rational>> exact_curve_;  ///< null until it is needed
-  std::unique_ptr<const spline::CurveKeys<RealBall>> last_curve_;   ///< at the last precision; null until it is needed
   std::map<std::size_t, Known> known_;
   std::vector<S> lengths_;
   std::vector<S> cycle_;

@@ -59,7 +59,6 @@ constexpr std::array norms{Quantity{"speed", 1}, Quantity{"acceleration", 2}, Qu
 std::vector<Measure> known_measures(const CurveSpec& spec, const std::vector<std::string>& names) {
   const auto& [rotations, angles] = std::tie(spec.rules.rotations, spec.rules.angles);
   std::vector<std::size_t> metric = spline::metric_of(spec.rules, names.size());
-  if (spline::is_turn(metric)) metric.clear();
   if (metric.empty() && rotations.empty() && angles.empty()) {
     for (std::size_t i = 0; i < names.size(); ++i) metric.push_back(i);
   }

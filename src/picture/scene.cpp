@@ -213,7 +213,7 @@ void Scene::require_few_strips() const {
 std::optional<std::array<std::size_t, 2>> path_axes(const std::vector<std::string>& channels,
                                                     const std::vector<std::string>& requested,
                                                     const std::vector<std::size_t>& metric) {
-  std::vector<std::size_t> axes = spline::is_turn(metric) ? std::vector<std::size_t>{} : metric;
+  std::vector<std::size_t> axes = metric;
   const bool is_chosen = !requested.empty() || axes.size() > 1;
   for (std::size_t i = 0; axes.size() == i && i < channels.size(); ++i) axes.push_back(i);
   if (!is_chosen && axes.size() > 1) {

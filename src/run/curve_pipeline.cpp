@@ -69,8 +69,6 @@ CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size
   const auto any_field = [&](const auto& holds) {
     return std::ranges::any_of(fields, [&](std::size_t field) { return holds(tcb::fields()[field]); });
   };
-  const bool has_field_of_path =
-      any_field([](const Field& field) { return field.over_metric && !field.needs_lengths; });
   const bool times_of_distances = !spec.timed && spec.exponent() != 0;
   const bool is_near_path = mode == Mode::tolerance && request.tolerance.limits_distance();
   const bool is_count = mode == Mode::count || mode == Mode::arc_count;
@@ -82,9 +80,8 @@ CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size
   needs.whole_length = needs.all_keys && !needs.random_access && by_length(mode);
   needs.single_key = (is_count && request.count == 1) || request.places.size() == 1;
   needs.angle_signs = !spec.angles.empty();
-  needs.metric = has_field_of_path || times_of_distances || is_near_path ? MetricUse::path
-                 : needs.lengths                                         ? MetricUse::lengths
-                                                                         : MetricUse::nothing;
+  needs.metric = needs.lengths || times_of_distances || is_near_path ||
+                 any_field([](const Field& field) { return field.over_metric; });
   return needs;
 }
 

@@ -52,7 +52,7 @@ struct CurveNeeds {
   bool whole_length = false;   ///< the length of the whole curve is known before the first row
   bool single_key = false;     ///< a single key is enough
   bool angle_signs = false;    ///< whether any angle is negative is known before the first row, from all keys
-  MetricUse metric = MetricUse::nothing;
+  bool metric = false;
 };
 
 /// The extent of a curve and its samples, as far as they are known before the first row.

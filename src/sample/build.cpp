@@ -28,13 +28,6 @@ void measure(SegmentBlock& block, const Rules& rules) {
   for (std::size_t i = 0; i < block.segments.size(); ++i) {
     if (std::isfinite(block.lengths[i].value)) continue;
     const std::string from = time_text(block.segments.times[i]), to = time_text(block.segments.times[i + 1]);
-    if (spline::is_turn(rules.metric)) {
-      throw data_error(
-          "the rotation from time {} to {} has a tangent of more than 1e27 radians, as a step next to it is far "
-          "shorter; expected steps of which none is 1e-27 of the next one; correct the times, or use --rotation-curve "
-          "slerp",
-          from, to);
-    }
     throw data_error(
         "the curve from time {} to {} has tangents beyond the range of doubles; expected less than 1.8e308 in size; "
         "scale the keys down",

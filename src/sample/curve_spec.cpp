@@ -127,10 +127,9 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
     return std::ranges::count(angles, channel, &spline::AngleChannel::channel) > 0;
   };
   std::vector<std::size_t>& metric = spec.rules.metric;
-  const auto is_word = [&](const char* word) {
-    return settings.metric && settings.metric->value == std::vector<std::string>{word} && !find_channel(word, channels);
-  };
-  if (!settings.metric || is_word("all")) {
+  const bool is_all =
+      settings.metric && settings.metric->value == std::vector<std::string>{"all"} && !find_channel("all", channels);
+  if (!settings.metric || is_all) {
     if (rotations.empty() && angles.empty()) return;
     for (std::size_t i = 0; i < channels.size(); ++i) {
       if (!spline::is_in_rotation(rotations, i) && !is_angle(i)) metric.push_back(i);
@@ -139,15 +138,10 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
     return;
   }
   const auto& [names, origin] = *settings.metric;
-  if (is_word("rotation")) {
-    if (rotations.empty())
-      throw origin.error(
-          data_error("there is no rotation to measure; name its columns with --rotation, or measure channels"));
-    metric = {spline::turn_metric};
-    return;
-  }
   for (const std::string& name : names) {
     const auto channel = find_channel(name, channels);
+    if (!channel && name == "rotation")
+      throw origin.error(usage_error("rotation is gone in this version; give --fields angular_speed"));
     if (!channel)
       throw origin.error(data_error("there is no channel {}; expected some of {}, by name or by number from 1{}",
                                     in_quotes(name), listed(channels), did_you_mean(name, channels)));
@@ -208,7 +202,7 @@ std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset) {
 }
 
 void require_fitting_rotations(const CurveSpec& spec, const SamplingRequest& request,
-                               const std::vector<std::size_t>& chosen, MetricUse use) {
+                               const std::vector<std::size_t>& chosen, bool needs_metric) {
   const bool has_rotations = !spec.rules.rotations.empty();
   const auto of_rotations =
       std::ranges::find_if(chosen, [](std::size_t field) { return fields()[field].per_rotation; });
@@ -231,15 +225,10 @@ void require_fitting_rotations(const CurveSpec& spec, const SamplingRequest& req
         .about("--tolerance");
   }
   const bool emits = request.mode == Mode::emit;
-  if (spec.lacks_metric && use != MetricUse::nothing) {
+  if (spec.lacks_metric && needs_metric) {
     throw data_error(
-        "there are only rotations or angles, which have no length; expected a position; give --metric rotation to "
-        "measure angles, or --rotation none to take the numbers as positions");
-  }
-  if (spline::is_turn(spec.rules.metric) && (use == MetricUse::path || spec.rules.equal_speed)) {
-    throw usage_error(
-        "--metric rotation measures angles, so there are arc lengths, but no distances, speeds or shapes of a path; "
-        "leave these out, or give the field angular_speed");
+        "there are only rotations or angles, which have no length; expected a position; give --rotation none to take "
+        "the numbers as positions");
   }
   const spline::RotationCurve curve = spec.rules.rotation_rules.curve;
   const auto is_quaternion = [](const auto& one) { return one.shown.is_quaternion(); };

@@ -58,12 +58,9 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
 /// The scale on which the preset's product shows tension, continuity and bias, where it is another than the formulas'.
 std::optional<ShownTcbScale> shown_tcb_scale(spline::Preset preset);
 
-/// What is used of the metric: lengths along the curve, or also distances and speeds.
-enum class MetricUse { nothing, lengths, path };
-
-/// Throws: Error (data) where a field or a tolerance is of rotations, and there are none; where lengths or distances
-/// are used, and there are rotations alone; and for cubics of rotations that have none. `chosen`: the fields.
+/// Throws: Error (data) where a field or a tolerance is of rotations, and there are none; where lengths, distances or
+/// speeds are used, and there are rotations alone; and for cubics of rotations that have none. `chosen`: the fields.
 void require_fitting_rotations(const CurveSpec& spec, const SamplingRequest& request,
-                               const std::vector<std::size_t>& chosen, MetricUse use);
+                               const std::vector<std::size_t>& chosen, bool needs_metric);
 
 }  // namespace tcb

@@ -192,7 +192,7 @@ S piece_length(const Point<S>& point) {
     std::vector<spline::Cubic<S>> cubics;
     for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) cubics.push_back(piece_cubic(point, i));
     spline::SegmentLength<S> length;
-    length.assign(cubics, {}, point.segment().metric);
+    length.assign(cubics, point.segment().metric);
     return length.total().value;
   } else {
     return S(0);

@@ -275,7 +275,7 @@ class PieceSampler : public Sampler {
 
 /// A length that rounds to that of a key is at the key.
 void locate_lengths(const CurveSegment& segment, Located& located) {
-  located.arc.assign(segment.cubics, segment.rotations, segment.metric);
+  located.arc.assign(segment.cubics, segment.metric);
   located.places.resize(located.coordinates.size());
   located.arc.places(segment.s_start, segment.s_end, located.coordinates, located.places);
   const Time duration = segment.duration();

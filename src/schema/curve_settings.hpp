@@ -59,7 +59,7 @@ struct Setting {
   SettingOrigin origin = {};
 };
 
-using MetricSetting = Setting<std::vector<std::string>>;  ///< channels by name or number; or "all", or "rotation"
+using MetricSetting = Setting<std::vector<std::string>>;  ///< channels by name or number; or "all"
 
 /// The rule at one end of a curve, and the velocity there if it takes one.
 struct EndSetting {

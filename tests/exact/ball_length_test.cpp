@@ -38,7 +38,7 @@ void expect_lengths(const std::vector<Channel>& channels, double largest_radius,
   const auto in_balls = segment<Ball>(channels);
   const auto exact = segment<ExactLength>(channels);
   spline::SegmentLength<Ball> balls;
-  balls.assign(in_balls, {}, {});
+  balls.assign(in_balls, {});
   const spline::ArcLength<ExactLength> arc(exact, {});
   const Ball total = balls.total().value;
   expect_length_held(arc.total().value, total, "length");
@@ -88,37 +88,8 @@ TEST(BallLength, holds_those_of_cusps_and_rests) {
 TEST(BallLength, of_a_point_is_zero) {
   const auto point = segment<Ball>({{0, 0, 0}});
   spline::SegmentLength<Ball> balls;
-  balls.assign(point, {}, {});
+  balls.assign(point, {});
   EXPECT_TRUE(balls.total().value.is_zero());
-}
-
-TEST(BallLength, holds_the_angles_of_turns) {
-  const auto at = [](auto zero) {
-    using S = decltype(zero);
-    const spline::Quaternion<S> a{S(0), S(0), S(0), S(1)}, b{S(0.5), S(0.5), S(0.5), S(0.5)};
-    const spline::Quaternion<S> c = normalized(spline::Quaternion<S>{S(0.5), S(-0.25), S(0.125), S(2.0)});
-    const spline::Quaternion<S> d = normalized(spline::Quaternion<S>{S(0.25), S(0.75), S(0.5), S(1.0)});
-    return spline::RotationSegment<S>(spline::RotationCurve::squad, {a, c, d, b});
-  };
-  const auto ball = at(Ball());
-  const auto exact = at(Float<40>(0));
-  const std::vector<std::size_t> metric{spline::turn_metric};
-  spline::SegmentLength<Ball> balls;
-  balls.assign({}, {&ball, 1}, metric);
-  spline::SegmentLength<Float<40>> floats;
-  floats.assign({}, {&exact, 1}, metric);
-  const auto near = [](const Float<40>& number, const Ball& held) {
-    const Float<40> middle = Float<40>(held.middle().hi) + Float<40>(held.middle().lo);
-    EXPECT_LE(Float<40>(abs(number - middle)), Float<40>(held.radius()));
-    EXPECT_LE(held.radius(), 0x1p-60);
-  };
-  near(floats.total().value, balls.total().value);
-  const spline::LocalParameter<Ball> third{Ball(0.375), Ball(-0.625)};
-  near(floats.to({Float<40>(0.375), Float<40>(-0.625)}).value, balls.to(third).value);
-  const Ball s(0.25);
-  spline::LocalParameter<Ball> place;
-  balls.places(Ball(), balls.total().value, {&s, 1}, {&place, 1});
-  near(floats.place(Float<40>(0), floats.total().value, Float<40>(0.25)).u, place.u);
 }
 
 }  // namespace

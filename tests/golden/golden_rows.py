@@ -66,10 +66,10 @@ for _ in range(curves):
     places = [t + rng.random() * (next_time - t) for t, next_time in zip(times, times[1:])] + [times[0], times[-1]]
     options, fields = [], ["time", "position", "velocity", "acceleration", "speed", "tangent", "curvature", "torsion"]
     if kind == "axis":
-        options = ["--rotation", "axis-angle=ax:ay:az:angle", "--metric", "rotation"]
+        options = ["--rotation", "axis-angle=ax:ay:az:angle"]
         options += ["--rotation-curve", rng.choice(["squad", "casteljau", "components", "slerp"])]
         fields = ["time", "position", "angular_velocity"]
-    if kind == "axis" or rng.random() < 0.2:
+    if kind == "plain" and rng.random() < 0.2:
         fields.append("s")
     rng.shuffle(fields)
     options += ["--fields", ",".join(fields[:rng.randint(2, len(fields))])]

@@ -213,12 +213,6 @@ TEST(BuildError, rotations_and_angles_must_fit_the_keys) {
               keys.given = {false, true, true, true, false};
             }).code,
             rotation_velocity_incomplete);
-  EXPECT_EQ(with([](auto&, auto& rules) {
-              rules.metric = {turn_metric};
-              rules.equal_speed = true;
-            }).code,
-            equal_speed_of_turns);
-  EXPECT_EQ(error_with([](auto&, auto& rules) { rules.metric = {turn_metric}; }).code, turn_metric_without_rotation);
 }
 
 TEST(BuildError, closed_curves_need_two_keys_and_a_period) {

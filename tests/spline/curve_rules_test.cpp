@@ -19,7 +19,7 @@ TEST(CurveRules, an_empty_metric_has_a_meaning_for_every_kind_of_channel) {
   EXPECT_EQ(metric_of(rules, 1), Metric{});
   rules.rotations = {{{1, 2, 3, 4}}};
   EXPECT_EQ(metric_of(rules, 6), (Metric{5}));
-  EXPECT_EQ(metric_of(rules, 5), (Metric{turn_metric}));
+  EXPECT_EQ(metric_of(rules, 5), Metric{});
   rules.metric = {5};
   EXPECT_EQ(metric_of(rules, 7), (Metric{5}));
 }

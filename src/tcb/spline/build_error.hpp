@@ -57,8 +57,6 @@ enum class BuildErrorCode : std::uint8_t {
   rotation_velocity_incomplete,
   end_velocity_of_rotation,
   metric_of_angles,
-  turn_metric_without_rotation,
-  equal_speed_of_turns,
   closed_too_few_keys,
   period_missing,
   period_not_finite,
@@ -146,10 +144,6 @@ inline constexpr auto build_error_texts = std::to_array<BuildErrorText>({
      "the end rule at key {key} needs a velocity, which a rotation does not have; expected another end rule"},
     {BuildErrorCode::metric_of_angles,
      "the metric has channel {channel}, which is an angle or a number of a rotation; expected other channels"},
-    {BuildErrorCode::turn_metric_without_rotation,
-     "the metric is the angle of turns, but there is no rotation; expected channels, or a rotation"},
-    {BuildErrorCode::equal_speed_of_turns,
-     "the metric is the angle of turns, which equal speed cannot use; expected channels, or no equal speed"},
     {BuildErrorCode::closed_too_few_keys,
      "the number of keys of a closed curve, without a repeated first key, is {found}; expected at least two"},
     {BuildErrorCode::period_missing,
@@ -392,11 +386,6 @@ std::optional<BuildError> find_rotation_error(const CurveRules<S>& rules, const 
 template <class S>
 std::optional<BuildError> find_metric_error(const CurveRules<S>& rules, const Keys<S>& keys) {
   using enum BuildErrorCode;
-  if (is_turn(rules.metric)) {
-    if (rules.rotations.empty()) return BuildError{.code = turn_metric_without_rotation};
-    if (rules.equal_speed) return BuildError{.code = equal_speed_of_turns};
-    return std::nullopt;
-  }
   for (const std::size_t channel : rules.metric) {
     if (channel >= keys.channels) {
       return BuildError{.code = metric_channel_missing, .channel = channel, .expected = keys.channels};

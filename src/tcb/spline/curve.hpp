@@ -50,7 +50,7 @@ std::vector<Length<S>> lengths_of(const Segments<S>& segments, std::span<const s
   lengths.reserve(segments.size());
   SegmentLength<S> arc;
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    arc.assign(segments[i], segments.rotations_of(i), metric);
+    arc.assign(segments[i], metric);
     lengths.push_back(arc.total());
   }
   return lengths;
@@ -200,7 +200,7 @@ class Curve {
   /// The lengths on a segment: those that are kept, or those that `own` is given.
   const SegmentLength<S>& arc(std::size_t segment, SegmentLength<S>& own) const requires has_roots<S> {
     if (!arcs_.empty()) return arcs_[segment];
-    own.assign(segments_[segment], segments_.rotations_of(segment), metric_);
+    own.assign(segments_[segment], metric_);
     return own;
   }
 
@@ -307,7 +307,7 @@ template <class S>
 std::optional<BuildError> Curve<S>::measure() requires has_roots<S> {
   arcs_.reserve(segments_.size());
   for (std::size_t i = 0; i < segments_.size(); ++i) {
-    arcs_.emplace_back(segments_[i], segments_.rotations_of(i), metric_);
+    arcs_.emplace_back(segments_[i], metric_);
     append_length(arcs_.back().total());
     if (!is_finite(lengths_.back())) return BuildError{.code = BuildErrorCode::length_overflow, .key = i};
   }

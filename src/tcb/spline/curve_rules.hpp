@@ -43,7 +43,7 @@ struct CurveRules {
   /// rotation has its own speed.
   bool equal_speed = false;
   /// The channels whose speeds and lengths count. Empty: all channels that are neither angles nor numbers of a
-  /// rotation; if there are none, the rotations' angles. `{turn_metric}`: the angles that rotations turn through.
+  /// rotation; if there are none, all channels.
   std::vector<std::size_t> metric;
   std::vector<KeyRotation> rotations = {};
   RotationRules rotation_rules = {};
@@ -64,15 +64,13 @@ bool is_plain(const CurveRules<S>& rules, std::size_t channel) {
 /// The channels whose speeds and lengths count:
 ///   those of the rules' metric;
 ///   else, if it is empty, all that are neither angles nor numbers of rotations;
-///   else, if there are none of these, turn_metric: the angles that the rotations turn through;
-///   else, if there are no rotations, an empty metric, which stands for all channels.
+///   else, if there are none of these, an empty metric, which stands for all channels.
 template <class S>
 std::vector<std::size_t> metric_of(const CurveRules<S>& rules, std::size_t channels) {
   std::vector<std::size_t> metric = rules.metric;
   for (std::size_t i = 0; i < channels && rules.metric.empty(); ++i) {
     if (is_plain(rules, i)) metric.push_back(i);
   }
-  if (metric.empty() && !rules.rotations.empty()) metric = {turn_metric};
   return metric;
 }
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -65,9 +64,5 @@ struct AngleChannel {
 /// Half the angle of a turn along its axis, in the frame before it.
 template <class S>
 using TurnVector = std::array<S, 3>;
-
-/// In place of metric channels: lengths are the angles that rotations turn through.
-inline constexpr std::size_t turn_metric = std::numeric_limits<std::size_t>::max();
-constexpr bool is_turn(std::span<const std::size_t> metric) { return !metric.empty() && metric[0] == turn_metric; }
 
 }  // namespace tcb::spline

@@ -15,14 +15,12 @@
 // Units: logarithms are half the angle of the turn, in radians, along its axis.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
 #include <type_traits>
-#include <vector>
 
 #include "tcb/spline/angle.hpp"
 #include "tcb/spline/dual.hpp"
@@ -217,7 +215,7 @@ class RotationSegment {
   /// From four points: the keys, and between them the control points of squad or of de Casteljau's algorithm. `turn`:
   /// that of squad or slerp, if it makes whole turns.
   RotationSegment(RotationCurve curve, const std::array<Quaternion<S>, 4>& points, const Vector3<S>& turn = {})
-      : curve_(curve), points_(points), turn_(turn), half_turns_(half_turns_of(turn)) {
+      : curve_(curve), points_(points), half_turns_(half_turns_of(turn)) {
     if (has_whole_turns()) {
       const S part = S(1) / half_turns_;
       const Quaternion<S> half_turn = exponential<S>({turn[0] * part, turn[1] * part, turn[2] * part});
@@ -233,53 +231,6 @@ class RotationSegment {
     }
   }
 
-  /// The pairs of points that it joins at each place.
-  std::size_t pairs() const {
-    if (has_whole_turns()) return 0;
-    return curve_ == RotationCurve::squad ? 1 : curve_ == RotationCurve::casteljau ? 3 : 0;
-  }
-  template <class T>
-  std::array<Quaternion<T>, 2> pair_at(std::size_t pair, const T& u, const T& left) const {
-    const Quaternion<T> first = arcs_[0].at(u, left), second = arcs_[1].at(u, left);
-    if (pair == 0) return {first, second};
-    const Quaternion<T> third = arcs_[2].at(u, left);
-    if (pair == 1) return {second, third};
-    return {Arc<T>(first, second).at(u, left), Arc<T>(second, third).at(u, left)};
-  }
-  /// The places on the whole curve at which the points of a pair are nearest to opposite, and their dot product is
-  /// below a bound.
-  std::vector<S> opposite_places(std::size_t pair, const S& bound) const {
-    const auto at = [&](const S& u) {
-      const auto [from, to] = pair_at<Dual<S>>(pair, {u, S(1)}, {S(S(1) - u), S(-1)});
-      return dot(from, to);
-    };
-    constexpr int parts = 16;  // two points turn by less than two whole turns together
-    const S size = S(1) / S(parts);
-    std::vector<S> places;
-    Dual<S> before = at(S(0));
-    for (int part = 1; part <= parts; ++part) {
-      const S end = size * S(part);
-      const Dual<S> after = at(end);
-      const bool has_minimum =
-          before.slope < S(0) && after.slope > S(0) && std::min(before.value, after.value) < S(-0.5);
-      before = after;
-      if (!has_minimum) continue;
-      S low = end - size, high = end;
-      for (int halving = 0; halving < std::numeric_limits<S>::digits; ++halving) {
-        const S middle = (low + high) / S(2);
-        (at(middle).slope < S(0) ? low : high) = middle;
-      }
-      if (at(low).value < bound) places.push_back(low);
-    }
-    return places;
-  }
-
-  RotationCurve curve() const { return curve_; }
-  const Vector3<S>& turn() const { return turn_; }
-  /// Those that it is made from.
-  const std::array<Quaternion<S>, 4>& points() const { return points_; }
-  bool has_whole_turns() const { return half_turns_ > S(1.5); }
-
   /// The part of this curve from the place u = from, of the given size; `left` is what remains after it.
   RotationSegment part(const S& from, const S& size, const S& left) const {
     RotationSegment result = *this;
@@ -287,36 +238,6 @@ class RotationSegment {
     result.size_ = size;
     result.left_ = left;
     return result;
-  }
-
-  /// The same curve at another scalar, to which a function converts a number.
-  template <class T, class Number>
-  RotationSegment<T> converted(const Number& number) const {
-    const auto rotation = [&](const Quaternion<S>& q) {
-      return Quaternion<T>{number(q.x), number(q.y), number(q.z), number(q.w)};
-    };
-    const RotationSegment<T> whole(
-        curve_, {rotation(points_[0]), rotation(points_[1]), rotation(points_[2]), rotation(points_[3])},
-        {number(turn_[0]), number(turn_[1]), number(turn_[2])});
-    return whole.part(number(from_), number(size_), number(left_));
-  }
-
-  /// The places in (0, 1) at which the rate is not smooth: where a constant rate begins or ends, and where two points
-  /// between which the curve interpolates are opposite, so that from there on it takes the way around the other side.
-  std::vector<S> breaks() const {
-    std::vector<S> places;
-    const auto add = [&](const S& place) {
-      if (place > S(0) && place < S(1)) places.push_back(place);
-    };
-    if (has_whole_turns()) {
-      for (const S& place : constant_part()) add(place);
-      return places;
-    }
-    const S rounding = S(4096) * std::numeric_limits<S>::epsilon();
-    for (std::size_t pair = 0; pair < pairs(); ++pair) {
-      for (const S& u : opposite_places(pair, rounding - S(1))) add(S(u - from_) / size_);
-    }
-    return places;
   }
 
   /// The places between which it turns at a constant rate, beyond its ends or not; the first one is not before the last
@@ -346,27 +267,16 @@ class RotationSegment {
   }
 
   /// 2 dq/du q^-1: the turn per u, in the frame in which the rotations are given.
-  Vector3<S> rate(const LocalParameter<S>& place) const { return rate(place, join_shorter<Dual<S>>); }
-  /// Where a function joins the points of a pair, as join_shorter() does.
-  template <class Join>
-  Vector3<S> rate(const LocalParameter<S>& place, const Join& join) const {
+  Vector3<S> rate(const LocalParameter<S>& place) const {
     const auto whole = of_whole(place);
-    const auto [x, y, z, w] = normalized(point<Dual<S>>({whole.u, size_}, {S(-whole.w), S(-size_)}, join));
+    const auto [x, y, z, w] = normalized(point<Dual<S>>({whole.u, size_}, {S(-whole.w), S(-size_)}));
     const Quaternion<S> slope{x.slope, y.slope, z.slope, w.slope};
     const Quaternion<S> turn = slope * conjugate(Quaternion<S>{x.value, y.value, z.value, w.value});
     return {S(2) * turn.x, S(2) * turn.y, S(2) * turn.z};
   }
 
-  /// The point between those of a pair, on the shorter way.
-  template <class T>
-  static Quaternion<T> join_shorter(std::size_t /*pair*/, const Quaternion<T>& from, const Quaternion<T>& to,
-                                    const T& part, const T& left) {
-    return Arc<T>(from, to).at(part, left);
-  }
-
  private:
-  template <class T>
-  friend class RotationSegment;
+  bool has_whole_turns() const { return half_turns_ > S(1.5); }
 
   LocalParameter<S> of_whole(const LocalParameter<S>& place) const {
     if (size_ == S(1)) return place;
@@ -375,19 +285,17 @@ class RotationSegment {
   /// A point of the curve, not yet normalized.
   template <class T>
   Quaternion<T> point(const T& u, const T& left) const {
-    return point(u, left, join_shorter<T>);
-  }
-  template <class T, class Join>
-  Quaternion<T> point(const T& u, const T& left, const Join& join) const {
     if (has_whole_turns()) return turned(u, left);
     if (curve_ == RotationCurve::components) return cubic_point(u, left);
     const Quaternion<T> first = arcs_[0].at(u, left);
     if (curve_ == RotationCurve::slerp) return first;
     const Quaternion<T> second = arcs_[1].at(u, left);
-    if (curve_ == RotationCurve::squad) return join(0, first, second, T(T(2) * (u * left)), T(u * u + left * left));
-    const Quaternion<T> before = join(0, first, second, u, left),
-                        after = join(1, second, arcs_[2].at(u, left), u, left);
-    return join(2, before, after, u, left);
+    if (curve_ == RotationCurve::squad) {
+      return Arc<T>(first, second).at(T(T(2) * (u * left)), T(u * u + left * left));
+    }
+    const Quaternion<T> before = Arc<T>(first, second).at(u, left),
+                        after = Arc<T>(second, arcs_[2].at(u, left)).at(u, left);
+    return Arc<T>(before, after).at(u, left);
   }
   /// A point of whole turns: on the way from the first key, along the great circle, or on the way to the last key.
   template <class T>
@@ -419,7 +327,6 @@ class RotationSegment {
   }
   RotationCurve curve_ = RotationCurve::slerp;
   std::array<Quaternion<S>, 4> points_;
-  Vector3<S> turn_{};
   S half_turns_{0};                ///< of the turn; 0: the shorter way
   std::array<Arc<S>, 3> arcs_;     ///< that the curve begins with; those of squad to and from the ends of a turn
   S from_{0}, size_{1}, left_{0};  ///< of a part

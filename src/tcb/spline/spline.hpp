@@ -109,6 +109,5 @@
 #include "tcb/spline/segment.hpp"
 #include "tcb/spline/segment_length.hpp"
 #include "tcb/spline/segments.hpp"
-#include "tcb/spline/turn_length.hpp"
 #include "tcb/spline/window.hpp"
 #include "tcb/spline/window_segments.hpp"

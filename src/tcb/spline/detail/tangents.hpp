@@ -194,12 +194,9 @@ class Tangents {
     for (W& value : out) value = value * (speed_in + speed_in) / sum;
   }
 
-  /// The channels of equal speed. Empty: all, also where lengths are the angles of turns.
+  /// The channels of equal speed. Empty: all.
   std::vector<std::size_t> speed_metric() const {
-    std::vector<std::size_t> metric;
-    if (rules_.equal_speed) metric = metric_of(rules_, keys_.channels);
-    if (is_turn(metric)) metric.clear();
-    return metric;
+    return rules_.equal_speed ? metric_of(rules_, keys_.channels) : std::vector<std::size_t>{};
   }
   std::size_t metric_size() const { return metric_.empty() ? keys_.channels : metric_.size(); }
   std::size_t metric(std::size_t i) const { return metric_.empty() ? i : metric_[i]; }
