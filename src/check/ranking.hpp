@@ -17,10 +17,10 @@ namespace tcb {
 /// A convention, and how well it agrees with the samples.
 struct Candidate {
   Convention convention;
-  double largest = 0;                      ///< error of a position
-  double excess = 0;                       ///< the largest error beyond rounding, as a part of what is allowed
-  std::uint64_t rows_off = 0;              ///< rows with an error beyond what is allowed
-  std::optional<Difference> first, worst;  ///< of the first of these rows; the largest of all
+  double largest = 0;          ///< error of a position
+  double excess = 0;           ///< the largest error beyond rounding, as a part of what is allowed
+  std::uint64_t rows_off = 0;  ///< rows with an error beyond what is allowed
+  std::optional<Difference> first = {}, worst = {};  ///< of the first of these rows; the largest of all
 };
 
 /// The candidates by agreement: those that fit and are equivalent here, the most usual first; then those that are off

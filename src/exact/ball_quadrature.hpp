@@ -1,5 +1,5 @@
-// Quadrature in balls: the Gauss-Legendre rules of double-doubles and of other floats, and places in panels, the parts of
-// a segment under one rule.
+// Quadrature in balls: the Gauss-Legendre rules of double-doubles and of other floats, and places in panels, the parts
+// of a segment under one rule.
 #pragma once
 
 #include <algorithm>

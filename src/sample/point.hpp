@@ -144,7 +144,7 @@ class Point {
  private:
   const spline::SegmentLength<S>& arc() {
     if (known_arc_ != nullptr) return *known_arc_;
-    if (!has_arc_) arc_.assign(segment_->cubics, segment_->rotations, segment_->metric);
+    if (!has_arc_) arc_.assign(segment_->cubics, segment_->metric);
     has_arc_ = true;  // only now: some scalars throw
     return arc_;
   }

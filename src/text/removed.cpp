@@ -22,6 +22,7 @@ constexpr RemovedName table[] = {
     {"--no-progress", "", "give --quiet, which prints no notes either"},
     {"--generate", "columns", "give --explain, which tells the columns and their roles"},
     {"--generate", "positions", "give --explain, which tells the columns and their roles"},
+    {"--from-meta", "", "--meta prints the whole command, quoted for a shell: paste it"},
     {"--fail-fast", "",
      "the exit code tells that files failed; to stop at the first one, run the program for each file, in a loop of the "
      "shell with || break"},

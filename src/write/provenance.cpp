@@ -20,7 +20,7 @@ std::string line(std::string_view name, const std::string& value) {
   return fmt::format("# {}: {}\n", name, in_one_line(value));
 }
 
-/// A text as a JSON string, which is UTF-8: a name of a file or a word of the command line may have other bytes.
+/// A text as a JSON string, which is UTF-8: a name of a file may have other bytes.
 std::string json_word(std::string_view text) {
   return json_text(find_invalid_utf8(text) == std::string::npos ? std::string(text) : printable(text));
 }
@@ -61,8 +61,8 @@ std::string text_before_rows(const Provenance& provenance, const Format& format)
   if (!format.has_marks) return "";
   std::string out = fmt::format("# {}\n", provenance.program);
   for (const auto& [name, value] : provenance.rules) out += line(name, value);
-  return out + line("command", provenance.command) +
-         "#\n";  // so that the comment directly above a row is empty, and not taken for a header
+  out += line("command", provenance.command);
+  return out + "#\n";  // so that the comment directly above a row is empty, and not taken for a header
 }
 
 std::string text_after_rows(const Provenance& provenance, const Format& format) {
