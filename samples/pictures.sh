@@ -57,4 +57,4 @@ rules() { # NAME SETTING TITLE RULE...
 rules presets preset "Each preset through the same uneven keys" \
   $(tcbsample --list-presets | awk 'NR > 1 && NF == 0 { exit } NR > 1 && !/^ / { print $1 }')
 rules ends ends "Each end rule through the same uneven keys" \
-  half one-sided mirror chord zero natural natural-tension cry lightwave
+  one-sided half mirror chord zero natural natural-tension cry lightwave

@@ -17,4 +17,4 @@ LC_ALL=C awk -F, '
       printf "%.1f,%.12f\n", time, p[k] + u * (m0 + u * (3 * d - 2 * m0 - m1 + u * (m0 + m1 - 2 * d)))
     }
   }' keys.csv >mine.csv
-tcbsample --check mine.csv --abs 1e-12 --columns position=x keys.csv
+tcbsample --check mine.csv --preset gte --abs 1e-12 --columns position=x keys.csv

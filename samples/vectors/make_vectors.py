@@ -148,7 +148,8 @@ def write(path, curves, **settings):
 def names_of_rules():
     """The names of presets, tangent rules and end rules, from the program's own lists: words that begin a line."""
     parts = re.split(r"^(?=PRESET|TANGENTS|ENDS|CURVES)", run("--list-presets"), flags=re.M)[1:4]
-    return [re.findall(r"^[a-z0-9-]+(?=\s)", part, flags=re.M) for part in parts]
+    presets, tangents, ends = (re.findall(r"^[a-z0-9-]+(?=\s)", part, flags=re.M) for part in parts)
+    return presets, tangents, sorted(ends, key=lambda end: end != "half")  # in the order of the published files
 
 
 def make(folder):

@@ -36,8 +36,8 @@ std::vector<TcbOrders> distinct_orders(const KeptInput& kept);
 
 /// A way to make a curve of keys.
 struct Convention {
-  spline::TangentRule tangents = spline::TangentRule::velocity;
-  spline::EndRule start = spline::EndRule::half, end = spline::EndRule::half;
+  spline::TangentRule tangents = {};
+  spline::EndRule start = {}, end = {};
   bool equal_speed = false;
   std::size_t order = 0;                                     ///< index into the distinct orders
   std::optional<spline::RotationCurve> rotation_curve = {};  ///< nothing: no rotations are compared

@@ -104,7 +104,7 @@ const TcbOrders& order_of(const Identification& found, const Candidate& candidat
   return found.orders[candidate.convention.order];
 }
 
-/// A convention in words, such as "tangents velocity, ends half".
+/// A convention in words, such as "tangents velocity, ends one-sided".
 std::string title(const Identification& found, const Candidate& candidate) {
   const Convention& convention = candidate.convention;
   const TcbOrder& order = order_of(found, candidate).order;

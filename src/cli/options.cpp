@@ -259,7 +259,7 @@ constexpr OptionRow option_rows[] = {
 
     {"--preset", "", "NAME", curve_group,
      "The rules of a product for tangents, ends and rotations; --list-presets shows all products",
-     "gte", name,
+     "tcb", name,
      [](Typed& to, Text text) { to.keys.rules.preset = named_row(spline::presets, text).id; },
      names_in<spline::presets>},
     {"--tangents", "", "RULE", curve_group,

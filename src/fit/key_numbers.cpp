@@ -5,7 +5,9 @@
 //   out = (1-T)((1+C)(1+B) v0 + (1-C)(1-B) v1)/2
 // For one slope S, C = 0, and B = 0, T = 1 - 2S/(v0+v1), or T = 0, B = (2S-v0-v1)/(v0-v1), the one nearer to 0.
 // For a corner with C = -1, P = (1-T)(1+B)/2 = in/(2 v0) and Q = (1-T)(1-B)/2 = out/(2 v1): 1-T = P+Q, B = (P-Q)/(P+Q).
-// Source: the table of tangent rules, solved for the three numbers.
+// At the first and the last key, the default end rule has out = (1-T)(1-C)(1-B) v1 and in = (1-T)(1-C)(1+B) v0; with
+// C = B = 0 it is the tangent rule with the chord velocity on both sides.
+// Source: the tables of tangent rules and end rules, solved for the three numbers.
 #include "fit/fit.hpp"
 
 #include <algorithm>
@@ -89,6 +91,8 @@ Tcb tcb_of_turns(const Vector& in, const Vector& out, const Vector& before, cons
   if (before2 > 0 && after2 > 0 && is_corner) {
     p = dot(in, before) / before2;
     q = dot(out, after) / after2;
+  } else if (before2 > 0 && before == after) {
+    p = q = dot(in, before) / (2 * before2);
   } else if (before2 > 0 && after2 > 0) {
     const double little = 1e-6 * (before2 + after2);  // keeps them near a half where chords are parallel
     const double first = dot(in, before) + little / 2, second = dot(in, after) + little / 2;
@@ -151,8 +155,9 @@ class Numbering {
     }
     for (std::size_t key = 0; key < keys_.size(); ++key) {
       const bool has_before = key > 0, has_after = key + 1 < keys_.size();
-      const double before = has_before ? (position(key) - position(key - 1)) / duration(key - 1) : 0;
-      const double after = has_after ? (position(key + 1) - position(key)) / duration(key) : 0;
+      const auto chord = [&](std::size_t from) { return (position(from + 1) - position(from)) / duration(from); };
+      const double before = chord(has_before ? key - 1 : key);
+      const double after = chord(has_after ? key : key - 1);
       const double slope_step =
           step * 4 / longest_duration(key);  // moves the curve by at most 4/27 of its product with a duration
       const double in = has_before ? keys_[key].incoming[channel] : keys_[key].outgoing[channel];
@@ -175,13 +180,13 @@ class Numbering {
       for (std::size_t i = 0; i < unit.size(); ++i) numbers[group.channels[i]] = rounded(unit[i], step);
       rotations.push_back(spline::rotation_of<double>(numbers, group.rotation()));
     }
-    std::vector<Vector> chords{
-        Vector{}};  // per unit of time; before the first key and after the last one there is none
+    std::vector<Vector> chords(1);  // per unit of time; those at the ends are repeated
     for (std::size_t key = 0; key + 1 < keys_.size(); ++key) {
       const Quaternion turn = spline::conjugate(rotations[key]) * rotations[key + 1];
       chords.push_back(scaled(spline::logarithm(turn.w < 0 ? -turn : turn), 1 / duration(key)));
     }
-    chords.push_back({});
+    chords.front() = chords[1];
+    chords.push_back(chords.back());
     for (std::size_t key = 0; key < keys_.size(); ++key) {
       const double slope_step = 4 * step / longest_duration(key);
       const Vector in = tangent(key, group, &CornerKey::incoming), out = tangent(key, group, &CornerKey::outgoing);

@@ -80,7 +80,7 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
 
 CurveSpec make_spec(const CurveSettings& settings) {
   CurveSpec spec;
-  spec.preset = settings.preset.value_or(spline::Preset::gte);
+  spec.preset = settings.preset.value_or(spline::Preset{});
   require_tracks_of_three_js(settings);
   const spline::PresetRow& preset = spline::row_of(spec.preset);
   spec.rules.tangents = settings.tangents.value_or(preset.tangents);

@@ -60,7 +60,7 @@ std::vector<Key> read_keys(const char* path) {
   return keys;
 }
 
-/// At a key the mean of the velocities of both chords; at an end half of the velocity of the only chord.
+/// At a key the mean of the velocities of both chords; at an end that of the only chord.
 void set_velocities(std::vector<Key>& keys) {
   for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
     const double duration = keys[i + 1].time - keys[i].time;
@@ -70,6 +70,8 @@ void set_velocities(std::vector<Key>& keys) {
       keys[i + 1].velocity[c] += half;
     }
   }
+  for (double& value : keys.front().velocity) value *= 2;
+  for (double& value : keys.back().velocity) value *= 2;
 }
 
 /// Buffer of text for standard output, written in blocks.

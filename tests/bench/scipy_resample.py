@@ -1,7 +1,7 @@
 """Resamples keys as one does with SciPy and pandas: scipy_resample.py uniform|arc COUNT KEYS.csv.
 
 The curve is tcbsample's default at tension, continuity and bias 0: at a key the mean of the velocities on both sides,
-at an end half of the only one. Arc lengths by Gauss-Legendre rules, inverted by Newton's method.
+at an end that of the only one. Arc lengths by Gauss-Legendre rules, inverted by Newton's method.
 """
 
 import platform
@@ -15,8 +15,7 @@ from scipy.interpolate import CubicHermiteSpline
 
 def slopes(t, points):
     chords = numpy.diff(points, axis=0) / numpy.diff(t)[:, None]
-    zero = numpy.zeros((1, points.shape[1]))
-    return (numpy.vstack([zero, chords]) + numpy.vstack([chords, zero])) / 2
+    return (numpy.vstack([chords[:1], chords]) + numpy.vstack([chords, chords[-1:]])) / 2
 
 
 def times_at_equal_lengths(curve, count):

@@ -54,7 +54,7 @@ TEST(Conventions, are_all_rules_but_a_given_velocity) {
 
 TEST(Conventions, the_most_usual_come_first) {
   const auto all = conventions(2, {});
-  EXPECT_EQ(presets_of(all.front(), {}).at(0), "gte");
+  EXPECT_EQ(presets_of(all.front(), {}).at(0), "tcb");
   EXPECT_EQ(all.back().order, 1U);
   EXPECT_TRUE(all[all.size() - 3].equal_speed);
   EXPECT_EQ(presets_of(all.back(), {}).at(0), "nerfstudio");

@@ -17,7 +17,7 @@ seed = int(sys.argv[3]) if len(sys.argv) > 3 else 20260101
 rng = random.Random(seed)
 pick, chance = rng.choice, lambda p: rng.random() < p
 
-presets = ["gte", "fbx", "gte2021", "wildmagic", "lightwave", "vtk", "gamebryo", "idtech4", "lib3ds1", "lib3ds2",
+presets = ["tcb", "gte", "fbx", "gte2021", "wildmagic", "lightwave", "vtk", "gamebryo", "idtech4", "lib3ds1", "lib3ds2",
            "splines", "synfig", "kb1984", "wikipedia", "ogre", "3dsmax", "nel", "cryengine"]
 tangents = ["velocity", "uniform", "interval", "interval-c", "finite-difference", "kb1984", "synfig"]
 ends = ["half", "one-sided", "mirror", "chord", "zero", "natural", "natural-tension", "cry", "lightwave"]

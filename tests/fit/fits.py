@@ -64,8 +64,8 @@ def slopes_of(names, keys, channel):
     chord = [(position[i + 1] - position[i]) / (time[i + 1] - time[i]) for i in range(len(time) - 1)]
     before, after = [], []
     for i in range(len(time)):
-        v0 = chord[i - 1] if i > 0 else 0
-        v1 = chord[i] if i + 1 < len(time) else 0
+        v0 = 2 * chord[i - 1] if i + 1 == len(time) else chord[i - 1] if i > 0 else 0
+        v1 = 2 * chord[i] if i == 0 else chord[i] if i + 1 < len(time) else 0
         loose = (1 - T[i]) / 2
         before.append(loose * ((1 - C[i]) * (1 + B[i]) * v0 + (1 + C[i]) * (1 - B[i]) * v1))
         after.append(loose * ((1 + C[i]) * (1 + B[i]) * v0 + (1 - C[i]) * (1 - B[i]) * v1))
@@ -198,7 +198,7 @@ def check_poses():
     quaternions = list(zip(*(column[f"q{c}"] for c in "wxyz")))
     tension, bias = column.get("tension", nothing), column.get("bias", nothing)
     rows = [(column["t"][i], quaternions[i], (tension[i], mpf(0), bias[i]), (mpf(0), mpf(0))) for i in range(len(keys))]
-    curve = q4.Rotations(rows, "squad", "velocity", ["half", "half"])
+    curve = q4.Rotations(rows, "squad", "velocity", ["one-sided", "one-sided"])
     if hermite:
         curve.give([(v, v) for v in zip(*(column[f"q{c}_v"] for c in "wxyz"))])
     computed = positions(names, keys, "x", [t for t, _, _ in poses])

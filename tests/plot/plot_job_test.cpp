@@ -46,7 +46,7 @@ const std::string keys = "time,x,y\n0,0,0\n1,2,1\n2,3,5\n";
 
 TEST(Plot, the_title_is_the_file_and_what_is_done_with_it) {
   EXPECT_THAT(drawn(sampled(), {keys}),
-              AllOf(HasSubstr(">a.csv<"), HasSubstr("preset gte · 3 keys · 5, equally spaced in time · 5 rows")));
+              AllOf(HasSubstr(">a.csv<"), HasSubstr("preset tcb · 3 keys · 5, equally spaced in time · 5 rows")));
   PlotJob job = sampled();
   job.picture.title = "A <title>";
   EXPECT_THAT(drawn(job, {keys}), HasSubstr(">A &lt;title&gt;<"));

@@ -1,6 +1,6 @@
 """Curves of the Python module against SciPy: scipy_test.py FOLDER
 
-The tangents are computed here, by the formulas of the preset gte, and SciPy's CubicHermiteSpline evaluates the curve.
+The tangents are computed here, by the formulas of the default preset, and SciPy's CubicHermiteSpline evaluates the curve.
 """
 
 import doctest
@@ -26,8 +26,8 @@ def load_tests(_loader, tests, _pattern):
 def tangents(keys):
     """Velocities into and out of each key."""
     chords = np.diff(keys["x"]) / np.diff(keys["t"])
-    before = np.concatenate([[0], chords])
-    after = np.concatenate([chords, [0]])
+    before = np.concatenate([[0], chords[:-1], 2 * chords[-1:]])
+    after = np.concatenate([2 * chords[:1], chords[1:], [0]])
     tension, continuity, bias = (keys[name] for name in ("tension", "continuity", "bias"))
 
     def mean(sign):

@@ -228,8 +228,9 @@ TEST(Rules, names_and_ids_correspond) {
 
 TEST(Rules, the_default_preset_has_the_default_rules) {
   const CurveRules<double> rules;
-  EXPECT_EQ(row_of(Preset::gte).tangents, rules.tangents);
-  EXPECT_EQ(row_of(Preset::gte).ends, rules.start.rule);
+  EXPECT_EQ(row_of(Preset::tcb).tangents, rules.tangents);
+  EXPECT_EQ(row_of(Preset::tcb).ends, rules.start.rule);
+  EXPECT_EQ(name_of(rules.start.rule), "one-sided");
 }
 
 }  // namespace

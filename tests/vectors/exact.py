@@ -15,7 +15,8 @@ import quaternions  # noqa: E402
 from referee import Curve, mp, mpf  # noqa: E402
 
 RULES = {  # of the presets, by the products
-    "gte": ("velocity", "half"), "fbx": ("velocity", "one-sided"), "gte2021": ("interval", "one-sided"),
+    "tcb": ("velocity", "one-sided"), "gte": ("velocity", "half"), "fbx": ("velocity", "one-sided"),
+    "gte2021": ("interval", "one-sided"),
     "wildmagic": ("interval", "one-sided"), "lightwave": ("interval", "lightwave"), "vtk": ("interval", "zero"),
     "gamebryo": ("interval", "mirror"), "idtech4": ("interval", "mirror"),
     "3dsmax": ("interval-c", "natural-tension"), "nel": ("interval-c", "natural-tension"),

@@ -162,7 +162,7 @@ class Curve:
     >>> import tcbsample
     >>> curve = tcbsample.Curve([[0, 0, 5], [1, 2, 6], [2, 0, 7]])
     >>> curve(0.5).tolist()
-    [1.125, 5.4375]
+    [1.25, 5.5]
     >>> curve([0.5, 1.5], 1).shape
     (2, 2)
     """
@@ -381,7 +381,7 @@ class Curve:
 
         >>> import tcbsample
         >>> tcbsample.Curve([[0, 0], [1, 2], [2, 0]]).to_ppoly()(0.5).tolist()
-        [1.125]
+        [1.25]
         """
         if self._pieces is None:
             raise ValueError("the curve is not a cubic in time, as it has rotations or ease, or numbers near the limits "

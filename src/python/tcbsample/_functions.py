@@ -176,9 +176,9 @@ def resample(data: Any, /, *, step: Value = None, count: Optional[int] = None, a
     >>> rows.dtype.names
     ('t', 'x', 'y')
     >>> rows["x"].tolist()
-    [0.0, 1.125, 2.0, 1.125, 0.0]
+    [0.0, 1.25, 2.0, 1.25, 0.0]
     >>> tcbsample.resample([[0, 0], [1, 2], [2, 0]], at=[0.5], fields=["position", "velocity"]).tolist()
-    [(1.125, 2.75)]
+    [(1.25, 2.5)]
     """
     given = dict(options, step=step, count=count, arc_step=arc_step, at=at, tolerance=tolerance, preset=preset)
     with run_of(data, given) as run:
@@ -258,11 +258,11 @@ def check(data: Keys, samples: Keys, /, *, abs: Value = None, rel: Value = None,
 
     >>> import tcbsample
     >>> keys = [[0, 0], [1, 2], [2, 0]]
-    >>> bool(tcbsample.check(keys, {"t": [0.5, 1], "x": [1.125, 2]}))
+    >>> bool(tcbsample.check(keys, {"t": [0.5, 1], "x": [1.25, 2]}))
     True
     >>> report = tcbsample.check(keys, {"t": [0.5, 1], "x": [1, 2]}, abs=0.1)
     >>> bool(report), report["worst"]["row"], report["worst"]["abs"]
-    (False, 0, 0.125)
+    (False, 0, 0.25)
     """
     return _compare("check", data, samples, dict(options, abs=abs, rel=rel, ulp=ulp), "passed")
 

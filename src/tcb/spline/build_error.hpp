@@ -414,7 +414,7 @@ std::optional<BuildError> find_rule_error(const CurveRules<S>& rules, const Keys
   const RotationRules& own = rules.rotation_rules;
   const bool is_known = static_cast<std::size_t>(rules.tangents) < tangent_rules<S>.size() &&
                         static_cast<std::size_t>(own.tangents.value_or(rules.tangents)) < tangent_rules<S>.size() &&
-                        static_cast<std::size_t>(own.ends.value_or(EndRule::half)) < end_rules<S>.size() &&
+                        static_cast<std::size_t>(own.ends.value_or(EndRule{})) < end_rules<S>.size() &&
                         static_cast<std::size_t>(own.curve) < rotation_curves.size();
   if (!is_known) return BuildError{.code = unknown_rule};
   const bool needs_roots =

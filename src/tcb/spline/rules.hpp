@@ -30,8 +30,8 @@ enum class TangentRule : std::uint8_t { velocity, uniform, interval, interval_c,
 
 /// The end rules; end_rules has a row for each, in this order.
 enum class EndRule : std::uint8_t {
-  half,
   one_sided,
+  half,
   mirror,
   chord,
   zero,
@@ -44,6 +44,7 @@ enum class EndRule : std::uint8_t {
 
 /// The presets; presets has a row for each, in this order.
 enum class Preset : std::uint8_t {
+  tcb,
   gte,
   fbx,
   gte2021,
@@ -216,13 +217,13 @@ struct EndWeights {
 };
 
 template <class W>
-EndWeights<W> half_weights(const EndKey<W>& key) {
-  return {W(0.5) * key.own, W(0), W(0)};
+EndWeights<W> one_sided_weights(const EndKey<W>& key) {
+  return {key.own, W(0), W(0)};
 }
 
 template <class W>
-EndWeights<W> one_sided_weights(const EndKey<W>& key) {
-  return {key.own, W(0), W(0)};
+EndWeights<W> half_weights(const EndKey<W>& key) {
+  return {W(0.5) * key.own, W(0), W(0)};
 }
 
 template <class W>
@@ -287,12 +288,14 @@ struct EndRuleRow {
 /// Source: the behaviour of the products named.
 template <class S>
 inline constexpr std::array end_rules{
-    EndRuleRow<S>{EndRule::half, "half", "b D/2", "c D/2", "GTE since 2022-08, OGRE, WorldEdit",
-                  "as the default: the curve behaves as if the end position were repeated", false,
-                  half_weights<working_t<S>>},
-    EndRuleRow<S>{EndRule::one_sided, "one-sided", "b D", "c D", "Wild Magic, LightWave SDK, FBX",
-                  "to match these products: the curve behaves as if the end position were repeated at the same time",
+    EndRuleRow<S>{EndRule::one_sided, "one-sided", "b D", "c D", "FBX, Wild Magic, LightWave SDK",
+                  "as the default: straight motion at constant speed stays straight; the curve behaves as if the end "
+                  "position were repeated at the same time",
                   false, one_sided_weights<working_t<S>>},
+    EndRuleRow<S>{EndRule::half, "half", "b D/2", "c D/2", "GTE since 2022-08, OGRE, WorldEdit",
+                  "to match these products: the curve behaves as if the end position were repeated, and bends straight "
+                  "motion in its first and last segment",
+                  false, half_weights<working_t<S>>},
     EndRuleRow<S>{EndRule::mirror, "mirror", "(a+b) D/2", "(c+d) D/2", "Gamebryo, id Tech 4, lib3ds 2",
                   "to match these products: the curve behaves as if the neighbour were mirrored at the end, so that C "
                   "and B cancel",
@@ -338,6 +341,7 @@ struct PresetRow {
 ///   Python package splines, three.js (QuaternionKeyframeTrack) and VTK (vtkQuaternionInterpolator, which has no T, C,
 ///   B); of 3ds Max, those of NeL and CryEngine, which read its keys.
 inline constexpr std::array presets{
+    PresetRow{Preset::tcb, "tcb", TangentRule::velocity, EndRule::one_sided, "no product: the default"},
     PresetRow{Preset::gte, "gte", TangentRule::velocity, EndRule::half, "Geometric Tools (GTE) since 2022-08"},
     PresetRow{Preset::fbx, "fbx", TangentRule::velocity, EndRule::one_sided, "FBX, MotionBuilder"},
     PresetRow{Preset::gte2021, "gte2021", TangentRule::interval, EndRule::one_sided,

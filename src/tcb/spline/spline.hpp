@@ -21,7 +21,7 @@
 //       keys.positions = {0, 0, 2, 3, 5, -1, 6, 2};              // x and y of each key
 //       keys.tcbs = {{}, {0.5, 0, 0}, {0, -1, 0}, {0, 0, 0.25}};  // tension, continuity, bias of each key
 //
-//       CurveRules<double> rules = rules_of<double>(Preset::gte);
+//       CurveRules<double> rules = rules_of<double>(Preset::tcb);
 //       rules.end.rule = EndRule::zero;  // stop at the last key
 //
 //       const auto curve = Curve<double>::build(keys, rules);
@@ -57,7 +57,7 @@
 //                          1, 0, 0, 0.6, 0.8,  //
 //                          3, 0, 0, 0.8, 0.6,  //
 //                          0, 0, 0,   0, 1};   // the last key repeats the first one and so ends the period
-//       CurveRules<double> turning = rules_of<double>(Preset::gte);
+//       CurveRules<double> turning = rules_of<double>(Preset::tcb);
 //       turning.rotations = {{.channels = {1, 2, 3, 4}}};
 //       const auto camera = Curve<double>::build_closed(poses, turning);
 //       const Quaternion<double> q = camera->rotation(1.5);
