@@ -242,8 +242,8 @@ Schema curve_of_fit(const Input& samples, const CurveSettings& rules, const FitO
   const FittedChannels fitted = fitted_channels(samples.schema, rules, options);
   if (fitted.names.empty()) {
     throw data_error(
-        "there are only rotations or angles, which have no length; expected a position; give --metric rotation to "
-        "measure angles, or --rotation none to take the numbers as positions");
+        "there are only rotations, which have no distances; expected a position; give an angle, as in --fit 0.5deg, or "
+        "--rotation none to take the numbers as positions");
   }
   Schema schema = with_channels(samples.schema, fitted.names);
   for (const FitGroup& group : fitted.groups) {
