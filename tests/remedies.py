@@ -1,18 +1,25 @@
 #!/usr/bin/env python3
 """Law: a remedy that can be copied from a message works. Every command of the cases in golden/ whose run fails is run
 again with each remedy of its message, such as "give --decimal ,": the error must be gone, or be another one that does
-not refuse the remedy.
+not refuse the remedy. A remedy that is a command for the data, such as "bzcat FILE | tcbsample", is run on a file that
+has the message: all keys of it must be there, also equal ones.
 
     remedies.py PROGRAM GOLDEN_FOLDER
 """
+import bz2
+import io
 import json
+import lzma
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
+import tarfile
 import tempfile
+import zipfile
 
 OPTION = re.compile(r"""(?<![\w-])(--[a-z][a-z-]*|-0)(?:[ ]("[^"]*"|'[^']*'|[^\s;]+))?""")
 PLACEHOLDER = re.compile(r"\b[A-Z]{2,}\b|\bHZ\b")
@@ -108,6 +115,69 @@ exit $status
 """
 
 
+# Keys without times, with equal ones.
+ROWS = [("x", "y"), ("1", "5"), ("1", "5"), ("-2.5", "7"), ("1", "5"), ("3", "5")]
+KEYS = "".join(f"{x},{y}\n" for x, y in ROWS).encode()
+COMMAND = re.compile(r"as in ([a-z0-9]+ .*\| tcbsample)")
+
+
+def archive_of(keys, kind):
+    out = io.BytesIO()
+    if kind == "tar":
+        with tarfile.open(fileobj=out, mode="w") as tar:
+            member = tarfile.TarInfo("keys.csv")
+            member.size = len(keys)
+            tar.addfile(member, io.BytesIO(keys))
+    else:
+        with zipfile.ZipFile(out, "w") as archive:
+            archive.writestr("keys.csv", keys)
+            archive.writestr("empty.npy" if kind == "npz" else "empty.txt", b"")
+    return out.getvalue()
+
+
+def data_remedies():
+    """Files, by the first word of the command that their message has; and the options of the run."""
+    across = ["1,2,3,4,5", "x,1,1,-2.5,1,3", "y,5,5,7,5,5"]
+    uniform = ["--parameter", "uniform"]
+    return [
+        ("bzcat", bz2.compress(KEYS), uniform),
+        ("xzcat", lzma.compress(KEYS), uniform),
+        ("tar", archive_of(KEYS, "tar"), uniform),
+        ("unzip", archive_of(KEYS, "zip"), uniform),
+        ("unzip", archive_of(KEYS, "npz"), uniform),
+        ("iconv", KEYS.decode().encode("utf-16-le"), uniform),
+        ("iconv", KEYS.decode().encode("utf-16-be"), uniform),
+        ("iconv", KEYS.replace(b"\n", b",\xe9\n").replace(b"y,\xe9", b"y,name"), [*uniform, "--group", "name"]),
+        ("tr", KEYS + bytes(100), uniform),
+        ("sed", b"Run 3\nof two\n" + KEYS + b"the end\n", uniform),
+        ("python3", ("t," + "\n".join(across) + "\n").encode(), []),
+    ]
+
+
+def run_data_remedies(program, folder):
+    """The messages about commands that fail or lose keys."""
+    def rows(command, data=b"", **more):
+        done = subprocess.run(command, cwd=folder, input=data, capture_output=True, timeout=20, **more)
+        return done.returncode, done.stdout.decode().splitlines(), done.stderr.decode(errors="replace")
+
+    failures, expected = [], [f"{x},{y}" for x, y in ROWS]
+    for tool, data, options in data_remedies():
+        pathlib.Path(folder, "FILE").write_bytes(data)
+        words = ["--per-segment", "1", *options]
+        status, _, text = rows([program, *words, "FILE"])
+        command = COMMAND.search(text)
+        if status != 1 or not command or command[1].split()[0] != tool:
+            failures.append(f"no command with {tool} in: {text}")
+            continue
+        if shutil.which(tool):
+            shell = command[1].replace(" NAME ", " keys.csv ") + " " + shlex.join(["--fields", "position", *words])
+            path = f"{os.path.dirname(program)}:{os.environ['PATH']}"
+            status, found, text = rows(["sh", "-c", shell], env={**os.environ, "PATH": path})
+            if status or [",".join(line.split(",")[-2:]) for line in found] != expected:
+                failures.append(f"{shell}: {found} {text}")
+    return failures
+
+
 def main(program, golden):
     program = os.path.abspath(program)
     tables = json.loads(subprocess.run([program, "--generate", "tables"], capture_output=True, check=True).stdout)
@@ -134,11 +204,13 @@ def main(program, golden):
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=600)
             shutil.rmtree(work)
         entries = [json.loads(line) for line in log.read_text().splitlines()]
+        losses = run_data_remedies(program, folder)
+    print(*losses, sep="\n")
     failures = [entry for entry in entries if entry["fails"]]
     for entry in failures:
         print(" ".join(entry["arguments"]), entry["error"], "-> " + " ".join(entry["remedy"]), *entry["after"], sep="\n  ")
     print(f"{len(entries)} remedies, {len(failures)} do not work")
-    return 1 if failures or len(entries) < 50 else 0
+    return 1 if losses or failures or len(entries) < 50 else 0
 
 
 if __name__ == "__main__":

@@ -76,75 +76,13 @@ struct OtherFile {
   std::string_view word = {};  ///< in the place of WORD in the remedy; of JSON it is the option for the list of keys
 };
 
-constexpr std::string_view
-    export_keys = "export the keys as CSV or JSON",
-    by_bvh = "convert it, as in bvh-converter FILE, which writes FILE_worldpos.csv",
-    by_echo = "print them as a table, as in rostopic echo -p TOPIC or ros2 topic echo --csv TOPIC",
-    by_fbx = "export it as ASCII, or convert it with the FBX Converter of Autodesk",
-    by_max = "export the scene from 3ds Max as ASE, 3DS or ASCII FBX",
-    by_gpsbabel = "convert it, as in gpsbabel -t -i WORD -f FILE -o unicsv -F - | tcbsample",
-    by_maya = "export the scene from Maya as ASCII FBX",
-    by_mcap = "convert it, as in mcap cat FILE --topics TOPIC --json | tcbsample -i jsonl",
-    by_rosbag = "convert it, as in rostopic echo -b FILE -p TOPIC | tcbsample",
-    by_gcode =
-        "take the coordinates, of which each line changes some, as in awk '{gsub(/\\([^)]*\\)|;.*| /, \"\"); "
-        "gsub(/[A-Z]/, \" &\"); k = 0; for (i = 1; i <= NF; ++i) if ($i ~ /^[XYZ]/) {p[substr($i, 1, 1)] = "
-        "substr($i, 2); k = 1}} k && \"X\" in p && \"Y\" in p {print p[\"X\"], p[\"Y\"], (\"Z\" in p) ? p[\"Z\"] : 0}' "
-        "FILE | tcbsample --parameter uniform",
-    by_sqlite = "convert a table of it, as in sqlite3 -csv -header FILE 'SELECT * FROM TABLE' | tcbsample",
-    by_tar = "take a file out of it, as in tar -xOf FILE NAME | tcbsample",
-    by_after_effects = "take the keys of a property, as in awk '!/^\\t/ {p = /Position/} p && /^\\t/' FILE | tcbsample",
-    by_anim =
-        "take the keys of its curves, as in awk '/^anim /{c = $3} /keys {/{k = 1; next} /}/{k = 0} k {print c, $1, "
-        "$2}' FILE | tcbsample --columns group=1,time=2,position=3",
-    by_clip =
-        "take its tracks as columns, as in sed -n 's/.*data = //p' FILE | python3 -c 'import sys; "
-        "print(*map(\",\".join, zip(*map(str.split, sys.stdin))), sep=\"\\n\")' | tcbsample --parameter uniform",
-    by_fanuc =
-        "take its positions, as in perl -ne 'push @n, /[XYZWPR] = +([-\\d.]+)/g; if (/};/) {print \"@n\\n\"; @n = ()}' "
-        "FILE | tcbsample --parameter uniform",
-    by_godot =
-        "take the keys of a track, as in perl -0777 -ne '($t) = /\"times\": \\w+\\(([^)]*)/; ($v) = /\"values\": "
-        "\\[(.*?)\\]/s; @t = split /, */, $t; @v = grep {defined} $v =~ /\\w+\\(([^)]*)\\)|(-?\\d[\\d.e-]*)/g; print "
-        "map {\"$t[$_],$v[$_]\\n\"} 0 .. $#t' FILE | tcbsample",
-    by_lammps =
-        "convert it, as in awk '/^ITEM: TIMESTEP/ {getline t; p = 0; next} /^ITEM: ATOMS/ {if (!n++) print \"time\" "
-        "substr($0, 12); p = 1; next} /^ITEM/ {p = 0} p {print t, $0}' FILE | tcbsample --group id",
-    by_nuke =
-        "take the keys of a curve, as in grep -oE '\\{curve[^}]*' FILE | sed -n 1p | awk '{for (i = 2; i <= NF; ++i) "
-        "if ($i ~ /^x/) f = substr($i, 2); else if ($i ~ /^[-0-9]/) print f++, $i}' | tcbsample",
-    by_feature = "take one of them, as in jq '.features[0]' FILE | tcbsample",
-    by_spine =
-        "take the keys of a bone, as in jq '.animations[\"NAME\"].bones[\"NAME\"].translate | map({time: (.time // 0), "
-        "x: (.x // 0), y: (.y // 0)})' FILE | tcbsample",
-    by_srt =
-        "take its times and the numbers in brackets, as in awk '/-->/ {t = $1; sub(/,/, \".\", t)} /\\[/ "
-        "{gsub(/[^-+.0-9]+/, \" \"); print t, $0}' FILE | tcbsample",
-    by_xyz =
-        "convert it, as in awk 'BEGIN {print \"frame atom x y z\"} NF == 1 {++f; i = 0; getline; next} {print f - 1, "
-        "++i, $2, $3, $4}' FILE | tcbsample --group atom",
-    by_three_js =
-        "take a track as rows, as in jq -r '.tracks[0] | .times as $t | .values as $v | ($v | length / ($t | length)) "
-        "as $n | range($t | length) | [$t[.], $v[. * $n:(. + 1) * $n][]] | @csv' FILE | tcbsample",
-    by_yaml =
-        "convert it, as in python3 -c 'import json, sys, yaml; json.dump(yaml.safe_load(open(sys.argv[1])), "
-        "sys.stdout)' FILE | tcbsample",
-    by_zip = "take a file out of it, as in unzip -p FILE NAME | tcbsample",
-    by_npz = "take an array out of it, as in unzip -p FILE NAME.npy | tcbsample",
-    by_netcdf =
-        "convert it, as in python3 -c 'import sys, xarray; "
-        "xarray.open_dataset(sys.argv[1]).to_dataframe().to_csv(sys.stdout)' FILE | tcbsample",
-    by_hdf5 =
-        "convert a dataset of it, as in python3 -c 'import h5py, numpy, sys; numpy.savetxt(sys.stdout, "
-        "h5py.File(sys.argv[1])[sys.argv[2]])' FILE DATASET | tcbsample",
-    by_matlab =
-        "convert a matrix of it, as in python3 -c 'import numpy, scipy.io, sys; numpy.savetxt(sys.stdout, "
-        "scipy.io.loadmat(sys.argv[1])[sys.argv[2]])' FILE VARIABLE | tcbsample",
-    by_lz4 = "decompress it, as in lz4cat FILE | tcbsample", by_xz = "decompress it, as in xzcat FILE | tcbsample",
-    by_bzip2 = "decompress it, as in bzcat FILE | tcbsample",
-    by_pandas =
-        "convert it, as in python3 -c 'import pandas, sys; pandas.WORD(sys.argv[1]).to_csv(sys.stdout, index=False)' "
-        "FILE | tcbsample";
+constexpr std::string_view export_keys = "export the keys as CSV or JSON",
+                           decompress = "decompress it, as in WORD FILE | tcbsample",
+                           take_file = "take a file out of it, as in WORD FILE NAME | tcbsample",
+                           save_table = "save its table as CSV", export_arrays = "export its arrays as CSV or .npy",
+                           export_track = "export its track as CSV, with all digits",
+                           export_topic = "export the messages of a topic as CSV or JSON",
+                           write_keys = "write an object of time and position for each key";
 
 constexpr std::string_view zip = "PK\x03\x04", compound = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"sv;
 /// The names of the streams of a compound file, which are in UTF-16.
@@ -154,46 +92,46 @@ constexpr std::string_view class_directory = "C\0l\0a\0s\0s\0D\0i\0r\0e\0c\0t\0o
 /// All of them; the first that fits counts.
 constexpr OtherFile other_files[] = {
     // Compressed files and archives.
-    {{".bz2"}, {"BZh"}, "a file compressed with bzip2", by_bzip2},
-    {{".xz"}, {"\xFD\x37zXZ\0"sv}, "a file compressed with xz", by_xz},
-    {{".lz4"}, {"\x04\x22\x4D\x18"}, "a file compressed with LZ4", by_lz4},
-    {{".7z"}, {"7z\xBC\xAF\x27\x1C"}, "a 7-Zip archive", "take a file out of it, as in 7z x -so FILE NAME | tcbsample"},
-    {{".rar"}, {"Rar!\x1A\x07"}, "a RAR archive", "take a file out of it, as in unrar p -inul FILE NAME | tcbsample"},
-    {{".tar", ".tgz"}, {"ustar", 257}, "a tar archive", by_tar},
-    {{".npz"}, {zip, 0, {".npy"}}, "a NumPy archive (.npz)", by_npz},
-    {{".xlsx", ".xlsm"}, {zip, 0, {"[Content_Types].xml"}}, "an Excel workbook (.xlsx)", by_pandas, "read_excel"},
-    {{}, {zip, 0, {"_rels/"}}, "an Excel workbook (.xlsx)", by_pandas, "read_excel"},
-    {{}, {zip, 0, {"xl/"}}, "an Excel workbook (.xlsx)", by_pandas, "read_excel"},
-    {{".ods"}, {zip, 0, {"mimetype"}}, "a LibreOffice document (.ods)", by_pandas, "read_excel"},
+    {{".bz2"}, {"BZh"}, "a file compressed with bzip2", decompress, "bzcat"},
+    {{".xz"}, {"\xFD\x37zXZ\0"sv}, "a file compressed with xz", decompress, "xzcat"},
+    {{".lz4"}, {"\x04\x22\x4D\x18"}, "a file compressed with LZ4", decompress, "lz4cat"},
+    {{".7z"}, {"7z\xBC\xAF\x27\x1C"}, "a 7-Zip archive", "take a file out of it"},
+    {{".rar"}, {"Rar!\x1A\x07"}, "a RAR archive", "take a file out of it"},
+    {{".tar", ".tgz"}, {"ustar", 257}, "a tar archive", take_file, "tar -xOf"},
+    {{".npz"}, {zip, 0, {".npy"}}, "a NumPy archive (.npz)", take_file, "unzip -p"},
+    {{".xlsx", ".xlsm"}, {zip, 0, {"[Content_Types].xml"}}, "an Excel workbook (.xlsx)", save_table},
+    {{}, {zip, 0, {"_rels/"}}, "an Excel workbook (.xlsx)", save_table},
+    {{}, {zip, 0, {"xl/"}}, "an Excel workbook (.xlsx)", save_table},
+    {{".ods"}, {zip, 0, {"mimetype"}}, "a LibreOffice document (.ods)", save_table},
     {{".usdz"}, {zip, 0, {".usd"}}, "a USD scene (.usdz)", export_keys},
-    {{".zip"}, {zip}, "a ZIP archive", by_zip},
+    {{".zip"}, {zip}, "a ZIP archive", take_file, "unzip -p"},
     {{".br", ".z"}},
     // Tables.
-    {{".parquet"}, {"PAR1"}, "a Parquet table", by_pandas, "read_parquet"},
-    {{".arrow", ".feather"}, {"ARROW1"}, "an Arrow or Feather table", by_pandas, "read_feather"},
-    {{}, {"FEA1"}, "a Feather table", by_pandas, "read_feather"},
-    {{".orc"}, {"ORC"}, "an ORC table", by_pandas, "read_orc"},
+    {{".parquet"}, {"PAR1"}, "a Parquet table", save_table},
+    {{".arrow", ".feather"}, {"ARROW1"}, "an Arrow or Feather table", save_table},
+    {{}, {"FEA1"}, "a Feather table", save_table},
+    {{".orc"}, {"ORC"}, "an ORC table", save_table},
     {{".avro"}, {"Obj\x01"}, "an Avro table", export_keys},
-    {{".pkl", ".pickle"}, {"\x80\x04\x95"}, "a pickled object of Python", by_pandas, "read_pickle"},
-    {{}, {"\x80\x05\x95"}, "a pickled object of Python", by_pandas, "read_pickle"},
-    {{".db", ".sqlite"}, {"SQLite format 3"}, "an SQLite database", by_sqlite},
-    {{}, {"netcdf ", 0, {"dimensions:"}}, "a listing of ncdump", "give its NetCDF file as CSV or JSON"},
-    {{".h5", ".hdf5"}, {"\x89HDF"}, "an HDF5 file", by_hdf5},
-    {{".nc"}, {"CDF\x01"}, "a NetCDF file", by_netcdf},
-    {{}, {"CDF\x02"}, "a NetCDF file", by_netcdf},
-    {{".mat"}, {"MATLAB 5.0"}, "a MATLAB file", by_matlab},
+    {{".pkl", ".pickle"}, {"\x80\x04\x95"}, "a pickled object of Python", save_table},
+    {{}, {"\x80\x05\x95"}, "a pickled object of Python", save_table},
+    {{".db", ".sqlite"}, {"SQLite format 3"}, "an SQLite database", "export a table of it as CSV, with all digits"},
+    {{}, {"netcdf ", 0, {"dimensions:"}}, "a listing of ncdump", export_arrays},
+    {{".h5", ".hdf5"}, {"\x89HDF"}, "an HDF5 file", export_arrays},
+    {{".nc"}, {"CDF\x01"}, "a NetCDF file", export_arrays},
+    {{}, {"CDF\x02"}, "a NetCDF file", export_arrays},
+    {{".mat"}, {"MATLAB 5.0"}, "a MATLAB file", export_arrays},
     {{".numbers"}},
     // Scenes and motions.
-    {{}, {compound, 0, {class_directory}}, "a 3ds Max scene (.max)", by_max},
-    {{".xls"}, {compound, 0, {workbook}}, "an Excel workbook (.xls)", by_pandas, "read_excel"},
-    {{}, {compound, 0, {book}}, "an Excel workbook (.xls)", by_pandas, "read_excel"},
+    {{}, {compound, 0, {class_directory}}, "a 3ds Max scene (.max)", export_keys},
+    {{".xls"}, {compound, 0, {workbook}}, "an Excel workbook (.xls)", save_table},
+    {{}, {compound, 0, {book}}, "an Excel workbook (.xls)", save_table},
     {{},
      {"\xD0\xCF\x11\xE0"},
      "a compound file of Microsoft, such as a workbook (.xls) or a 3ds Max scene (.max)",
-     "export an .xls as CSV, or a .max as ASE"},
-    {{}, {"Kaydara FBX"}, "a binary FBX file", by_fbx},
-    {{".bvh"}, {"HIERARCHY"}, "a BVH motion capture file", by_bvh},
-    {{}, {"\x02P"}, "a C3D motion capture file", "convert it, as in c3d2csv FILE | tcbsample"},
+     "export its table or its keys as CSV"},
+    {{}, {"Kaydara FBX"}, "a binary FBX file", export_keys},
+    {{".bvh"}, {"HIERARCHY"}, "a BVH motion capture file", export_keys},
+    {{}, {"\x02P"}, "a C3D motion capture file", export_keys},
     {{}, {"Gamebryo File Format"}, "a NIF scene (.nif, .kf)", export_keys},
     {{}, {"NetImmerse File Format"}, "a NIF scene (.nif, .kf)", export_keys},
     {{}, {"Vocaloid Motion Data"}, "a motion of MikuMikuDance (.vmd)", export_keys},
@@ -201,16 +139,16 @@ constexpr OtherFile other_files[] = {
     {{".usdc", ".usd"}, {"PXR-USDC"}, "a USD scene (.usdc)", export_keys},
     {{".glb"}, {"glTF"}, "a glTF scene (.glb)", export_keys},
     {{}, {"{", 0, {"\"asset\"", "\"accessors\""}}, "a glTF scene", export_keys},
-    {{}, {"//Maya ASCII"}, "a Maya scene", by_maya},
-    {{}, {"FOR4"}, "a Maya scene (.mb)", by_maya},
-    {{}, {"FOR8"}, "a Maya scene (.mb)", by_maya},
+    {{}, {"//Maya ASCII"}, "a Maya scene", export_keys},
+    {{}, {"FOR4"}, "a Maya scene (.mb)", export_keys},
+    {{}, {"FOR8"}, "a Maya scene (.mb)", export_keys},
     {{}, {"LWO", 8}, "an object of LightWave, which has no keys", "give the scene (.lws) or a motion (.mot)"},
-    {{}, {"animVersion "}, "an animation of Maya (.anim)", by_anim},
-    {{}, {"Adobe After Effects"}, "a text of keyframes of After Effects", by_after_effects},
-    {{}, {.test = has_curves_of_nuke}, "a script of Nuke", by_nuke},
-    {{}, {"{", 0, {"tracklength", "data ="}}, "a clip of Houdini", by_clip},
-    {{}, {.test = has_positions_of_fanuc}, "a program of a Fanuc robot", by_fanuc},
-    {{".srt"}, {"1", 0, {"\n00:", " --> "}}, "a text of subtitles (.srt)", by_srt},
+    {{}, {"animVersion "}, "an animation of Maya (.anim)", export_keys},
+    {{}, {"Adobe After Effects"}, "a text of keyframes of After Effects", export_keys},
+    {{}, {.test = has_curves_of_nuke}, "a script of Nuke", export_keys},
+    {{}, {"{", 0, {"tracklength", "data ="}}, "a clip of Houdini", export_keys},
+    {{}, {.test = has_positions_of_fanuc}, "a program of a Fanuc robot", export_keys},
+    {{".srt"}, {"1", 0, {"\n00:", " --> "}}, "a text of subtitles (.srt)", export_keys},
     {{".blend"}, {"BLENDER"}, "a Blender file", export_keys},
     {{".abc"}, {"Ogawa"}, "an Alembic scene", export_keys},
     {{".dae"}, {"<", 0, {"<COLLADA"}}, "a COLLADA scene (.dae)", export_keys},
@@ -233,9 +171,9 @@ constexpr OtherFile other_files[] = {
     {{},
      {.members = {"Meta", "Curves", "Segments"}},
      "a motion of Live2D, whose segments are a type and 2 or 6 numbers, of which the last 2 are a key",
-     "write an object of time and position for each key"},
+     write_keys},
     {{}, {.members = {"layers", "ip", "op"}}, "a Lottie animation", "export its keyframes as a table"},
-    {{}, {.members = {"tracks", "times", "values"}}, "a clip of three.js, whose values are not by key", by_three_js},
+    {{}, {.members = {"tracks", "times", "values"}}, "a clip of three.js, whose values are not by key", write_keys},
     {{}, {.members = {"sheetsById"}}, "a project of Theatre.js", "give WORD--columns time=position,position=value"},
     {{},
      {.members = {"fileType", "mission"}},
@@ -248,11 +186,11 @@ constexpr OtherFile other_files[] = {
     {{},
      {.members = {"coordinates", "coordTimes"}, .test = is_geojson},
      "GeoJSON with the times of several tracks",
-     by_feature},
+     export_keys},
     {{},
      {.members = {"coordinates", "times"}, .test = is_geojson},
      "GeoJSON with the times of several tracks",
-     by_feature},
+     export_keys},
     {{},
      {.members = {"coordinates"}, .test = is_geojson},
      "GeoJSON, whose places have no times",
@@ -260,15 +198,15 @@ constexpr OtherFile other_files[] = {
     {{},
      {.members = {"arcs"}, .test = is_topojson},
      "TopoJSON, whose places are differences without times",
-     "convert an object of it, as in topo2geo NAME=- < FILE | tcbsample --parameter uniform"},
+     "convert an object of it to GeoJSON"},
     {{},
      {.members = {"skeleton", "bones", "animations"}},
      "a skeleton of Spine, whose keys leave out numbers",
-     by_spine},
+     write_keys},
     {{},
      {.members = {"armature", "bone", "frameRate"}},
      "a skeleton of DragonBones, whose keys have durations and no times",
-     "write an object of time and position for each key"},
+     write_keys},
     {{},
      {.members = {"img_name", "position", "rotation"}},
      "a cameras.json of Gaussian splatting, whose cameras have no times",
@@ -276,29 +214,25 @@ constexpr OtherFile other_files[] = {
     {{},
      {.members = {"DisplayName", "in", "value"}},
      "a copy of keyframes of Kdenlive, which are one text",
-     "take them as rows, as in jq -r '.[0].value' FILE | tr ';' '\\n' | sed 's/[^0-9:.]*=/ /' | tcbsample"},
+     write_keys},
     // Recordings.
-    {{".mcap"}, {"\x89MCAP"}, "an MCAP recording", by_mcap},
-    {{".bag"}, {"#ROSBAG"}, "a ROS bag", by_rosbag},
-    {{}, {"ULog\x01"}, "a ULog of PX4", "convert it, as in ulog2csv FILE, which writes a .csv file for each topic"},
-    {{}, {".FIT", 8}, "a FIT recording of Garmin", by_gpsbabel, "garmin_fit"},
-    {{}, {"<", 0, {"<gpx"}}, "a GPX track", by_gpsbabel, "gpx"},
-    {{},
-     {"TDSm"},
-     "a TDMS recording of LabVIEW",
-     "convert it, as in python3 -c 'import nptdms, sys; "
-     "nptdms.TdmsFile.read(sys.argv[1]).as_dataframe().to_csv(sys.stdout)' FILE | tcbsample"},
-    {{}, {"header:", 0, {"stamp:"}}, "a text of ROS messages", by_echo},
-    {{}, {"A", 0, {"\nHFDTE"}}, "a flight record (.igc)", by_gpsbabel, "igc"},
-    {{}, {"$G", 0, {"GGA,"}}, "a text of NMEA 0183", by_gpsbabel, "nmea"},
-    {{}, {"$G", 0, {"RMC,"}}, "a text of NMEA 0183", by_gpsbabel, "nmea"},
+    {{".mcap"}, {"\x89MCAP"}, "an MCAP recording", export_topic},
+    {{".bag"}, {"#ROSBAG"}, "a ROS bag", export_topic},
+    {{}, {"ULog\x01"}, "a ULog of PX4", export_topic},
+    {{}, {".FIT", 8}, "a FIT recording of Garmin", export_track},
+    {{}, {"<", 0, {"<gpx"}}, "a GPX track", export_track},
+    {{}, {"TDSm"}, "a TDMS recording of LabVIEW", export_arrays},
+    {{}, {"header:", 0, {"stamp:"}}, "a text of ROS messages", export_topic},
+    {{}, {"A", 0, {"\nHFDTE"}}, "a flight record (.igc)", export_track},
+    {{}, {"$G", 0, {"GGA,"}}, "a text of NMEA 0183", export_track},
+    {{}, {"$G", 0, {"RMC,"}}, "a text of NMEA 0183", export_track},
     {{},
      {"# Image list with two lines of data per image"},
      "a list of images of COLMAP",
-     "take the lines of the poses, as in grep -v '^#' FILE | sed -n 'p;n' | tcbsample"},
-    {{}, {"ITEM: TIMESTEP"}, "a dump of LAMMPS", by_lammps},
-    {{}, {.test = is_xyz}, "a text of atoms (.xyz)", by_xyz},
-    {{}, {"MThd"}, "a MIDI file", "convert it with midicsv FILE, and keep the lines of one kind of event"},
+     "take the lines of the poses alone"},
+    {{}, {"ITEM: TIMESTEP"}, "a dump of LAMMPS", export_keys},
+    {{}, {.test = is_xyz}, "a text of atoms (.xyz)", export_keys},
+    {{}, {"MThd"}, "a MIDI file", export_keys},
     // Others.
     {{".pdf"}, {"%PDF"}, "a PDF document", export_keys},
     {{".png"}, {"\x89PNG"}, "a PNG picture", export_keys},
@@ -306,13 +240,13 @@ constexpr OtherFile other_files[] = {
     {{".gif"}, {"GIF8"}, "a GIF picture", export_keys},
     {{".mp4"}, {"ftyp", 4}, "a video", export_keys},
     {{}, {"%YAML", 0, {"tag:unity3d.com"}}, "a file of Unity", export_keys},
-    {{}, {"[gd_"}, "a scene of Godot", by_godot},
-    {{".yaml", ".yml"}, {"%YAML"}, "a YAML document", by_yaml},
-    {{}, {"---\n"}, "a YAML document", by_yaml},
-    {{}, {.test = is_yaml}, "a YAML document", by_yaml},
-    {{}, {"G", 0, {"\nG", " X"}}, "a program of G-code", by_gcode},
-    {{}, {"%", 0, {"\nG", "X"}}, "a program of G-code", by_gcode},
-    {{}, {"N", 0, {" G", " X"}}, "a program of G-code", by_gcode},
+    {{}, {"[gd_"}, "a scene of Godot", export_keys},
+    {{".yaml", ".yml"}, {"%YAML"}, "a YAML document", "convert it to JSON"},
+    {{}, {"---\n"}, "a YAML document", "convert it to JSON"},
+    {{}, {.test = is_yaml}, "a YAML document", "convert it to JSON"},
+    {{}, {"G", 0, {"\nG", " X"}}, "a program of G-code", export_keys},
+    {{}, {"%", 0, {"\nG", "X"}}, "a program of G-code", export_keys},
+    {{}, {"N", 0, {" G", " X"}}, "a program of G-code", export_keys},
     {{".xml", ".html", ".htm"}, {"<", 0, {"</"}}, "XML or HTML", export_keys},
     {{}, {"<", 0, {"/>"}}, "XML or HTML", export_keys},
     {{}, {"<?xml"}, "XML or HTML", export_keys},

@@ -1,6 +1,8 @@
 // Text bytes: the bytes of an input up to a NUL, and whole records of it.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -33,8 +35,9 @@ class TextBytes {
       const LinePosition nul = position_after(text, position);
       const bool may_be_utf16 = nul.line == 1 && nul.column <= 2;
       throw data_error("this is a NUL byte; expected text in UTF-8; {}",
-                       may_be_utf16 ? "convert the input, for example with iconv -f UTF-16 -t UTF-8"
-                                    : "if it is text, remove such bytes, as in tr -d '\\0' < FILE | tcbsample")
+                       may_be_utf16 ? fmt::format("convert it, as in iconv -f UTF-16{} -t UTF-8 <FILE | tcbsample",
+                                                  nul.column == 1 ? "BE" : "LE")
+                                    : "if it is text, remove such bytes, as in tr -d '\\0' <FILE | tcbsample")
           .at({"", nul.line, nul.column});
     }
     const std::size_t before = text.size();

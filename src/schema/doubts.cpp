@@ -496,18 +496,6 @@ Found date_in_three_numbers(const FoundColumns& found) {
       shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2]), roles_of(found, "time", cells));
 }
 
-/// The command that adds marks to dates such as this one: a year, a month and a day, with an hour, a minute and a
-/// second as far as there are digits for them.
-std::string marks_in_perl(std::string_view date) {
-  const std::size_t digits = date.substr(0, date.find('.')).size();
-  const auto part = [&](std::size_t size, std::string_view with, std::string_view without) {
-    return digits >= size ? with : without;
-  };
-  return fmt::format(R"(perl -pe 's/\b([12]\d{{3}})(\d\d)(\d\d){}{}{}(?:\.0+)?\b/$1-$2-$3{}{}{}/g')",
-                     part(10, R"((\d\d))", ""), part(12, R"((\d\d))", ""), part(14, R"((\d\d))", ""),
-                     part(10, "T$4", ""), part(12, ":$5", part(10, ":00", "")), part(14, ":$6", ""));
-}
-
 Found dates_as_numbers(const FoundColumns& found) {
   if (found.requested.timeless || is_requested(found, Role::time) || found.rows.empty()) return std::nullopt;
   for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
@@ -523,8 +511,8 @@ Found dates_as_numbers(const FoundColumns& found) {
     if (!are_dates) continue;
     return error(
         "the dates in column {} are written as whole numbers, such as {}; expected marks between year, month and day, "
-        "as in 2024-03-01; add them, as in {} FILE | tcbsample",
-        shown(found, cell), found.rows[0][cell], marks_in_perl(found.rows[0][cell]));
+        "as in 2024-03-01; add them",
+        shown(found, cell), found.rows[0][cell]);
   }
   return std::nullopt;
 }
@@ -703,18 +691,10 @@ Found durations_without_times(const FoundColumns& found) {
   };
   const auto column = std::ranges::find_if(found.names, is_duration);
   if (column == found.names.end()) return std::nullopt;
-  const bool has_command = found.delimiter != 0 && found.delimiter != ' ';
-  const std::string delimiter = found.delimiter == '\t' ? "\\t" : std::string(1, found.delimiter);
-  const std::string command =
-      has_command ? fmt::format(
-                        ", as in awk -F '{0}' -v OFS='{0}' 'NR == 1 {{print \"time\", $0; next}} {{print t + 0, $0; t "
-                        "+= ${1}}}' FILE | tcbsample",
-                        delimiter, column - found.names.begin() + 1)
-                  : "";
   return error(
-      "column {} seems to have durations, and no column is the time; expected times; add the durations up{}, or give "
+      "column {} seems to have durations, and no column is the time; expected times; add the durations up, or give "
       "--parameter uniform if the keys have no times",
-      in_quotes(*column), command);
+      in_quotes(*column));
 }
 
 Found minutes_and_seconds(const FoundColumns& found) {
@@ -944,8 +924,8 @@ std::string transposed(char delimiter, std::string_view options) {
   if (delimiter == 0 || delimiter == ' ') return "";
   const std::string mark = delimiter == '\t' ? "\\t" : std::string(1, delimiter);
   return fmt::format(
-      ", as in python3 -c 'import csv, sys; csv.writer(sys.stdout).writerows(zip(*csv.reader(sys.stdin{})))' <FILE | "
-      "tcbsample {}",
+      ", as in python3 -c 'import csv, itertools, sys; "
+      "csv.writer(sys.stdout).writerows(itertools.zip_longest(*csv.reader(sys.stdin{})))' <FILE | tcbsample {}",
       delimiter == ',' ? "" : fmt::format(", delimiter=\"{}\"", mark), options);
 }
 

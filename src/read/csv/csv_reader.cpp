@@ -200,10 +200,8 @@ class RecordReader {
       add_fault(cell, no_time(name, text));
     } else if (repeats_name(cell, column)) {
       if (std::exchange(line_of_names_, tokenizer_.line()) == tokenizer_.line()) return;  // that has its fault
-      add_fault(
-          cell,
-          data_error(
-              "the line repeats the names of the columns; expected a key; remove it, as in awk '!seen[$0]++' FILE"));
+      add_fault(cell, data_error("the line repeats the names of the columns; expected a key; remove it, or give the "
+                                 "files that were joined one by one"));
     } else if (is_footer()) {
       const Error fault = why_not_number(name, text, head_.marks);
       add_fault(cell, data_error("{}{}", fault.message(), if_no_key()));
@@ -255,8 +253,8 @@ class RecordReader {
     if (!head_.facts.encoding.empty()) text = in_utf8(text, Encoding::windows_1252).value_or(text);
     const std::size_t invalid = find_invalid_utf8(text);
     if (invalid != std::string::npos)
-      add_fault(cell, data_error("{} has the byte {:02X}, which is not UTF-8; expected UTF-8; convert the text, for "
-                                 "example with iconv -f WINDOWS-1252 -t UTF-8",
+      add_fault(cell, data_error("{} has the byte {:02X}, which is not UTF-8; expected UTF-8; convert the text, as in "
+                                 "iconv -f WINDOWS-1252 -t UTF-8 <FILE | tcbsample",
                                  in_quotes(unquoted(cell)), static_cast<unsigned char>(text[invalid])));
     if (content(text).empty() && !keys_.miss(column))
       add_fault(

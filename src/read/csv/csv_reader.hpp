@@ -79,8 +79,8 @@ Error unlike_table(const LaterTable& table, std::uint64_t first, std::string_vie
 /// Throws: Error (data) where a comment follows a number in a row. `line`: that of the first row.
 void require_no_remarks(std::string_view text, std::uint64_t line, char delimiter);
 
-/// The remedy that takes the numbers of a text without what is around them. `above`: lines to leave out.
-std::string numbers_alone(std::uint64_t above = 0);
+/// The remedy for numbers that are within other text.
+inline constexpr std::string_view numbers_alone = "write the numbers alone";
 
 /// Throws: Error (data) where the numbers of the first lines are within other text, or lines are drawn between cells.
 void require_bare_numbers(std::string_view text, const Dialect& dialect, std::uint64_t line);

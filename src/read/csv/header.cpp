@@ -376,7 +376,7 @@ void require_numbers(const HeadRecords::Record& record, const std::vector<std::s
     if (!numeric[i] && has_vector(cell)) {
       throw data_error("{}: {} is not a number; expected one number in each cell; {}",
                        i < names.size() ? names[i] : fmt::format("column {}", i + 1), in_quotes(cell),
-                       has_comma_in_number(cell) ? "write the numbers with a decimal point" : numbers_alone())
+                       has_comma_in_number(cell) ? "write the numbers with a decimal point" : numbers_alone)
           .at({"", record.line, 0});
     }
     if (numeric[i] || !begins_like_number(cell) || find_notation(cell)) continue;
@@ -562,7 +562,7 @@ void require_delimiter(const HeadRecords& first, const Dialect& dialect) {
   const bool carriage_returns =
       std::ranges::any_of(record.cells, [](const auto& cell) { return cell.find('\r') != std::string::npos; });
   throw(carriage_returns ? data_error("the input is a single line that contains carriage returns; expected a line for "
-                                      "each key; change them to line feeds, as in tr '\\r' '\\n'")
+                                      "each key; change them to line feeds, as in tr '\\r' '\\n' <FILE | tcbsample")
                          : data_error("no row follows the header; expected a row for each key; see --help"))
       .at({"", record.line, 1});
 }

@@ -40,10 +40,8 @@ void require_no_drawing(std::string_view text, std::uint64_t first) {
                          line.find_first_not_of("-+|:= \r") == std::string_view::npos;
     const bool is_box = line.starts_with(corner) || line.starts_with(double_corner);
     if (!is_rule && !is_box) continue;
-    throw data_error("the table is drawn with lines between its cells; expected cells between delimiters; {}",
-                     is_box ? "export it as CSV, as sqlite3 -csv, duckdb -csv and write_csv of polars do"
-                            : "take the cells, as in sed '/|/!d; /[[:alnum:]]/!d; s/^ *|//; s/|[[:space:]]*$//' FILE | "
-                              "tcbsample --delimiter pipe")
+    throw data_error(
+        "the table is drawn with lines between its cells; expected cells between delimiters; export it as CSV")
         .at({"", first + i, 0});
   }
 }
@@ -79,9 +77,6 @@ bool has_word(std::string_view text) {
   return false;
 }
 
-/// A number that no word ends, as a regular expression.
-constexpr std::string_view number_in_perl = "(?<![\\w.])[-+]?\\.?\\d[\\d.]*(?:[eE][-+]?\\d+)?";
-
 /// What is behind the time that begins a line, such as "[2024-03-01 10:00:00.5]"; nothing where none does.
 std::optional<std::string_view> behind_time(std::string_view line) {
   const auto skip = [&](std::string_view characters) {
@@ -116,12 +111,9 @@ void require_no_log(std::string_view one, std::string_view two, char delimiter) 
   const bool has_text = has_word(text) || rest->find("->") != std::string_view::npos;
   if (!has_text || numbers == 0 || without_numbers(*below, numbers_below) != text) return;
   throw data_error(
-      "a time and other text begin each line, as in {}; expected cells between delimiters; take the time and the "
-      "numbers behind it, as in perl -ne 'if (/^\\W*((?:\\d{{4}}-\\d\\d-\\d\\d[ "
-      "T])?\\d+:\\d\\d:\\d\\d(?:[.,]\\d+)?)(.*)/) "
-      "{{my ($t, $r) = ($1, "
-      "$2); my @n = $r =~ /{}/g; $t =~ tr/,/./; print join(\",\", $t, @n), \"\\n\" if @n}}' FILE | tcbsample",
-      in_quotes(one), number_in_perl);
+      "a time and other text begin each line, as in {}; expected cells between delimiters; write the time and the "
+      "numbers alone",
+      in_quotes(one));
 }
 
 /// A line of the input without blanks around it, and its number from 1.
@@ -130,9 +122,8 @@ struct NumberedLine {
   std::uint64_t number = 0;
 };
 
-/// Throws: Error (data) where two lines have the same text around numbers, and no cell is a number. `has_others`: the
-/// lines above them are other ones.
-void require_cells_of_numbers(const NumberedLine& line, const NumberedLine& below, char delimiter, bool has_others) {
+/// Throws: Error (data) where two lines have the same text around numbers, and no cell is a number.
+void require_cells_of_numbers(const NumberedLine& line, const NumberedLine& below, char delimiter) {
   std::size_t numbers = 0, numbers_below = 0;
   const std::string_view one = line.text;
   const std::string text = without_numbers(one, numbers);
@@ -153,9 +144,9 @@ void require_cells_of_numbers(const NumberedLine& line, const NumberedLine& belo
   const bool has_brackets = count("([{<") > count(")]}>");
   if (!has_brackets && (!has_word(text) || std::ranges::any_of(cells, is_value))) return;
   throw data_error(
-      "the numbers are within other text, as in {}; expected cells between delimiters; {}, with --parameter uniform if "
-      "none is a time",
-      in_quotes(trimmed(one)), numbers_alone(has_others ? line.number - 1 : 0))
+      "the numbers are within other text, as in {}; expected cells between delimiters; {}, and give --parameter "
+      "uniform if none is a time",
+      in_quotes(trimmed(one)), numbers_alone)
       .at({"", line.number, 0});
 }
 
@@ -225,8 +216,10 @@ class LinesOfCells {
     const auto first = lines_.begin();
     if (std::none_of(first, at(begin), [&](std::string_view line) { return is_text(line); })) return std::nullopt;
     const auto is_other = [&](std::string_view line) { return is_text(line) && cells_of(line).size() != size; };
+    const auto is_row = [&](std::string_view line) { return !is_other(line) && is_of_numbers(cells_of(line)); };
     const auto end = lines_.end() - 1;  // what is behind the last line end may be a part of a line
-    const auto other = std::find_if(at(row), end, is_other);
+    auto other = std::find_if(at(row), end, is_other);
+    if (std::any_of(other, end, is_row)) other = end;  // a fault within the table, whose rows below are none to lose
     const auto has_no_number = [&](std::string_view line) {
       return is_text(line) && std::ranges::none_of(cells_of(line), begins_like_number);
     };
@@ -355,12 +348,6 @@ class LinesOfCells {
 
 }  // namespace
 
-std::string numbers_alone(std::uint64_t above) {
-  const std::string below = above == 0 ? "" : fmt::format("sed 1,{}d FILE | ", above);
-  return fmt::format("take the numbers alone, as in {}perl -ne '@n = /{}/g and print \"@n\\n\"'{} | tcbsample", below,
-                     number_in_perl, above == 0 ? " FILE" : "");
-}
-
 std::vector<std::string_view> names_between_blanks(std::string_view line) {
   std::vector<std::string_view> names;
   for (std::size_t at = line.find_first_not_of(" \t"); at < line.size(); at = line.find_first_not_of(" \t", at)) {
@@ -392,16 +379,14 @@ void require_bare_numbers(std::string_view text, const Dialect& dialect, std::ui
         cells, [](std::string_view cell) { return cell.size() > 1 && cell.front() == '\'' && cell.back() == '\''; });
   };
   if (are_quoted(one.text) && are_quoted(two.text)) {
-    throw data_error(
-        "the cells are in single quotes, as in {}; expected double quotes, or none; change them, as in "
-        "tr \\' '\"' <FILE | tcbsample",
-        one.text);
+    throw data_error("the cells are in single quotes, as in {}; expected double quotes, or none; change them",
+                     one.text);
   }
-  require_cells_of_numbers(one, two, dialect.delimiter, false);
+  require_cells_of_numbers(one, two, dialect.delimiter);
   constexpr std::uint64_t most_above = 16;  // of the rows of an array in a program
   while (number < line + most_above && !two.text.empty()) {
     one = std::exchange(two, take_line());
-    if (is_open(one.text)) require_cells_of_numbers(one, two, dialect.delimiter, true);
+    if (is_open(one.text)) require_cells_of_numbers(one, two, dialect.delimiter);
   }
 }
 
@@ -412,8 +397,7 @@ void require_no_remarks(std::string_view text, std::uint64_t line, char delimite
     const std::string_view last = trimmed(numbers.substr(numbers.rfind(delimiter) + 1));
     if (mark < row.size() && row.find('"') == std::string_view::npos && looks_numeric(last)) {
       throw data_error(
-          "text follows {} in the row; expected a comment on a line of its own; remove it, as in sed 's/ *# .*//' FILE "
-          "| tcbsample",
+          "text follows {} in the row; expected a comment on a line of its own; move it there, or remove it",
           in_quotes("#"))
           .at({"", line, 0});
     }

@@ -322,8 +322,8 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
   std::ranges::replace_if(
       as_exponent, [](char c) { return c == 'D' || c == 'd'; }, 'E');
   if (parse_number(as_exponent)) {
-    return data_error("{}: {} has an exponent as Fortran writes it; expected e or E; change it, as in tr Dd Ee <FILE",
-                      column, in_quotes(cell));
+    return data_error("{}: {} has an exponent as Fortran writes it; expected e or E; change it", column,
+                      in_quotes(cell));
   }
   const std::size_t blank = cell.find_first_of(" \t");
   const bool several = blank != std::string_view::npos && parse_number(with_point(cell.substr(0, blank)));

@@ -225,7 +225,7 @@ InputOptions with_vectors(InputOptions options, const std::vector<VectorColumn>&
     throw data_error(
         "column {} is not clear by its number, as cells hold several numbers; expected a name such as {}; give names, "
         "or {}",
-        name, in_quotes(columns[0].parts[0]), numbers_alone());
+        name, in_quotes(columns[0].parts[0]), numbers_alone);
   };
   for (RoleRequest& role : options.columns.roles) {
     for (const VectorColumn& column : columns) {

@@ -921,11 +921,9 @@ class FirstKey {
       if (!member.text || member.node == JsonCell::missing || texts_.contains(member.name)) continue;
       const std::string_view text = tape_.shown(member.node);
       if (!text.starts_with('(') || text.find(',') == std::string_view::npos || !text.ends_with(')')) continue;
-      throw at_value(
-          member, data_error("{} is a text of several numbers; expected an array of numbers; change such texts, as "
-                             "in perl -pe 's/\"\\(([^)\"]*)\\)\"/\"[\" . $1 =~ s{{\\w+ *=}}{{}}gr . \"]\"/ge' FILE | "
-                             "tcbsample",
-                             in_quotes(text)));
+      throw at_value(member,
+                     data_error("{} is a text of several numbers; expected an array of numbers; write it as one",
+                                in_quotes(text)));
     }
   }
 

@@ -300,8 +300,8 @@ std::optional<JsonPart> JsonSplitter::next() {
         (void)take(at_);
         if (text_[0] == '[') {
           throw here(
-              data_error("another array follows the first one; expected one array of all keys; put them into "
-                         "one, as in jq -s . FILE | tcbsample"));
+              data_error("another array follows the first one; expected one array of all keys; put the keys "
+                         "into one"));
         }
         throw here(data_error("there is text after the array of keys; expected nothing; remove it"));
       case Stage::unclosed:

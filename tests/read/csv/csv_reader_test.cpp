@@ -84,8 +84,8 @@ TEST(Csv, keys_have_the_texts_of_groups_and_labels) {
             "t x\n2: 0 1 <7> <\"a \"b\">\n3: 1 2 <\"-07> <\">\n")
       << "a whole number is no string";
   EXPECT_EQ(read("t,x,l\n0,1,\xFC\n", with_columns("carry=l")),
-            "f:2:5: error: \"\\xFC\" has the byte FC, which is not UTF-8; expected UTF-8; convert the text, for "
-            "example with iconv -f WINDOWS-1252 -t UTF-8");
+            "f:2:5: error: \"\\xFC\" has the byte FC, which is not UTF-8; expected UTF-8; convert the text, as in "
+            "iconv -f WINDOWS-1252 -t UTF-8 <FILE | tcbsample");
 }
 
 TEST(Csv, faults_do_not_end_the_reading) {
