@@ -42,12 +42,6 @@ bool is_xyz(std::string_view text) {
   return words == 4 && numbers == 3;
 }
 
-bool has_positions_of_fanuc(std::string_view text) {
-  return text.find("P[") != std::string_view::npos && text.find("CONFIG :") != std::string_view::npos;
-}
-
-bool has_curves_of_nuke(std::string_view text) { return text.find("{curve ") != std::string_view::npos; }
-
 bool is_geojson(std::string_view type) {
   constexpr std::array types{"FeatureCollection"sv, "Feature"sv,      "Point"sv,
                              "MultiPoint"sv,        "LineString"sv,   "MultiLineString"sv,
@@ -145,9 +139,7 @@ constexpr OtherFile other_files[] = {
     {{}, {"LWO", 8}, "an object of LightWave, which has no keys", "give the scene (.lws) or a motion (.mot)"},
     {{}, {"animVersion "}, "an animation of Maya (.anim)", export_keys},
     {{}, {"Adobe After Effects"}, "a text of keyframes of After Effects", export_keys},
-    {{}, {.test = has_curves_of_nuke}, "a script of Nuke", export_keys},
     {{}, {"{", 0, {"tracklength", "data ="}}, "a clip of Houdini", export_keys},
-    {{}, {.test = has_positions_of_fanuc}, "a program of a Fanuc robot", export_keys},
     {{".srt"}, {"1", 0, {"\n00:", " --> "}}, "a text of subtitles (.srt)", export_keys},
     {{".blend"}, {"BLENDER"}, "a Blender file", export_keys},
     {{".abc"}, {"Ogawa"}, "an Alembic scene", export_keys},
@@ -244,9 +236,6 @@ constexpr OtherFile other_files[] = {
     {{".yaml", ".yml"}, {"%YAML"}, "a YAML document", "convert it to JSON"},
     {{}, {"---\n"}, "a YAML document", "convert it to JSON"},
     {{}, {.test = is_yaml}, "a YAML document", "convert it to JSON"},
-    {{}, {"G", 0, {"\nG", " X"}}, "a program of G-code", export_keys},
-    {{}, {"%", 0, {"\nG", "X"}}, "a program of G-code", export_keys},
-    {{}, {"N", 0, {" G", " X"}}, "a program of G-code", export_keys},
     {{".xml", ".html", ".htm"}, {"<", 0, {"</"}}, "XML or HTML", export_keys},
     {{}, {"<", 0, {"/>"}}, "XML or HTML", export_keys},
     {{}, {"<?xml"}, "XML or HTML", export_keys},
