@@ -32,6 +32,8 @@ std::string asked_text(const TypedOptions& typed, const std::vector<std::string>
 struct NameOfOutput {
   std::string_view option;
   std::string text;
+
+  std::string file() const { return "x" + text; }  // a suffix may be an ending alone
 };
 
 std::optional<NameOfOutput> name_of_output(const OutputPaths& outputs) {
@@ -46,8 +48,8 @@ void set_output_format(TypedOptions& typed) {
   const auto name = name_of_output(typed.files.outputs);
   if (!name) return;
   const bool is_report = is_comparison(typed) || prints_limits(typed);
-  const Format* const named = find_output_format(name->text);
-  const std::string other(other_ending(name->text));
+  const Format* const named = find_output_format(name->file());
+  const std::string other(other_ending(name->file()));
   if (named == nullptr && !other.empty()) {
     throw usage_error(
         "{} {}: {} is not an output format; expected one of {}; choose another ending, and convert the file "
@@ -135,7 +137,7 @@ InputListOptions files_of(const TypedOptions& typed) {
   InputListOptions files = typed.files;
   if (files.files.empty() && files.list.empty()) files.files = {"-"};
   if (typed.keys.input.format == nullptr) files.endings = input_endings();
-  if (find_output_format(files.outputs.suffix) == nullptr) files.outputs.ending = typed.output.format->ending;
+  if (find_output_format("x" + files.outputs.suffix) == nullptr) files.outputs.ending = typed.output.format->ending;
   return files;
 }
 
