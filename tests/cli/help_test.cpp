@@ -30,6 +30,17 @@ TEST(Help, the_help_shows_every_option_in_80_columns) {
   EXPECT_THAT(help, HasSubstr("\n  -V, --version\n")) << "a flag shows no value";
 }
 
+TEST(Help, the_short_help_is_a_screen_with_the_options_that_people_need) {
+  std::istringstream lines(short_help_text());
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80U) << line;
+  EXPECT_LE(count, 36U);
+  for (const std::string_view name : {"--golden", "--check", "--identify", "--rotation", "--closed", "--from", "--to",
+                                      "--max-gap", "--no-overshoot", "--limits"}) {
+    EXPECT_THAT(short_help_text(), HasSubstr(name));
+  }
+}
+
 TEST(Help, defaults_are_shown) {
   EXPECT_THAT(help_text(), HasSubstr("(default: 1e9)\n"));
   EXPECT_THAT(help_text(), HasSubstr("(default: error)\n"));
