@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 #include "cli/options.hpp"
 #include "cli/values.hpp"
@@ -111,10 +112,36 @@ std::string option_with_value(std::string_view name) {
   return found;
 }
 
+/// A name that people guess, without dashes, and the options that do what they want.
+struct GuessedOption {
+  std::string_view name, meant;
+};
+
+constexpr GuessedOption guessed_options[] = {
+    {"tension", "--tcb"},
+    {"continuity", "--tcb"},
+    {"bias", "--tcb"},
+    {"format", "-f for the output, or -i for the input"},
+    {"json", "-f json or -i json"},
+    {"out", "--output"},
+    {"samples", "--count"},
+    {"frames", "--count or --fps"},
+    {"interval", "--step"},
+    {"dt", "--step"},
+    {"arclength", "--arc-step"},
+    {"unit", "--time-unit"},
+    {"loop", "--closed or --extrapolate repeat"},
+    {"speed", "--fields speed or --limits=speed=..."},
+    {"precision", "--digits or --fixed"},
+    {"round", "--digits or --fixed"},
+};
+
 /// The option that an unknown one probably means, or "": one with a value of this name, or one with a similar name,
 /// which may be gone.
 std::string meant_option(const std::string& unknown) {
   const std::string wanted = compared(unknown);
+  const auto* const guessed = std::ranges::find(guessed_options, wanted, &GuessedOption::name);
+  if (unknown.starts_with("--") && guessed != std::end(guessed_options)) return std::string(guessed->meant);
   std::vector<std::string_view> names;
   for (const OptionRow& row : option_table()) {
     for (const std::string_view name : row.all_names()) names.push_back(name);
@@ -128,7 +155,6 @@ std::string meant_option(const std::string& unknown) {
   const std::string_view option =
       likely.empty() ? "" : names[static_cast<std::size_t>(std::ranges::find(all, likely) - all.begin())];
   if (unknown.starts_with("--") && !removed(option, "")) {
-    if (wanted == "tension" || wanted == "continuity" || wanted == "bias") return "--tcb";
     if (std::string value = option_with_value(wanted); !value.empty()) return value;
   }
   return std::string(option);

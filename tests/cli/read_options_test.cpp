@@ -59,6 +59,14 @@ TEST(CommandLine, an_unknown_option_is_refused_with_the_nearest_one) {
   EXPECT_EQ(refusal({"-s", "1", "-x"}), "unknown option -x (--help lists all options)");
 }
 
+TEST(CommandLine, guessed_options_name_those_that_are_meant) {
+  EXPECT_EQ(refusal({"--format=json"}),
+            "unknown option --format; did you mean -f for the output, or -i for the input? (--help lists all options)");
+  EXPECT_THAT(refusal({"--loop"}), StartsWith("unknown option --loop; did you mean --closed or --extrapolate repeat?"));
+  EXPECT_THAT(refusal({"--dt", "1"}), StartsWith("unknown option --dt; did you mean --step?"));
+  EXPECT_THAT(refusal({"--bias", "1"}), StartsWith("unknown option --bias; did you mean --tcb?"));
+}
+
 TEST(CommandLine, errors_of_syntax_name_the_option) {
   EXPECT_EQ(refusal({"-s", "1", "-s", "2"}), "--step: the option is repeated; expected it once; remove all but one");
   EXPECT_THAT(refusal({"-n", "2", ""}), StartsWith("the name of a file is empty;"));
