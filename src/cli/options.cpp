@@ -28,6 +28,9 @@ constexpr auto side_names = std::to_array<Named<bool>>({{"right", false}, {"left
 /// For an option whose value is asked for by has() or value().
 void only_given(Typed&, Text) {}
 
+/// Timecode counts the frames of a second in whole numbers.
+constexpr int most_frames_per_second = 1'000'000'000;
+
 constexpr std::string_view expects_time_zero =
     "is not a time; expected a number in the unit of the times of the keys, or first";
 
@@ -201,6 +204,8 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) {
        UnitOptions& units = to.keys.input.units;
        units.frame_rate = frame_rate(text);
+       if (*units.frame_rate > most_frames_per_second)
+         throw usage_error("{} is too large a rate; expected at most 1000000000 frames per second", in_quotes(text));
        if (broadcast_rate(text)) units.rate_as_decimal = text;
      }},
     {"--date-order", "", "ORDER", input_group,
