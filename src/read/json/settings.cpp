@@ -82,7 +82,11 @@ FileSettings settings_around(const JsonTape& tape, const JsonTable& table, const
     }
     value = tape.value_of(*inner);
   }
-  if (table.is_beside_settings()) add_object(tape, list, path, table.names(), objects);
+  if (table.is_beside_settings()) {
+    std::vector<std::string> columns = table.names();
+    columns.insert(columns.end(), {"columns", "index", "data", "values", "rows", "schema"});
+    add_object(tape, list, path, columns, objects);
+  }
   return read_settings(objects, options);
 }
 
