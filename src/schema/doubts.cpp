@@ -874,9 +874,20 @@ Found rate_of_frames(const Schema& schema, const RequestNeeds& needs) {
       in_quotes(schema.time.name), rate);
 }
 
-constexpr std::array about_requests{lengths_of_degrees, lengths_of_space, lengths_of_unlike_things,
-                                    time_by_its_place,  rate_of_frames,   seconds_of_unknown_times,
-                                    step_in_small_units};
+/// A range such as 10:20:30 beside times of day.
+Found range_beside_clock(const Schema& schema, const RequestNeeds& needs) {
+  if (needs.range_like_clock.empty() || schema.time.notation != TimeNotation::clock) return std::nullopt;
+  return error(
+      "{0} may be a range, in seconds, or a time of day, as those in column {1}; expected one of the two; give {2}s "
+      "for "
+      "the time of day, or {0}.0 for the range",
+      needs.range_like_clock, in_quotes(schema.time.name),
+      whole_text(*read_time(needs.range_like_clock, TimeNotation::clock, 1, DateOrder::ymd)));
+}
+
+constexpr std::array about_requests{lengths_of_degrees,  lengths_of_space,  lengths_of_unlike_things,
+                                    time_by_its_place,   rate_of_frames,    seconds_of_unknown_times,
+                                    step_in_small_units, range_beside_clock};
 
 /// Appends a note, or throws the error of a doubt.
 void take(std::vector<std::string>& notes, Found found) {

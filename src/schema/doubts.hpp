@@ -63,14 +63,15 @@ std::optional<double> first_time_gap(const FoundColumns& found);
 
 /// What a request needs of a curve.
 struct RequestNeeds {
-  bool lengths = false;                   ///< arc lengths, speeds or curvatures are measured
-  bool by_length = false;                 ///< samples are placed by arc length
-  bool chooses_metric = false;            ///< over channels that are named
-  std::optional<double> step = {};        ///< between rows, where it is in seconds
-  std::optional<double> plain_step = {};  ///< where it is in the unit of the times
-  std::optional<double> time_gap = {};    ///< as in Columns
-  bool is_rate = false;                   ///< rows are at a rate
-  std::string_view shown_rate = {};       ///< the frame rate that the file shows; empty: none
+  bool lengths = false;                    ///< arc lengths, speeds or curvatures are measured
+  bool by_length = false;                  ///< samples are placed by arc length
+  bool chooses_metric = false;             ///< over channels that are named
+  std::optional<double> step = {};         ///< between rows, where it is in seconds
+  std::optional<double> plain_step = {};   ///< where it is in the unit of the times
+  std::optional<double> time_gap = {};     ///< as in Columns
+  bool is_rate = false;                    ///< rows are at a rate
+  std::string_view range_like_clock = {};  ///< as in SamplingRequest
+  std::string_view shown_rate = {};        ///< the frame rate that the file shows; empty: none
 };
 
 /// The notes of the doubts about a request. Throws: Error (data) for a doubt that the request has to decide.
