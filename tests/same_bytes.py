@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Same bytes from several programs: same_bytes.py [--runs N] [--seed S] [--golden] PROGRAM...
+"""Same bytes from several programs: same_bytes.py [--runs N] [--seed S] [--golden] [--ends-of-0.4 RULES] PROGRAM...
 
 Runs every program on the same inputs with the same options, every second one on eight threads instead of one, and
 compares standard output and the exit code; one program alone is compared with itself:
@@ -10,6 +10,10 @@ compares standard output and the exit code; one program alone is compared with i
   - with --golden, the commands of every case of golden/, without the lines that are messages.
 Standard error is not compared: the words of messages may differ. Prints each difference with the command line and
 leaves its input in the folder same_bytes.failed. Exit 1: something differs.
+
+The first program may be version 0.4, whose default ends are half instead of one-sided. --ends-of-0.4 one-sided gives it
+--ends one-sided where neither the command nor the input names a preset or ends, and leaves out what this changes
+besides: fits, --identify, and rules in words. --ends-of-0.4 gte gives the others --preset gte there instead.
 
 For an old and a new build of the program:
   tests/same_bytes.py --runs 5000 --golden OLD/tcbsample build/release/tcbsample
@@ -289,10 +293,31 @@ def run(program, arguments, folder, stdin=None):
         return "timeout", b"", b""
 
 
-def run_all(programs, options, folder):
-    """The first program on one thread, the second on eight, and so on; one program alone on both."""
+NAMES_RULES = {"--preset", "--ends", "--closed", "--period"}
+TELLS_RULES = {"--plot", "--meta", "--explain", "svg"}
+RULES_OF_INPUT = re.compile(rb'"(preset|ends|closed)":')
+
+
+def rules_in_common(options, folder, ends_of_old):
+    """What the first program and the others get, so that their rules are the same; nothing: that is impossible."""
+    if ends_of_old is None:
+        return [], []
+    given = set(options)
+    if given & {"--fit", "--identify"} or (given & TELLS_RULES and "--preset" not in given):
+        return None
+    if NAMES_RULES & given or RULES_OF_INPUT.search((folder / options[-1]).read_bytes()):
+        return [], []
+    return (["--ends", "one-sided"], []) if ends_of_old == "one-sided" else ([], ["--preset", "gte"])
+
+
+def run_all(programs, options, folder, ends_of_old=None):
+    """The first program on one thread, the second on eight, and so on; one program alone on both. Nothing where they
+    cannot be compared."""
     several = programs if len(programs) > 1 else programs * 2
-    return [run(program, ["-j", "18"[i % 2], *options], folder) for i, program in enumerate(several)]
+    rules = rules_in_common(options, folder, ends_of_old)
+    if rules is None:
+        return []
+    return [run(program, ["-j", "18"[i % 2], *rules[min(i, 1)], *options], folder) for i, program in enumerate(several)]
 
 
 def write_samples(rng, folder, program, keys, name):
@@ -310,6 +335,8 @@ class Comparison:
         self.compared = self.accepted = self.differences = self.timeouts = 0
 
     def report(self, what, results, folder=None):
+        if not results:
+            return
         if any(result[0] == "timeout" for result in results):
             self.timeouts += 1
             return
@@ -355,6 +382,7 @@ def main():
     parser.add_argument("--runs", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--golden", action="store_true")
+    parser.add_argument("--ends-of-0.4", dest="ends_of_old", choices=["one-sided", "gte"])
     arguments = parser.parse_args()
     programs = [str(pathlib.Path(program).resolve()) for program in arguments.programs]
     comparison = Comparison(programs)
@@ -366,11 +394,11 @@ def main():
             name, keys = write_keys(rng, folder)
             write_samples(rng, folder, programs[0], keys, name)
             options = random_options(rng, keys) + [name]
-            results = run_all(programs, options, folder)
+            results = run_all(programs, options, folder, arguments.ends_of_old)
             comparison.report(f"run {index}: tcbsample " + " ".join(options), results, folder)
 
     for options in sample_runs():
-        results = run_all(programs, options, SAMPLES)
+        results = run_all(programs, options, SAMPLES, arguments.ends_of_old)
         comparison.report("samples: tcbsample " + " ".join(options), results)
     if arguments.golden:
         for case in sorted((TESTS / "golden").rglob("cmd")):
