@@ -23,9 +23,6 @@ CASES = [
     (samples / "formats/scene.lws", ["--only", "Ship/position"], {"--fit": "only keys have"}),
     (samples / "formats/door.3ds", ["--only", "Door/position"], {"--fit": "only keys have"}),
     (samples / "formats/door.3ds", ["--only", "Door/rotation"], {"--emit": "rotation", "--fit": "only keys have"}),
-    (samples / "formats/door.ase", ["--only", "Door/position"], {"--fit": "only keys have"}),
-    (samples / "formats/door.ase", ["--only", "Door/rotation"], {"--emit": "rotation", "--fit": "quaternions"}),
-    (samples / "formats/scene.fbx", ["--only", "Dolly/position"], {"--fit": "only keys have"}),
     (samples / "tum.txt", ["-i", "tum"], {"--emit": "rotation"}),
     (None, ["--columns", "time=1,position=2:3:4"], {}),
 ]

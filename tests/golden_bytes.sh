@@ -34,7 +34,7 @@ ways() {
   echo "--tolerance 0.01 --keys -f jsonl"
   echo "--count 21 --golden --fields $exact"
   echo "--arc-count 7 --golden --digits 30 --fields s,time,position"
-  echo "--emit poly8 --no-ease --fields s,length"
+  echo "--emit poly --no-ease --fields s,length"
   echo "--emit bezier --no-ease --golden --from 0.3"
   for tangents in uniform interval interval-c finite-difference kb1984 synfig; do
     echo "--count 101 --tangents $tangents --ends natural,half --equal-speed --hex"

@@ -29,16 +29,4 @@ awk 'BEGIN { for (row = 0; row <= 70; ++row) for (i = 0; i <= 3000; ++i)
 (ulimit -v 160000 && "$program" -j 1 --per-segment 1 --golden "$scratch/wide.csv") >"$scratch/out" || fail "memory of --golden"
 [ "$(wc -l <"$scratch/out")" = 71 ] || fail "rows of --golden"
 
-# A track of FBX with 40,000 channels; each takes some 40 microseconds.
-awk 'BEGIN { n = 40000
-  print "; FBX 7.4.0 project file\nFBXHeaderExtension: {\n FBXVersion: 7400\n}\nObjects: {"
-  print " Model: 1, \"Model::A\", \"Null\" {\n }\n AnimationCurveNode: 2, \"AnimCurveNode::T\", \"\" {\n }"
-  for (i = 0; i < n; ++i) print " AnimationCurve: " 10 + i ", \"AnimCurve::\", \"\" {\n  KeyTime: *2 { a: 0,46186158000 }\n" \
-    "  KeyValueFloat: *2 { a: 0,1 }\n  KeyAttrFlags: *1 { a: 4 }\n  KeyAttrDataFloat: *4 { a: 0,0,0,0 }\n" \
-    "  KeyAttrRefCount: *1 { a: 2 }\n }"
-  print "}\nConnections: {\n C: \"OP\",2,1, \"Lcl Translation\""
-  for (i = 0; i < n; ++i) print " C: \"OP\"," 10 + i ",2, \"d|Q" i "\""
-  print "}" }' >"$scratch/channels.fbx"
-(ulimit -t 20 && "$program" -q -n 2 "$scratch/channels.fbx") >"$scratch/out" || fail "time of a track with many channels"
-[ "$(wc -l <"$scratch/out")" = 3 ] || fail "rows of a track with many channels"
 exit $failed

@@ -55,7 +55,8 @@ if module == "scipy":
 else:
     import trajectory
 
-    pieces = [row[1:] for row in samples("--emit", "poly8", "--columns", "position=x:y:z:yaw")]
+    pieces = [[row[1], *flat([*row[first:first + 4], 0, 0, 0, 0] for first in range(2, len(row), 4))]
+              for row in samples("--emit", "poly", "--columns", "position=x:y:z:yaw")]
     rows = samples("--step", "1/64", "--columns", "position=x:y:z:yaw")
     compare("trajectory", flat(trajectory.position(pieces, row[0]) for row in rows), flat(row[1:] for row in rows), 1e-14)
 

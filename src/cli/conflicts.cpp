@@ -37,7 +37,6 @@ bool writes_picture(const Typed& typed) { return typed.output.format->is_picture
 bool writes_no_picture(const Typed& typed) { return !writes_picture(typed); }
 bool writes_array(const Typed& typed) { return typed.output.format->is_binary; }
 bool writes_scene(const Typed& typed) { return typed.output.format->has_nodes; }
-bool writes_pieces(const Typed& typed) { return typed.output.format->has_pieces; }
 bool writes_poses(const Typed& typed) { return typed.output.format->poses != nullptr; }
 bool writes_no_text(const Typed& typed) { return !typed.output.format->has_marks; }
 bool writes_no_csv(const Typed& typed) { return !typed.output.format->has_any_delimiter; }
@@ -225,20 +224,6 @@ constexpr Conflict conflicts[] = {
      {"--emit"},
      ", whose pieces have the form hermite",
      [](const Typed& typed) { return writes_scene(typed) && typed.form && *typed.form != field_of("hermite"); }},
-    {{"--output-format"},
-     disables,
-     {"--fields", "--fit", "--rotation-output", "--hex", "--time-format", "--file-column", "--output-delimiter",
-      "--output-decimal"},
-     ", whose rows are polynomials",
-     writes_pieces},
-    {{"--output-format"},
-     disables,
-     sampling_options,
-     ", whose rows have the form poly8",
-     [](const Typed& typed) {
-       const bool has_form = typed.sampling.mode == Mode::emit && *typed.form == field_of("poly8");
-       return writes_pieces(typed) && !has_form;
-     }},
     {{"--plot"}, disables, options_without_picture, picture_reason, writes_picture},
     {{"--fields"},
      excludes,

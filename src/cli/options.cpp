@@ -378,8 +378,7 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.sampling.mode = Mode::tolerance; to.sampling.tolerance = curve_tolerance(text); }},
     {"--emit", "", "FORM", sampling_group,
      "Prints the exact cubics instead of samples, one row for each segment: hermite has position and velocity at "
-     "both ends, bezier four control points, poly the coefficients of (t - start)^0 to ^3, and polyN pads these to "
-     "N with zeros",
+     "both ends, bezier four control points, and poly the coefficients of (t - start)^0 to ^3",
      "", name,
      [](Typed& to, Text text) {
        to.sampling.mode = Mode::emit;

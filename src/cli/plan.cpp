@@ -71,11 +71,11 @@ void set_output_format(TypedOptions& typed) {
 }
 
 /// An output of pieces has the exact ones where no samples are requested.
-void set_exact_pieces(TypedOptions& typed, std::string_view form) {
+void set_exact_pieces(TypedOptions& typed) {
   typed.sampling.mode = Mode::emit;
   typed.sampling.count = 1;
-  typed.form = field_of(form);
-  typed.give("--emit", std::string(form));
+  typed.form = field_of("hermite");
+  typed.give("--emit", "hermite");
 }
 
 /// Throws: Error (usage) if standard input would be read twice.
@@ -199,7 +199,6 @@ std::vector<std::size_t> fields_of(const TypedOptions& typed) {
     const bool has_times = typed.output.format->poses->has_times;
     return has_times ? std::vector{field_of("time"), field_of("position")} : std::vector{field_of("position")};
   }
-  if (typed.output.format->has_pieces) return {field_of("duration"), field_of("poly8")};
   if (typed.output.format->has_nodes) {
     if (typed.sampling.mode != Mode::emit) return {field_of("time"), field_of("position")};
     return {field_of("start"), field_of("duration"), field_of("hermite")};
@@ -361,8 +360,7 @@ Job parse(const std::vector<std::string>& words, ColorWhen* color) {
   TypedOptions typed = read_options(words, color);
   if (typed.wants_text()) return PrintText{asked_text(typed, words)};
   set_output_format(typed);
-  if (!has_sampling_option(typed) && typed.output.format->has_nodes) set_exact_pieces(typed, "hermite");
-  if (!has_sampling_option(typed) && typed.output.format->has_pieces) set_exact_pieces(typed, "poly8");
+  if (!has_sampling_option(typed) && typed.output.format->has_nodes) set_exact_pieces(typed);
   require_no_conflict(typed);
   read_place_column(typed);
   return make_job(typed);

@@ -397,10 +397,8 @@ std::vector<std::size_t> field_list(const std::string& text) {
 }
 
 std::size_t form_of_pieces(const std::string& text) {
-  const auto form = std::ranges::find(fields(), text == "poly4" ? "poly" : text, &Field::name);
+  const auto form = std::ranges::find(fields(), text, &Field::name);
   const bool is_form = form != fields().end() && form->of_piece && form->per_channel;
-  if (!is_form && text.starts_with("poly") && in_digits<int>(text.substr(4)))
-    throw usage_error("{} is not a form of polynomials; expected 4 to 32 coefficients, such as poly8", in_quotes(text));
   if (!is_form) throw unknown_value(text, form_names());
   return static_cast<std::size_t>(form - fields().begin());
 }
@@ -456,7 +454,7 @@ std::vector<std::string_view> formats_with(bool (Format::*capability)() const) {
 }
 
 std::vector<std::string_view> field_names() { return names_of(named_fields()); }
-std::vector<std::string_view> form_names() { return {"hermite", "bezier", "poly", "poly8"}; }
+std::vector<std::string_view> form_names() { return {"hermite", "bezier", "poly"}; }
 
 Error unknown_value(std::string_view name, std::span<const std::string_view> known) {
   return usage_error("{} is not a known name; expected one of {}{}", in_quotes(name), listed(known),

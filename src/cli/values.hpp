@@ -91,8 +91,7 @@ std::vector<std::size_t> field_list(const std::string& text);
 std::size_t form_of_pieces(const std::string& text);
 const Format* format_with(bool (Format::*capability)() const, const std::string& text);
 
-/// The names of the formats that can be read or written, of the fields, and of the forms of a cubic that help and
-/// completions show; a polynomial may have other numbers of coefficients.
+/// The names of the formats that can be read or written, of the fields, and of the forms of a cubic.
 std::vector<std::string_view> formats_with(bool (Format::*capability)() const);
 std::vector<std::string_view> field_names();
 std::vector<std::string_view> form_names();

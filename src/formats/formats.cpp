@@ -12,9 +12,9 @@ namespace tcb {
 
 // The halves, each in the file of its name.
 extern const InputFormat delimited_input, json_input, camera_path_input, poses_input, npy_input, lightwave_input,
-    studio_3ds_input, ase_input, fbx_input;
+    studio_3ds_input;
 extern const OutputFormat delimited_output, json_output, jsonl_output, pose_output, camera_path_output, npy_output,
-    gltf_output, piece_output;
+    gltf_output;
 
 namespace {
 
@@ -81,10 +81,7 @@ constexpr std::array list_of_formats{
            .poses = &nerfstudio_poses},
     Format{.name = "lws", .ending = ".lws", .input = &lightwave_input},
     Format{.name = "3ds", .ending = ".3ds", .input = &studio_3ds_input},
-    Format{.name = "ase", .ending = ".ase", .input = &ase_input},
-    Format{.name = "fbx", .ending = ".fbx", .input = &fbx_input},
     Format{.name = "gltf", .ending = ".gltf", .output = &gltf_output, .has_nodes = true},
-    Format{.name = "crazyswarm", .ending = ".csv", .output = &piece_output, .delimiter = ',', .has_pieces = true},
     Format{.name = "npy", .ending = ".npy", .input = &npy_input, .output = &npy_output, .is_binary = true},
     Format{.name = "svg", .ending = ".svg", .is_picture = true},
 };

@@ -15,6 +15,7 @@
 #include "read/other_files.hpp"
 #include "read/row_times.hpp"
 #include "schema/schema.hpp"
+#include "text/removed.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
@@ -41,6 +42,15 @@ Source<std::string> without_mark(Source<std::string> bytes, std::string& encodin
     throw at_first_byte(data_error("the text begins with two byte order marks; expected at most one; remove one"));
   }
   return preceded_by(std::move(beginning), std::move(bytes));
+}
+
+/// Throws: Error (data) for a file whose ending names a format that is not read any more.
+void require_no_removed_format(std::string_view path) {
+  for (const RemovedName& row : removed_names()) {
+    if (row.option != "--input-format" || !has_ending(without_compression(path), "." + std::string(row.value)))
+      continue;
+    throw data_error("{}", removed(row.option, row.value)->message());
+  }
 }
 
 /// Whether further bytes decide how well a format fits.
@@ -106,6 +116,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
     }
     if (!blank && beginning.size() > most_before_list) break;
   }
+  if (given.format == nullptr) require_no_removed_format(path);
   const Format& format = given.format != nullptr ? *given.format : format_of(path, beginning);
   bytes = preceded_by(std::move(beginning), std::move(bytes));
   InputOptions options = options_of(format, bytes, given);
@@ -128,12 +139,11 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   input.schema.camera_path = std::move(records.camera_path);
   input.facts.format = &format;
   if (!encoding.empty()) input.facts.encoding = encoding;
-  if (!input.facts.is_recording) input.facts.roles = columns.shape_roles();
+  input.facts.roles = columns.shape_roles();
   input.facts.ignored = columns.ignored;
   input.facts.doubts = columns.doubts;
   input.facts.time_gap = columns.time_gap;
   KeyTraits& traits = input.keys.traits;
-  traits.are_segments = columns.are_segments;
   traits.may_miss = options.keys.missing == Missing::skip_cell;
   traits.has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown;
   traits.marks = columns.marks;

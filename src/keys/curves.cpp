@@ -113,8 +113,6 @@ Source<KeyBlock> arranged(Source<KeyBlock> blocks, const Schema& schema, const K
   const bool is_grouped = traits.has_whole_curves && !options.sort;
   const bool by_text = !schema.groups.empty() && !traits.own_curves && !is_grouped;
   if (!schema.time.is_given) require_times(options);
-  if (traits.are_segments && options.sort)
-    throw data_error("--sort orders keys, but the rows are segments; expected segments in order; remove --sort");
   if (by_text || options.sort) {
     blocks = grouped(without_faults(std::move(blocks), false),
                      {by_text ? schema.groups.size() : 0, options.sort, traits.own_curves,
@@ -124,7 +122,6 @@ Source<KeyBlock> arranged(Source<KeyBlock> blocks, const Schema& schema, const K
   if (is_ordered && !options.sort) {
     blocks = past_midnight(std::move(blocks), schema.time.notation, schema.time.frame_rate.value_or(1), midnights);
   }
-  if (traits.are_segments) blocks = joined_segments(without_faults(std::move(blocks), live));
   if (is_ordered && options.duplicates == Duplicates::spread) blocks = spread_out(std::move(blocks));
   if (is_ordered)
     blocks = in_order(std::move(blocks), options.duplicates, {traits.marks, traits.channels, schema.time.is_by_place});

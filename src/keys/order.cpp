@@ -1,9 +1,8 @@
-// Order: keys without gaps, whose times increase up to the next break, and those of segments.
+// Order: keys without gaps, whose times increase up to the next break.
 //
-// Each function of order.hpp is a stage on blocks of keys, in the order of arranged() in curves.cpp. Three of them hold
+// Each function of order.hpp is a stage on blocks of keys, in the order of arranged() in curves.cpp. Two of them hold
 // keys back until those after them are known, as HoldingStage does: Order, which drops, replaces or refuses keys whose
-// times do not increase; Spreader, which divides a step among keys of one time; Joiner, which makes one key of the end
-// of a segment and the start of the next.
+// times do not increase; Spreader, which divides a step among keys of one time.
 #include "keys/order.hpp"
 
 #include <algorithm>
@@ -274,79 +273,6 @@ class Spreader : public HoldingStage {
   std::optional<Rational> step_;  ///< between the last two times of the curve
 };
 
-/// The stage of joined_segments(), which holds the end of the last segment. Keys come in pairs: the start of a segment,
-/// and its end.
-class Joiner : public HoldingStage {
- public:
-  using HoldingStage::HoldingStage;
-
- private:
-  KeyBlock pass(KeyBlock block) override {
-    std::vector<std::size_t> kept, breaks;
-    const bool continues = !held_.empty();
-    for (std::size_t start = 0; start < block.size(); start += 2) {
-      const bool begins = start == 0 ? !continues : block.has_break_before(start);
-      if (begins && start > 0) kept.push_back(start - 1);
-      if (block.has_break_before(start)) breaks.push_back(kept.size());
-      if (!begins) join(start == 0 ? held_ : block, start == 0 ? 0 : start - 1, block, start);
-      kept.push_back(start);
-      require_duration(block, start);
-    }
-    join_decimals(block);
-    KeyBlock result = block.selected(kept);
-    result.take_block_data(block);
-    result.breaks.before = std::move(breaks);
-    held_ = block.range(block.size() - 1, block.size());
-    return result;
-  }
-
-  /// Gives the start of a segment the incoming velocities of the end before it. Throws: Error (data) if they are apart.
-  void join(const KeyBlock& before, std::size_t end, KeyBlock& block, std::size_t start) const {
-    const Time &from = block.keys.times[start], &to = before.keys.times[end];
-    const double distance = std::abs((from - to).hi);
-    if (!(distance <= 0x1p-51 * std::max(size_, std::abs(from.hi)))) {
-      throw data_error(
-          "this segment starts at {}, but the segment before it ends at {}; expected segments without gaps, in order; "
-          "correct them, or divide the curves with --group",
-          time_text(from), time_text(to))
-          .at(block.text_position(start));
-    }
-    const std::size_t channels = block.keys.channels;
-    for (std::size_t i = 0; i < channels; ++i) {
-      const double here = block.keys.position(start)[i], there = before.keys.position(end)[i];
-      if (here != there)
-        throw data_error(
-            "this segment starts at the position {}, but the segment before it ends at {}; expected the same position; "
-            "correct one of the two",
-            here, there)
-            .at(block.text_position(start));
-      block.keys.velocities[start * channels + i].in = before.keys.velocities[end * channels + i].in;
-    }
-  }
-
-  /// Sets the size of the times of a segment, to which their rounding errors are relative.
-  void require_duration(const KeyBlock& block, std::size_t start) {
-    const Time &from = block.keys.times[start], &to = block.keys.times[start + 1];
-    const double duration = (to - from).hi;
-    if (!(from < to)) throw segment_without_duration(duration).at(block.text_position(start));
-    size_ = std::max(std::abs(from.hi), duration);
-  }
-
-  /// Gives the starts of segments the incoming velocities, as written, of the ends before them.
-  void join_decimals(KeyBlock& block) const {
-    const std::size_t per_key = block.decimals.size() / block.size(), channels = block.keys.channels;
-    const std::size_t first = NumberOfKey::of_channel(NumberOfKey::velocity_in_of, 0, channels);
-    block.rewrite_decimals([&](std::size_t key, std::size_t number, std::string_view text) {
-      const bool is_start = key % 2 == 0;
-      if (!is_start || number < first || number >= first + channels) return std::string(text);
-      const Texts& from = key == 0 ? held_.decimals : block.decimals;
-      return std::string(from.empty() ? "" : from[(key == 0 ? 0 : key - 1) * per_key + number]);
-    });
-  }
-
-  double size_ = 0;  ///< of the times of the last segment
-};
-
 }  // namespace
 
 std::string CurveLabels::distinguishing(const KeyBlock& block, bool texts) const {
@@ -405,8 +331,6 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
 }
 
 Source<KeyBlock> spread_out(Source<KeyBlock> blocks) { return through<Spreader>(std::move(blocks)); }
-
-Source<KeyBlock> joined_segments(Source<KeyBlock> ends) { return through<Joiner>(std::move(ends)); }
 
 Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels) {
   return through<Order>(std::move(blocks), duplicates, std::move(labels));

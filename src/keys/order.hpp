@@ -55,10 +55,6 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);
 /// a curve of the step before. Holds the keys of one time.
 Source<KeyBlock> spread_out(Source<KeyBlock> blocks);
 
-/// The keys of segments, whose ends are two keys each: where a segment begins at the end of the one before it, both are
-/// one key, with the velocities of both. Throws: Error (data) with the line of a segment that does not begin there.
-Source<KeyBlock> joined_segments(Source<KeyBlock> ends);
-
 /// The keys whose times increase up to the next break. Decreasing times, and equal ones where they are an error, are
 /// faults of the block, which name the column that distinguishes curves, if one does. Duplicates::last delays one key
 /// until the next is read.

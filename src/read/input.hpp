@@ -32,9 +32,7 @@ struct InputFacts {
   std::optional<spline::Tcb<double>> tcb = {};    ///< of all keys, as the file has it
   std::string comment = {};                       ///< the prefix of its comment lines; empty: it has none
   std::vector<std::string> roles = {};            ///< names of columns that shape a curve, such as tension
-  bool is_recording = false;                      ///< keys are samples; their columns shape no curve
   std::vector<std::string> constant_tracks = {};  ///< names of tracks that are left out as they never change
-  std::vector<std::string> other_objects = {};    ///< names of those left out for the first that moves
   std::vector<std::string> other_tracks = {};     ///< names of those left out as they have other channels
   std::map<std::vector<std::string>, EulerTrack> euler_tracks = {};  ///< by the groups of their curves, as texts
   std::vector<std::string> ignored = {};                             ///< names of columns without a role

@@ -25,9 +25,7 @@ constexpr std::array kinds_of_roles{std::pair{Role::position, NumberOfKey::posit
                                     std::pair{Role::channel_bias, NumberOfKey::bias_of},
                                     std::pair{Role::velocity, NumberOfKey::velocity_in_of},
                                     std::pair{Role::velocity_in, NumberOfKey::velocity_in_of},
-                                    std::pair{Role::velocity_out, NumberOfKey::velocity_out_of},
-                                    std::pair{Role::end_position, NumberOfKey::end_position_of},
-                                    std::pair{Role::end_velocity, NumberOfKey::end_velocity_of}};
+                                    std::pair{Role::velocity_out, NumberOfKey::velocity_out_of}};
 constexpr std::array numbers_of_roles{
     std::pair{Role::time, NumberOfKey::time},        std::pair{Role::nanoseconds, NumberOfKey::time},
     std::pair{Role::tension, NumberOfKey::tension},  std::pair{Role::continuity, NumberOfKey::continuity},
@@ -90,14 +88,12 @@ KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyU
       has_ease_(has_any(columns, {Role::ease_in, Role::ease_out})),
       has_channel_roles_(has_channel_roles(columns)),
       has_channel_tcbs_(has_any(columns, {Role::channel_tension, Role::channel_continuity, Role::channel_bias})),
-      are_segments_(columns.are_segments),
       both_sides_(channels_with(columns, Role::velocity)),
       marks_(columns.marks.size()),
       texts_(columns.texts()) {
   const std::size_t channels = columns.channels.size();
   block_.keys.channels = channels;
   block_.keys.common_tcb = rules.tcb.value_or(spline::Tcb<double>{});
-  first_of_role_.fill(NumberOfKey::duration);
   for (const auto& [role, kind] : kinds_of_roles) first_of_role_[static_cast<std::size_t>(role)] = index_of(kind, 0);
   for (const auto& [role, number] : numbers_of_roles) first_of_role_[static_cast<std::size_t>(role)] = number;
   numbers_.resize(NumberOfKey::position + channels * (has_channel_roles_ ? std::size_t{NumberOfKey::kinds} : 1));
@@ -108,7 +104,6 @@ KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyU
       block_.keys.given[channel] = true;
     }
   }
-  if (are_segments_) block_.keys.given.assign(channels, true);
 }
 
 void KeyBuilder::begin_key() {
@@ -206,7 +201,6 @@ bool KeyBuilder::add_nanoseconds() {
 
 bool KeyBuilder::miss(const Columns::Column& column) {
   if (column.role == Role::ignored || column.role == Role::carry) return true;
-  if (are_segments_) return false;            // these are whole
   if (is_velocity(column.role)) return true;  // whether it is needed depends on the keys around
   const bool is_time = column.role == Role::time || column.role == Role::nanoseconds;
   const bool skips_cell = rules_.missing == Missing::skip_cell;
@@ -217,10 +211,6 @@ bool KeyBuilder::miss(const Columns::Column& column) {
 }
 
 bool KeyBuilder::end_key() {
-  const double duration = numbers_[NumberOfKey::duration];
-  if (are_segments_ && !std::isnan(duration) && !std::isfinite((time_ + Time(duration)).hi)) {
-    add_fault(segment_without_duration(duration));
-  }
   const bool is_faulty = block_.faults.errors.size() > faults_;
   const bool counts = rules_.counts_rows && !is_timed_;
   const bool is_gap = is_missing_ && (rules_.missing == Missing::break_curve || counts);
@@ -232,7 +222,6 @@ bool KeyBuilder::end_key() {
   if (has_channel_roles_) complete_channels();
   add_key();
   if (std::exchange(breaks_, false)) block_.breaks.before.push_back(block_.size());
-  if (are_segments_) add_segment_end();
   return true;
 }
 
@@ -279,20 +268,6 @@ void KeyBuilder::add_key() {
   block_.marks.insert(block_.marks.end(), marks_.begin(), marks_.end());
   for (const std::string& text : texts_) block_.texts.add(text);
   for (const std::string& decimal : decimals_) block_.decimals.add(decimal);
-}
-
-/// Adds the key at the end of a segment. The time is a double where that at the start is one.
-void KeyBuilder::add_segment_end() {
-  const bool is_double = time_.lo == 0;
-  time_ = time_ + Time(numbers_[NumberOfKey::duration]);
-  if (is_double) time_ = Time(time_.hi);
-  if (keeps_decimals()) decimals_[NumberOfKey::time].clear();
-  for (std::size_t i = 0; i < block_.keys.channels; ++i) {
-    copy_number(index_of(NumberOfKey::end_position_of, i), index_of(NumberOfKey::position_of, i));
-    copy_number(index_of(NumberOfKey::end_velocity_of, i), index_of(NumberOfKey::velocity_in_of, i));
-    numbers_[index_of(NumberOfKey::velocity_out_of, i)] = nan;
-  }
-  add_key();
 }
 
 KeyBlock KeyBuilder::finish(std::string path) {

@@ -79,20 +79,15 @@ class KeyBuilder {
   /// not from 0 to below 10^9, or where either is not a whole number.
   bool complete_time() { return !has_nanoseconds_ || add_nanoseconds(); }
 
-  /// Ends the key; a record that is a segment has two keys, its ends. Returns whether it is kept; if so, set_position()
-  /// must follow.
+  /// Ends the key. Returns whether it is kept; if so, set_position() must follow.
   bool end_key();
-  /// The text position of the record that was kept last.
+  /// The text position of the key that was kept last.
   void set_position(std::uint64_t line, std::uint64_t column) {
-    for (std::size_t i = 0; i < keys_per_record(); ++i) {
-      block_.text_positions.lines.push_back(line);
-      block_.text_positions.columns.push_back(static_cast<std::uint32_t>(column));
-    }
+    block_.text_positions.lines.push_back(line);
+    block_.text_positions.columns.push_back(static_cast<std::uint32_t>(column));
   }
-  /// The number of the record that was kept last, in its list.
-  void set_number(std::uint64_t number) {
-    block_.text_positions.numbers.insert(block_.text_positions.numbers.end(), keys_per_record(), number);
-  }
+  /// The number of the key that was kept last, in its list.
+  void set_number(std::uint64_t number) { block_.text_positions.numbers.push_back(number); }
 
   /// Adds a break before the next key that is kept.
   void break_curve() { breaks_ = true; }
@@ -114,12 +109,10 @@ class KeyBuilder {
   void copy_number(std::size_t from, std::size_t to);
   void complete_channels();
   void add_key();
-  void add_segment_end();
-  std::size_t keys_per_record() const { return are_segments_ ? 2 : 1; }
 
   const KeyRules rules_;
   const KeyUnits units_;
-  const bool is_timed_, has_nanoseconds_, has_tcb_, has_ease_, has_channel_roles_, has_channel_tcbs_, are_segments_;
+  const bool is_timed_, has_nanoseconds_, has_tcb_, has_ease_, has_channel_roles_, has_channel_tcbs_;
   const std::vector<std::size_t> both_sides_;               ///< channels with one velocity for both sides
   std::array<std::size_t, role_count> first_of_role_ = {};  ///< the index of its number in the first channel
   KeyBlock block_;

@@ -76,7 +76,10 @@ constexpr std::string_view export_keys = "export the keys as CSV or JSON",
                            save_table = "save its table as CSV", export_arrays = "export its arrays as CSV or .npy",
                            export_track = "export its track as CSV, with all digits",
                            export_topic = "export the messages of a topic as CSV or JSON",
-                           write_keys = "write an object of time and position for each key";
+                           write_keys = "write an object of time and position for each key",
+                           fbx_scene = "an FBX scene (nearly all are binary, which was never read)",
+                           by_csv = "export the keys as CSV",
+                           by_max = "export the keys as CSV, or the scene from 3ds Max as .3ds";
 
 constexpr std::string_view zip = "PK\x03\x04", compound = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"sv;
 /// The names of the streams of a compound file, which are in UTF-16.
@@ -123,7 +126,10 @@ constexpr OtherFile other_files[] = {
      {"\xD0\xCF\x11\xE0"},
      "a compound file of Microsoft, such as a workbook (.xls) or a 3ds Max scene (.max)",
      "export its table or its keys as CSV"},
-    {{}, {"Kaydara FBX"}, "a binary FBX file", export_keys},
+    {{".fbx"}, {"Kaydara FBX"}, fbx_scene, by_csv},
+    {{}, {"; FBX"}, fbx_scene, by_csv},
+    {{}, {"FBXHeaderExtension"}, fbx_scene, by_csv},
+    {{".ase"}, {"*3DSMAX_ASCIIEXPORT"}, "an ASE scene of 3ds Max", by_max},
     {{".bvh"}, {"HIERARCHY"}, "a BVH motion capture file", export_keys},
     {{}, {"\x02P"}, "a C3D motion capture file", export_keys},
     {{}, {"Gamebryo File Format"}, "a NIF scene (.nif, .kf)", export_keys},

@@ -93,7 +93,6 @@ Facts input_facts(const Input& input) {
   list("position", positions);
   for (const std::string& role : input.facts.roles) add(role, "in a column");
   list("carry", input.schema.labels);
-  list("tracks of other objects", input.facts.other_objects);
   list("tracks with other channels", input.facts.other_tracks);
   list("tracks with one key", input.facts.constant_tracks);
   list("ignored", input.facts.ignored);

@@ -137,10 +137,6 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
       add(important("positions: {}; --columns ignore=NAME leaves one out", listed(names)));
     }
   }
-  if (!input.facts.other_objects.empty()) {
-    add(important("left out, as they do not move the first object: {}; --only reads them, as in --only '*/position'",
-                  listed(input.facts.other_objects)));
-  }
   if (!input.facts.other_tracks.empty()) {
     add(important("left out, as they have other channels: {}; --only reads them", listed(input.facts.other_tracks)));
   }

@@ -65,7 +65,6 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
     settings.preset = of_input.preset;
     fill(settings.tangents, of_input.tangents);
     fill(settings.ends, of_input.ends);
-    fill(settings.rotation_curve, of_input.rotation_curve);
   }
   fill(settings.extrapolate, of_input.extrapolate);
   fill(settings.metric, of_input.metric);

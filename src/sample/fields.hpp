@@ -199,18 +199,13 @@ S piece_length(const Point<S>& point) {
   }
 }
 
-/// The four numbers of a piece's cubic in a form, for each channel; then zeros, up to the number of columns.
-template <class S>
-void write_form(Point<S>& point, CellWriter<S> out, CubicForm<S> form, std::size_t columns) {
+/// The four numbers of a piece's cubic in a form, for each channel.
+template <class S, CubicForm<S> form>
+void write_cubics(Point<S>& point, CellWriter<S> out) {
   const auto h = piece_time(point);
   for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) {
     for (const S& number : form(piece_cubic(point, i), h)) out.add_of_channel(number, i, true);
-    for (std::size_t column = 4; column < columns; ++column) out.add(S(0));
   }
-}
-template <class S, CubicForm<S> form, std::size_t columns = 4>  // small, as there is one for each number of columns
-void write_cubics(Point<S>& point, CellWriter<S> out) {
-  write_form(point, out, form, columns);
 }
 
 /// Writes a column of all samples on a segment, in rows of `width` cells. Requires: they are on the curve.
@@ -226,10 +221,11 @@ struct FieldOf : Field {
   WriteColumn write_column = nullptr;  ///< the same for doubles, where that saves time
 };
 
-/// The fields of samples, which come first. To add a field: a row, with a function if it has more than one number. The
-/// order is that of fields in help and manual.
+/// The fields of samples, then those of pieces, of which those with columns for each channel are the forms in which a
+/// cubic can be given. To add a field: a row, with a function if it has more than one number. The order is that of
+/// fields in help and manual.
 template <class S>
-inline constexpr std::array sample_fields{
+inline constexpr std::array field_table{
     FieldOf<S>{{.name = "time", .kind = CellKind::time}, write_sample_time<S>, write_times},
     FieldOf<S>{{.name = "position", .per_channel = true, .shows_rotations = true}, write_position<S>, write_positions},
     FieldOf<S>{{.name = "s", .needs_lengths = true, .over_metric = true, .is_rational = false},
@@ -265,11 +261,6 @@ inline constexpr std::array sample_fields{
     FieldOf<S>{
         {.name = "arc_error", .needs_lengths = true, .over_metric = true, .is_exact = false, .is_rational = false},
         [](Point<S>& point, CellWriter<S> out) { out.add(static_cast<S>(point.segment().s_error)); }},
-};
-
-/// The fields of pieces. Those with columns for each channel are the forms in which a cubic can be given.
-template <class S>
-inline constexpr std::array piece_fields{
     FieldOf<S>{{.name = "length", .of_piece = true, .over_metric = true, .is_rational = false},
                [](Point<S>& point, CellWriter<S> out) { out.add(piece_length(point)); }},
     FieldOf<S>{{.name = "start", .kind = CellKind::time, .of_piece = true}, write_sample_time<S>},
@@ -280,28 +271,9 @@ inline constexpr std::array piece_fields{
         write_cubics<S, hermite_form<S>>},
     FieldOf<S>{{.name = "bezier", .suffix = "_b", .per_channel = true, .columns = 4, .of_piece = true},
                write_cubics<S, bezier_form<S>>},
+    FieldOf<S>{{.name = "poly", .suffix = "^", .per_channel = true, .columns = 4, .of_piece = true},
+               write_cubics<S, polynomial_form<S>>},
 };
-
-/// Polynomials with 4 coefficients and more, by their number.
-inline constexpr std::array<std::string_view, 29> polynomial_names{
-    "poly",   "poly5",  "poly6",  "poly7",  "poly8",  "poly9",  "poly10", "poly11", "poly12", "poly13",
-    "poly14", "poly15", "poly16", "poly17", "poly18", "poly19", "poly20", "poly21", "poly22", "poly23",
-    "poly24", "poly25", "poly26", "poly27", "poly28", "poly29", "poly30", "poly31", "poly32"};
-
-template <class S, std::size_t... i>
-constexpr auto with_polynomials(std::index_sequence<i...>) {
-  std::array<FieldOf<S>, sample_fields<S>.size() + piece_fields<S>.size() + sizeof...(i)> all{};
-  auto next = std::ranges::copy(piece_fields<S>, std::ranges::copy(sample_fields<S>, all.begin()).out).out;
-  ((*next++ =
-        FieldOf<S>{
-            {.name = polynomial_names[i], .suffix = "^", .per_channel = true, .columns = 4 + i, .of_piece = true},
-            write_cubics<S, polynomial_form<S>, 4 + i>}),
-   ...);
-  return all;
-}
-
-template <class S>
-inline constexpr std::array field_table = with_polynomials<S>(std::make_index_sequence<polynomial_names.size()>());
 
 /// The functions of all fields, so that the names of the fields are in the program once, not for each scalar.
 template <class S>

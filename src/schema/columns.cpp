@@ -1,8 +1,8 @@
 // Columns: the meaning of the cells of all records of an input.
 //
-// find_columns() gives roles in this order, and none takes a column from one before: those that are requested; the
-// columns of records that are segments; a time in two columns; roles in one channel, by names such as x_v; all others
-// by name, and the rest as positions. Then it numbers the texts and names what is ignored.
+// find_columns() gives roles in this order, and none takes a column from one before: those that are requested; a
+// time in two columns; roles in one channel, by names such as x_v; all others by name, and the rest as positions. Then
+// it numbers the texts and names what is ignored.
 #include "schema/columns.hpp"
 
 #include <fmt/format.h>
@@ -245,43 +245,6 @@ void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found
   if (!found.empty()) require_whole_velocities(columns);
 }
 
-/// Sets the columns of a header with "start", "duration", and "x_p0", "x_v0", "x_p1" and "x_v1" for each channel, as
-/// exact segments are written; false for any other.
-bool assign_segments(Columns& columns, std::span<const std::string> header) {
-  constexpr std::array endings{std::pair{"_p0", Role::position}, std::pair{"_v0", Role::velocity_out},
-                               std::pair{"_p1", Role::end_position}, std::pair{"_v1", Role::end_velocity}};
-  const auto start = std::ranges::find(header, "start"), duration = std::ranges::find(header, "duration");
-  const bool are_named = start != header.end() && duration != header.end();
-  if (!are_named || columns.has(Role::time) || columns.has(Role::position)) return false;
-  const NameIndex names(header);
-  std::vector<std::string> channels, incomplete;
-  std::unordered_set<std::string> seen;
-  for (std::size_t cell = 0; cell < header.size(); ++cell) {
-    if (!header[cell].ends_with(endings[0].first) || columns.cells[cell].role == Role::unused) continue;
-    const std::string channel = header[cell].substr(0, header[cell].size() - 3);
-    const auto lacks = std::ranges::find_if(endings, [&](const auto& one) { return !names.find(channel + one.first); });
-    if (!seen.insert(channel).second) throw same_column_names(header[cell]);
-    (lacks == endings.end() ? channels : incomplete).push_back(channel);
-    if (lacks != endings.end()) incomplete.push_back(channel + lacks->first);
-  }
-  if (channels.empty()) return false;
-  if (!incomplete.empty()) {
-    const std::string column = incomplete[0] + endings[0].first;
-    throw data_error(
-        "the rows are segments and have a column {}, but no {}; expected both; add the missing column, or give "
-        "--columns {}",
-        in_quotes(column), in_quotes(incomplete[1]), in_shell(fmt::format("ignore={}", column)));
-  }
-  for (const std::string& channel : channels) {
-    for (const auto& ending : endings) {
-      columns.cells[*names.find(channel + ending.first)] = {ending.second, columns.channels.size()};
-    }
-    columns.channels.push_back(channel);
-  }
-  columns.cells[static_cast<std::size_t>(start - header.begin())].role = Role::time;
-  columns.cells[static_cast<std::size_t>(duration - header.begin())].role = Role::duration;
-  columns.time = "time";
-  return columns.are_segments = true;
 }
 
 /// The cells of a time in two columns.
@@ -427,7 +390,6 @@ std::vector<std::string> Columns::shape_roles() const {
   for (const Role role : {Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out}) {
     if (has(role)) roles.emplace_back(role_name(role));
   }
-  if (are_segments) roles.emplace_back("duration");
   for (const Column& column : cells) {
     if (is_of_channel(column.role)) roles.push_back(name_of(column));
   }
@@ -440,9 +402,7 @@ std::string Columns::name_of(const Column& column) const {
     case Role::position: return channels[column.channel];
     case Role::group: return groups[column.channel];
     case Role::carry: return labels[column.channel - groups.size()];
-    case Role::duration: return "duration";
     default:
-      if (are_segments && column.role == Role::velocity_out) return channels[column.channel] + "_v0";
       if (is_of_channel(column.role)) return role_name(ChannelRole{column.role, channels[column.channel]});
       return std::string(role_name(column.role));
   }
@@ -482,17 +442,15 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   Columns columns = requested_columns(header, numeric, requests, of_channels);
   std::vector<bool> is_unused;  // on request
   for (const Columns::Column& column : columns.cells) is_unused.push_back(column.role == Role::unused);
-  if (!assign_segments(columns, header)) {
-    assign_split_time(columns, header, numeric, timeless);
-    const auto usual = timeless ? std::vector<bool>(header.size()) : usual_times(columns, header, numeric);
-    const bool chosen = std::ranges::any_of(
-        requests, [](const RoleRequest& request) { return request.role == Role::position && !request.option.empty(); });
-    for (ColumnOfChannel& column : columns_of_channels(columns, header, numeric, usual, chosen)) {
-      columns.cells[column.cell].role = column.role.role;
-      of_channels.push_back(std::move(column));
-    }
-    assign_the_rest(columns, header, numeric, usual, timeless);
+  assign_split_time(columns, header, numeric, timeless);
+  const auto usual = timeless ? std::vector<bool>(header.size()) : usual_times(columns, header, numeric);
+  const bool chosen = std::ranges::any_of(
+      requests, [](const RoleRequest& request) { return request.role == Role::position && !request.option.empty(); });
+  for (ColumnOfChannel& column : columns_of_channels(columns, header, numeric, usual, chosen)) {
+    columns.cells[column.cell].role = column.role.role;
+    of_channels.push_back(std::move(column));
   }
+  assign_the_rest(columns, header, numeric, usual, timeless);
   number_texts(columns);
   for (Columns::Column& column : columns.cells) {
     if (column.role == Role::unused) column.role = Role::ignored;

@@ -79,7 +79,6 @@ struct Columns {
   std::string likely_time = {};          ///< the first channel as it can be requested, if it may be the time
   std::vector<std::string> doubts = {};  ///< notes: what the columns may mean besides
   std::optional<double> time_gap = {};   ///< the mean of the first gaps between times that are whole
-  bool are_segments = false;  ///< each record is a segment: start, duration, positions and velocities of its ends
 
   bool has(Role role) const;
   /// The cells that make the time of a record, in this order.

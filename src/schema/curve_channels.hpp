@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -26,14 +25,8 @@ struct AngleColumn : spline::AngleChannel {
 
 /// Angles that channels of a curve are, with keys of their own, so that their curve is one of angles, not of rotations.
 struct EulerTrack {
-  struct Turn {
-    std::size_t channel = 0;  ///< of its angle
-    std::uint8_t axis = 0;    ///< 0 to 2
-  };
-  std::array<Turn, 3> turns = {};               ///< the first is around an axis of the parent
-  bool degrees = false;                         ///< angles are in degrees, else in radians
-  std::array<double, 4> before = {0, 0, 0, 1};  ///< a fixed rotation x, y, z, w around the turns
-  std::array<double, 4> after = {0, 0, 0, 1};   ///< one within them
+  std::array<std::size_t, 3> channels = {};  ///< in the order of the turns
+  spline::RotationNotation notation = {};
 };
 
 /// The channels of a curve as rows show them, and its times.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <unordered_set>
 
 #include "numbers/dates.hpp"
 #include "numbers/time_notation.hpp"
@@ -184,16 +185,113 @@ Found near_miss_of_role(const FoundColumns& found) {
   return std::nullopt;
 }
 
-/// Columns such as x^0 and x^1 beside a duration, as --emit poly and the format crazyswarm write pieces.
-Found coefficients_of_pieces(const FoundColumns& found) {
-  const auto is_of_power = [&](std::string_view power) {
-    return std::ranges::any_of(found.names, [&](const std::string& name) { return name.ends_with(power); });
+// Rows that are pieces of a curve, as --emit writes them.
+
+/// Whether a channel has all four columns of a form of --emit. Names such as x_b0 may also be others, but with
+/// `duration`, a column of that name or one whose numbers are durations.
+bool are_named_as_pieces(std::span<const std::string> names, bool duration) {
+  constexpr std::array<std::array<std::string_view, 4>, 3> forms{
+      {{"^0", "^1", "^2", "^3"}, {"_p0", "_v0", "_p1", "_v1"}, {"_b0", "_b1", "_b2", "_b3"}}};
+  const std::unordered_set<std::string_view> all(names.begin(), names.end());
+  return std::ranges::any_of(std::span(forms).first(duration ? forms.size() : 1), [&](const auto& endings) {
+    return std::ranges::any_of(names, [&](std::string_view name) {
+      if (!name.ends_with(endings[0])) return false;
+      const std::string channel(name.substr(0, name.size() - endings[0].size()));
+      return std::ranges::all_of(endings, [&](auto ending) { return all.contains(channel + std::string(ending)); });
+    });
+  });
+}
+
+/// The numbers of columns in the first rows; none where one has another cell.
+std::vector<std::vector<double>> numbers_in(const FoundColumns& found, std::span<const std::size_t> cells,
+                                            std::size_t most_rows) {
+  std::vector<std::vector<double>> rows;
+  for (const auto& row : found.rows.first(std::min(found.rows.size(), most_rows))) {
+    std::vector<double>& numbers = rows.emplace_back();
+    for (const std::size_t cell : cells) numbers.push_back(number_in(found, row, cell));
+    if (std::ranges::any_of(numbers, [](double number) { return std::isnan(number); })) return {};
+  }
+  return rows;
+}
+
+/// How many rows begin where the one before them ends, by a column of starts and one of durations; 0 if any does not,
+/// unless it begins again with an earlier start.
+std::size_t following_rows(const std::vector<std::vector<double>>& rows, std::size_t start, std::size_t duration) {
+  std::size_t following = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!(rows[i][duration] > 0)) return 0;
+    if (i == 0 || rows[i][start] < rows[i - 1][start]) continue;
+    const double end = rows[i - 1][start] + rows[i - 1][duration];
+    const double most_off = 1e-3 * rows[i - 1][duration] + 1e-15 * std::abs(end);
+    if (!(std::abs(rows[i][start] - end) <= most_off)) return 0;
+    ++following;
+  }
+  return following;
+}
+
+/// Whether four columns are a cubic in one form, which ends where that of the next row begins, at several values.
+bool are_joined(const std::vector<std::vector<double>>& rows, std::size_t start, std::size_t duration,
+                std::size_t first) {
+  const auto ends_of = [&](const std::vector<double>& row) {
+    const double h = row[duration], *const x = &row[first];
+    return std::array{x[2], x[3], x[0] + h * (x[1] + h * (x[2] + h * x[3]))};  // hermite, bezier, poly
   };
-  if (std::ranges::count(found.names, "duration") == 0 || !is_of_power("^0") || !is_of_power("^1")) return std::nullopt;
-  if (is_requested(found, Role::position)) return std::nullopt;
+  std::array<bool, 3> joins{true, true, true};
+  bool changes = false;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (rows[i][start] < rows[i - 1][start]) continue;
+    const double begin = rows[i][first], before = rows[i - 1][first];
+    const std::array ends = ends_of(rows[i - 1]);
+    for (std::size_t form = 0; form < ends.size(); ++form) {
+      const double most_off = 1e-9 * std::max(std::abs(begin), std::abs(before));
+      joins[form] = joins[form] && std::abs(ends[form] - begin) <= most_off;
+    }
+    changes = changes || begin != before;
+  }
+  return changes && std::ranges::count(joins, true) > 0;
+}
+
+struct NumbersOfPieces {
+  bool duration = false;  ///< a column holds the durations of the rows
+  bool cubics = false;    ///< and others hold cubics that join
+};
+
+/// What the numbers of the first columns are, whatever their names are. Few rows tell little.
+NumbersOfPieces numbers_of_pieces(const FoundColumns& found) {
+  constexpr std::size_t most = 16, enough = 2;
+  if (std::ranges::any_of(tcb_roles, [&](Role role) { return found.columns.has(role); })) return {};  // of keys
+  std::vector<std::size_t> cells;
+  for (std::size_t cell = 0; cell < found.numeric.size() && cells.size() < most; ++cell) {
+    if (found.numeric[cell]) cells.push_back(cell);
+  }
+  const auto first_rows = numbers_in(found, cells, enough + 1);
+  NumbersOfPieces result;
+  for (std::size_t start = 0; start < cells.size(); ++start) {
+    for (std::size_t duration = 0; duration < cells.size(); ++duration) {
+      if (start == duration || following_rows(first_rows, start, duration) == 0) continue;
+      const auto rows = numbers_in(found, cells, found.rows.size());
+      if (following_rows(rows, start, duration) < enough) continue;
+      result.duration = true;
+      for (std::size_t first = 0; first + 4 <= cells.size(); ++first) {
+        const auto is_other = [&](std::size_t column) { return column < first || column >= first + 4; };
+        const bool may_be_cubic = is_other(start) && is_other(duration);
+        result.cubics = result.cubics || (may_be_cubic && are_joined(rows, start, duration, first));
+      }
+    }
+  }
+  return result;
+}
+
+Found pieces_of_curve(const FoundColumns& found) {
+  if (found.requested.samples || is_requested(found, Role::position)) return std::nullopt;
+  const NumbersOfPieces numbers = numbers_of_pieces(found);
+  const bool duration = numbers.duration || std::ranges::any_of(found.names, [](const std::string& name) {
+                          return same_in_any_case(name, "duration");
+                        });
+  if (!numbers.cubics && !are_named_as_pieces(found.names, duration)) return std::nullopt;
   return error(
-      "the columns are coefficients of pieces, which --emit poly writes; expected keys; give the keys that the pieces "
-      "were made of, pieces that --emit hermite writes, or --columns for keys with these channels");
+      "the rows are pieces of a curve, as --emit writes them; expected keys; give the keys that the pieces were made "
+      "of, or --columns position=NAME:NAME for keys with these channels");
 }
 
 Found letters_that_are_data(const FoundColumns& found) {
@@ -295,7 +393,7 @@ std::vector<std::size_t> parameters_of(const FoundColumns& found) {
 }
 
 Found parameters_that_are_data(const FoundColumns& found) {
-  if (found.has_tcb_scale || found.columns.are_segments) return std::nullopt;
+  if (found.has_tcb_scale) return std::nullopt;
   const std::vector<std::size_t> cells = parameters_of(found);
   if (cells.empty() || (cells.size() != 1 && cells.size() != 3)) return std::nullopt;
   const bool are_letters = std::ranges::any_of(sets_of_parameters(found), [&](const ParameterSet& set) {
@@ -708,7 +806,7 @@ Found minutes_and_seconds(const FoundColumns& found) {
 }
 
 /// The list. The first error is the one that is shown.
-constexpr std::array about_columns{coefficients_of_pieces,
+constexpr std::array about_columns{pieces_of_curve,
                                    labels_of_curves,
                                    time_in_array,
                                    parameters_in_short,

@@ -24,7 +24,6 @@ struct Format {
   bool has_provenance = false;     ///< an output may hold its provenance
   bool is_binary = false;          ///< doubles, not their texts
   bool has_nodes = false;          ///< an animation of nodes
-  bool has_pieces = false;         ///< lines of polynomials, one for each piece of a path of x, y, z and yaw
   bool has_reports = false;        ///< a report may be in it
   bool is_picture = false;         ///< curves and samples, without rows
 

@@ -15,7 +15,6 @@ namespace tcb {
 struct KeyTraits {
   bool own_curves = false;        ///< blocks have the beginnings of curves, and their information
   bool has_whole_curves = false;  ///< the keys of a curve follow each other, and its first block has its information
-  bool are_segments = false;      ///< the keys are the two ends of each segment, not yet joined
   bool may_break = false;         ///< a curve may end before the input does
   bool may_miss = false;          ///< positions may be missing
   bool has_tcb_scale = false;     ///< the scale of tension, continuity and bias is given

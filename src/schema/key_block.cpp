@@ -101,11 +101,4 @@ std::string KeyBlock::list_position(std::size_t key) const {
   return numbers.empty() ? "" : fmt::format("{}[{}]", text_positions.path, numbers[key]);
 }
 
-Error segment_without_duration(double duration) {
-  return data_error(
-      "the duration of the segment is {}; expected a positive number, and an end within the range of doubles; correct "
-      "it",
-      duration);
-}
-
 }  // namespace tcb

@@ -25,26 +25,13 @@ using Keys = spline::Keys<double>;
 /// then all numbers of the next kind, where a column has them. An empty text means the shortest decimal of the double,
 /// or a whole number.
 struct NumberOfKey {
-  enum : std::size_t { time, tension, continuity, bias, ease_in, ease_out, duration, position };
+  enum : std::size_t { time, tension, continuity, bias, ease_in, ease_out, position };
   /// The kinds of numbers of a channel.
-  enum Kind : std::size_t {
-    position_of,
-    tension_of,
-    continuity_of,
-    bias_of,
-    velocity_in_of,
-    velocity_out_of,
-    end_position_of,
-    end_velocity_of,
-    kinds
-  };
+  enum Kind : std::size_t { position_of, tension_of, continuity_of, bias_of, velocity_in_of, velocity_out_of, kinds };
   static std::size_t of_channel(Kind kind, std::size_t channel, std::size_t channels) {
     return position + kind * channels + channel;
   }
 };
-
-/// The duration of a record that is a segment is not above 0, or its end is beyond the doubles.
-Error segment_without_duration(double duration);
 
 /// The largest number of faults of an input that are reported.
 inline constexpr std::size_t most_faults = 1000;

@@ -19,15 +19,9 @@ struct Affix {
 };
 
 constexpr std::array affixes{
-    Affix{"tension_", Role::channel_tension, true},
-    Affix{"continuity_", Role::channel_continuity, true},
-    Affix{"bias_", Role::channel_bias, true},
-    Affix{"_v", Role::velocity, false},
-    Affix{"_vin", Role::velocity_in, false},
-    Affix{"_vout", Role::velocity_out, false},
-    // Of segments only:
-    Affix{"_p1", Role::end_position, false},
-    Affix{"_v1", Role::end_velocity, false},
+    Affix{"tension_", Role::channel_tension, true}, Affix{"continuity_", Role::channel_continuity, true},
+    Affix{"bias_", Role::channel_bias, true},       Affix{"_v", Role::velocity, false},
+    Affix{"_vin", Role::velocity_in, false},        Affix{"_vout", Role::velocity_out, false},
 };
 
 }  // namespace
@@ -58,7 +52,7 @@ std::string role_name(const ChannelRole& role) {
 
 std::optional<ChannelRole> channel_role_of(std::string_view name) {
   for (const auto& [text, role, is_prefix] : affixes) {
-    if (name.size() <= text.size() || role > Role::velocity_out) continue;
+    if (name.size() <= text.size()) continue;
     const std::size_t rest = name.size() - text.size();
     if (!same_in_any_case(is_prefix ? name.substr(0, text.size()) : name.substr(rest), text)) continue;
     return ChannelRole{role, std::string(is_prefix ? name.substr(text.size()) : name.substr(0, rest))};

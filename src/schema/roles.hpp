@@ -31,17 +31,13 @@ enum class Role {
   velocity,
   velocity_in,
   velocity_out,
-  end_position,  ///< of a record that is a segment; its position is at its start
-  end_velocity,
-  // Of a record that is a segment:
-  duration,
 };
 
-inline constexpr std::size_t role_count = 22;
+inline constexpr std::size_t role_count = 19;
 inline constexpr auto first_channel_role = Role::channel_tension;
 
 /// The role is one in a channel.
-constexpr bool is_of_channel(Role role) { return role >= first_channel_role && role < Role::duration; }
+constexpr bool is_of_channel(Role role) { return role >= first_channel_role; }
 
 /// The role is a velocity of a key.
 constexpr bool is_velocity(Role role) { return role >= Role::velocity && role <= Role::velocity_out; }

@@ -152,10 +152,8 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
     }
     factors[NumberOfKey::position + static_cast<std::size_t>(channel - columns.channels.begin())] = scale.factor;
   }
-  factors[NumberOfKey::duration] = factors[NumberOfKey::time];
   for (std::size_t i = 0; i < channels; ++i) {
-    factors[NumberOfKey::of_channel(NumberOfKey::end_position_of, i, channels)] = factors[NumberOfKey::position + i];
-    for (const auto kind : {NumberOfKey::velocity_in_of, NumberOfKey::velocity_out_of, NumberOfKey::end_velocity_of}) {
+    for (const auto kind : {NumberOfKey::velocity_in_of, NumberOfKey::velocity_out_of}) {
       factors[NumberOfKey::of_channel(kind, i, channels)] =
           factors[NumberOfKey::position + i] / factors[NumberOfKey::time];
     }

@@ -12,7 +12,7 @@ namespace tcb {
 /// An option that is gone, or one of its values. To add one: its row in the table.
 struct RemovedName {
   std::string_view option;   ///< its long name
-  std::string_view value;    ///< the value that is gone, where * is any text and ? any character; empty: the option
+  std::string_view value;    ///< the value that is gone, where * at its end is a number; empty: the option
   std::string_view instead;  ///< what to do; @N@ is the number that the option has, and @N+1@ the next one
 };
 

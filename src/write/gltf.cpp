@@ -3,8 +3,7 @@
 // Rows of samples are LINEAR keyframes, rows of pieces exact CUBICSPLINE keyframes with tangents on both sides. A curve
 // is a node, with these targets:
 //   translation  three channels, the first that are nothing else; of a track, those of "position" and "target"
-//   rotation     a rotation, as a quaternion; of a track, also angles with keys of their own, of which rows of pieces
-//                become as many keyframes as keep the rotation within 0.01 degrees
+//   rotation     a rotation, as a quaternion; of a track, also samples of angles with keys of their own
 //   scale        channels sx, sy, sz or scale_x, scale_y, scale_z; of a track, those of "scale"
 // Numbers of all other channels are in the "extras" of the animation. Arrays have single precision, as the format
 // requires; of two times that it does not distinguish, as at a step, the second is the next number.
@@ -47,116 +46,10 @@
 namespace tcb {
 namespace {
 
-// Rotations by angles that have keys of their own, as keyframes whose cubics are near enough to them.
-
-inline constexpr std::size_t numbers_of_piece = 4;  ///< of a channel: position and velocity at both ends
-
+using Json = nlohmann::ordered_json;
 using Rotation = spline::Quaternion<double>;
 
-/// Of the unit of the angles.
-double radians_of(const EulerTrack& euler) { return euler.degrees ? 3.14159265358979323846 / 180 : 1; }
-
-struct TurningRotation {
-  Rotation q, velocity;
-};
-
-/// The rotation by turns around axes, at angles and their velocities in the order of the turns.
-TurningRotation turned(const EulerTrack& euler, const std::array<double, 3>& angles,
-                       const std::array<double, 3>& velocities) {
-  const auto& [bx, by, bz, bw] = euler.before;
-  const auto& [ax, ay, az, aw] = euler.after;
-  TurningRotation value{{bx, by, bz, bw}, {}};
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    constexpr double largest = 1e6;  // of angles that sines are computed of
-    if (!(std::abs(angles[i]) <= largest)) {
-      throw data_error("an angle of a rotation is {}; expected at most 1e6 in size; take full turns off the angles",
-                       angles[i]);
-    }
-    const auto [sine, cosine] = spline::sine_cosine_of_half(angles[i], euler.degrees);
-    const double half_speed = velocities[i] * radians_of(euler) / 2;
-    std::array<double, 3> turn{}, change{};
-    turn[euler.turns[i].axis] = sine;
-    change[euler.turns[i].axis] = cosine * half_speed;
-    const Rotation q{turn[0], turn[1], turn[2], cosine}, dq{change[0], change[1], change[2], -sine * half_speed};
-    value = {value.q * q, value.velocity * q + value.q * dq};
-  }
-  const Rotation after{ax, ay, az, aw};
-  return {value.q * after, value.velocity * after};
-}
-
-/// A part of a piece of angles that are cubics in time.
-class TurningPiece {
- public:
-  /// `row`: a start, a duration, and positions and velocities of channels.
-  TurningPiece(const EulerTrack& euler, std::span<const double> row) : euler_(&euler), row_(row) {}
-
-  double start() const { return row_[0] + first_ * row_[1]; }
-  double end() const { return row_[0] + last_ * row_[1]; }
-
-  /// At a place from 0 to 1, with the velocity per part.
-  TurningRotation at(double place) const {
-    std::array<double, 3> angles{}, velocities{};
-    const double u = first_ + place * (last_ - first_), v = 1 - u;
-    for (std::size_t i = 0; i < angles.size(); ++i) {
-      const auto [p, d, q, e] = numbers(i);
-      angles[i] = v * v * ((1 + 2 * u) * p + u * d) + u * u * ((1 + 2 * v) * q - v * e);
-      velocities[i] = (last_ - first_) * (6 * u * v * (q - p) + v * (v - 2 * u) * d + u * (u - 2 * v) * e);
-    }
-    return turned(*euler_, angles, velocities);
-  }
-
-  /// Appends parts on which the cubic between both ends, made a rotation, is near enough.
-  void divide(std::vector<TurningPiece>& parts) const {
-    constexpr double shortest = 0x1p-24;  // of the piece
-    const auto is_in_one_float = static_cast<float>(start()) == static_cast<float>(end());
-    if (is_near() || is_in_one_float) return parts.push_back(*this);
-    if (last_ - first_ < shortest) {
-      throw data_error(
-          "the rotation turns too often within the segment at {} for an animation; expected slower angles; give "
-          "samples, as by --fps",
-          row_[0]);
-    }
-    TurningPiece part = *this;
-    part.last_ = (first_ + last_) / 2;
-    part.divide(parts);
-    part.first_ = part.last_;
-    part.last_ = last_;
-    part.divide(parts);
-  }
-
- private:
-  /// The positions and velocities of an angle at both ends of the piece.
-  std::array<double, 4> numbers(std::size_t turn) const {
-    const std::size_t at = 2 + numbers_of_piece * euler_->turns[turn].channel;
-    return {row_[at], row_[at + 1] * row_[1], row_[at + 2], row_[at + 3] * row_[1]};
-  }
-
-  bool is_near() const {
-    // Turns are slow, so that the derivatives vary little, and the error is largest near the middle.
-    double turns = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [p, d, q, e] = numbers(i);  // the control points of the velocity are d, 3 (q - p) - d - e, e
-      turns += std::max({std::abs(d), std::abs(3 * (q - p) - d - e), std::abs(e)}) * (last_ - first_);
-    }
-    constexpr double eighth = 0.79, limit = 0.01 / 180 * 3.14159265358979323846 / 4;  // half of half the angle
-    if (!(turns * radians_of(*euler_) <= eighth)) return false;
-    const auto [q0, v0] = at(0);
-    const auto [q1, v1] = at(1);
-    return std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&, &q0 = q0, &v0 = v0, &q1 = q1, &v1 = v1](double u) {
-      const double v = 1 - u;
-      const Rotation cubic =
-          q0 * (v * v * (1 + 2 * u)) + v0 * (v * v * u) + q1 * (u * u * (1 + 2 * v)) + v1 * (-u * u * v);
-      const Rotation off = spline::normalized(cubic) + -at(u).q;
-      return dot(off, off) <= limit * limit;
-    });
-  }
-
-  const EulerTrack* euler_;
-  std::span<const double> row_;
-  double first_ = 0, last_ = 1;  ///< of the piece
-};
-
-using Json = nlohmann::ordered_json;
+constexpr std::size_t numbers_of_piece = 4;  // of a channel: position and velocity at both ends
 
 constexpr std::string_view track_column = "track";
 constexpr std::string_view target_track = "target";  // what a camera looks at: a node of its own
@@ -172,6 +65,13 @@ Error animation_without_rows() {
   return data_error("a curve has no row in the range; expected one at least; give a longer range");
 }
 
+Error angles_have_no_cubics(const std::string& name) {
+  return data_error(
+      "the rotation of {} is by angles with keys of their own, whose pieces are no cubics of a rotation; expected "
+      "samples; give --fps 30 or another rate",
+      in_quotes(name));
+}
+
 /// The place of a channel among those of a scale; 3: it is none.
 std::size_t axis_of_scale(std::string_view name) {
   constexpr std::array<std::string_view, 3> names{"sx", "sy", "sz"}, long_names{"scale_x", "scale_y", "scale_z"};
@@ -179,9 +79,23 @@ std::size_t axis_of_scale(std::string_view name) {
   return static_cast<std::size_t>(std::min(place(names), place(long_names)));
 }
 
-/// The rotation that ends before a place of an array.
-Rotation before(const std::vector<float>& values, std::size_t end) {
-  const auto number = [&](std::size_t i) { return static_cast<double>(values[end - 4 + i]); };
+/// The rotation by the angles in the cells of a row.
+Rotation rotation_of(const EulerTrack& euler, const std::vector<double>& row) {
+  std::array<double, 3> angles{};
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    angles[i] = row[1 + euler.channels[i]];
+    constexpr double largest = 1e6;  // of angles that sines are computed of
+    if (!(std::abs(angles[i]) <= largest)) {
+      throw data_error("an angle of a rotation is {}; expected at most 1e6 in size; take full turns off the angles",
+                       angles[i]);
+    }
+  }
+  return spline::quaternion_from(angles, euler.notation);
+}
+
+/// The last rotation of an array.
+Rotation last_of(const std::vector<float>& values) {
+  const auto number = [&](std::size_t i) { return static_cast<double>(values[values.size() - 4 + i]); };
   return {number(0), number(1), number(2), number(3)};
 }
 
@@ -263,7 +177,8 @@ class GltfScene : public RowKeeper {
     std::ranges::sort(others_);
   }
 
-  /// Throws: Error (data) for a second curve of the same group, and for a track that is no target.
+  /// Throws: Error (data) for a second curve of the same group, for a track that is no target, and for pieces of angles
+  /// with keys of their own.
   void begin_curve(const std::vector<std::string>& group, const std::optional<EulerTrack>& euler) override {
     std::vector<std::string> texts = contents(group);
     const bool is_track = !schema_.groups.empty() && schema_.groups.back() == track_column;
@@ -278,6 +193,7 @@ class GltfScene : public RowKeeper {
           "there is more than one curve of {}; expected one for each node of an animation; give another format, such "
           "as csv, to --output-format",
           in_quotes(name));
+    if (is_track && euler && are_pieces_) throw angles_have_no_cubics(name);
     nodes_.push_back({std::move(name),
                       {},
                       std::move(targets),
@@ -311,7 +227,6 @@ class GltfScene : public RowKeeper {
     const std::vector<double> rows = std::exchange(pieces_, {});
     if (rows.empty()) return;
     Node& node = nodes_.back();
-    if (node.euler) return end_curve_of_angles(rows);
     const std::size_t size = 2 + numbers_of_piece * schema_.channels.size(), pieces = rows.size() / size;
     const auto number = [&](std::size_t piece, std::size_t channel, std::size_t i) {
       return rows[piece * size + 2 + numbers_of_piece * channel + i];
@@ -419,40 +334,15 @@ class GltfScene : public RowKeeper {
     add_time(row[0]);
     if (node.euler) {
       Target& target = node.targets.front();
-      const std::array angles{row[1 + node.euler->turns[0].channel], row[1 + node.euler->turns[1].channel],
-                              row[1 + node.euler->turns[2].channel]};
-      Rotation q = turned(*node.euler, angles, {}).q;
-      const std::size_t size = target.values.size();
-      if (size > 0 && dot(q, before(target.values, size)) < 0) q = -q;
-      return add_rotation(target, q);
+      Rotation q = rotation_of(*node.euler, row);
+      if (!target.values.empty() && dot(q, last_of(target.values)) < 0) q = -q;
+      for (const double number : {q.x, q.y, q.z, q.w}) add_number(target, number);
+      return;
     }
     for (Target& target : node.targets) {
       for (const std::size_t channel : target.channels) add_number(target, row[1 + channel]);
     }
     for (std::size_t i = 0; i < others_.size(); ++i) node.others[i].push_back(row[1 + others_[i]]);
-  }
-
-  void end_curve_of_angles(const std::vector<double>& rows) {
-    Node& node = nodes_.back();
-    Target& target = node.targets.front();
-    const std::size_t size = 2 + numbers_of_piece * schema_.channels.size();
-    std::vector<TurningPiece> parts;
-    for (std::size_t at = 0; at < rows.size(); at += size) {
-      TurningPiece piece(*node.euler, {rows.begin() + static_cast<std::ptrdiff_t>(at), size});
-      piece.divide(parts);
-    }
-    for (const TurningPiece& part : parts) add_time(part.start());
-    add_time(parts.back().end());
-    const auto tangent = [&](std::size_t i, double place) {
-      const double duration = static_cast<double>(node.times[i + 1]) - static_cast<double>(node.times[i]);
-      return parts[i].at(place).velocity * (1 / duration);
-    };
-    for (std::size_t key = 0; key <= parts.size(); ++key) {
-      const bool is_last = key == parts.size();
-      add_rotation(target, key == 0 ? Rotation{} : tangent(key - 1, 1));
-      add_rotation(target, is_last ? parts.back().at(1).q : parts[key].at(0).q);
-      add_rotation(target, is_last ? Rotation{} : tangent(key, 0));
-    }
   }
 
   /// Adds a time. One that single precision does not distinguish from the time before, as at a step, gets the next
@@ -489,10 +379,6 @@ class GltfScene : public RowKeeper {
           "{} is beyond the range of single precision; expected less than 3.4e38 in size; scale the keys down", number);
     }
     target.values.push_back(static_cast<float>(number));
-  }
-
-  static void add_rotation(Target& target, const Rotation& q) {
-    for (const double number : {q.x, q.y, q.z, q.w}) add_number(target, number);
   }
 
   bool are_pieces_;

@@ -11,7 +11,6 @@
 #include "error.hpp"
 #include "numbers/print_number.hpp"
 #include "schema/key_block.hpp"
-#include "schema/units.hpp"
 #include "write/output_format.hpp"
 
 namespace tcb {
@@ -101,42 +100,6 @@ std::vector<std::string> members(const std::vector<OutputColumn>& columns) {
     before.push_back((before.empty() ? "{" : ",") + json_text(column.name) + ":");
   }
   return before;
-}
-
-/// Throws: Error (data) unless the channels are x, y, z, and maybe yaw, and the times are seconds.
-void require_path_with_yaw(const Schema& schema) {
-  const bool has_yaw = schema.channels.size() == 4 && schema.channels.back() == "yaw";
-  if ((schema.channels.size() != 3 && !has_yaw) || !schema.rotations.empty()) {
-    throw data_error(
-        "the channels are {}; expected three of a position, and yaw if there is a fourth; choose them with --columns, "
-        "as in position=x:y:z:yaw",
-        listed(schema.channels));
-  }
-  const TimeUnit unit = schema.time.unit.value_or(TimeUnit::s);
-  if (unit != TimeUnit::s) {
-    throw data_error(
-        "the times are in {}, but the durations of polynomials are in seconds; expected times in seconds; convert "
-        "them, or give --input-fps where they are frames",
-        row_of(unit).name);
-  }
-}
-
-/// Lines of a duration and eight coefficients for each of x, y, z and yaw, which is 0 where there is no such channel.
-/// Source: the class Trajectory of Crazyswarm, which reads such files.
-Layout piece_layout(const std::vector<OutputColumn>& columns, const TextMarks& marks, bool) {
-  constexpr std::size_t coefficients = 8, with_yaw = 1 + 4 * coefficients;
-  Layout layout = delimited_layout(columns, marks, true);
-  if (columns.size() == with_yaw) return layout;
-  layout.head.pop_back();
-  layout.row_end.clear();
-  for (std::size_t i = 0; i < coefficients; ++i) {
-    layout.head += fmt::format(",yaw^{}", i);
-    layout.row_end += ",0";
-  }
-  layout.head += '\n';
-  layout.row_end += '\n';
-  layout.divider.clear();
-  return layout;
 }
 
 /// An array of objects, one per line.
@@ -242,11 +205,6 @@ Layout delimited_layout(const std::vector<OutputColumn>& columns, const TextMark
 extern const OutputFormat delimited_output{.layout = delimited_layout, .text = delimited_cell};
 extern const OutputFormat json_output{.layout = json_layout, .text = json_cell};
 extern const OutputFormat jsonl_output{.layout = jsonl_layout, .text = json_cell};
-extern const OutputFormat piece_output{.layout = piece_layout,
-                                       .text = delimited_cell,
-                                       .require = require_path_with_yaw,
-                                       .has_groups = false,
-                                       .has_labels = false};
 extern const OutputFormat npy_output{
     .layout = npy_layout, .counted_head = npy_head, .has_groups = false, .has_labels = false};
 

@@ -58,8 +58,6 @@ struct OutputFormat {
   std::string (*text)(std::string_view text, char delimiter) = nullptr;
   /// The head with the number of rows, written in place of the layout's head of the same size; null: not needed.
   std::string (*counted_head)(std::size_t columns, std::uint64_t rows) = nullptr;
-  /// Throws: Error (data) for curves that the format does not hold; null: it holds any.
-  void (*require)(const Schema& schema) = nullptr;
   /// Makes what keeps the rows of an output with these fields; null: rows are only printed.
   std::unique_ptr<RowKeeper> (*keeper)(const Schema& schema, std::span<const std::size_t> fields) = nullptr;
   bool has_groups = true, has_labels = true;  ///< rows may have these texts

@@ -73,7 +73,6 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
   if (output.keeper != nullptr && keeper_ == nullptr) keeper_ = output.keeper(schema, options_.fields);
   if (keeper_ != nullptr) keeper_->begin(schema);
   if (output.gathers_rows) columns.groups.clear();
-  if (output.require != nullptr) output.require(schema);
   const bool is_pose = format.poses != nullptr;
   cells_ = columns.numbers.size();
   if (is_pose) {

@@ -59,8 +59,8 @@ TEST(Plan, rows_of_pieces_have_start_duration_the_form_and_further_fields) {
     return found;
   };
   EXPECT_THAT(names({"--emit", "bezier"}), ElementsAre("start", "duration", "bezier"));
-  EXPECT_THAT(names({"--emit", "poly8", "--fields", "length,s"}),
-              ElementsAre("start", "duration", "poly8", "length", "s"));
+  EXPECT_THAT(names({"--emit", "poly", "--fields", "length,s"}),
+              ElementsAre("start", "duration", "poly", "length", "s"));
 }
 
 TEST(Plan, the_range_is_exact_and_goes_forward) {

@@ -249,58 +249,6 @@ std::string to_3ds(const Table& table, Fault fault) {
   return chunk(0x4D4D, chunk(2, word(3, 4)) + chunk(0xB000, chunk(0xB002, node)));
 }
 
-/// The table as a scene of FBX: the position of a model, of three channels with TCB keys, by connections in version 7
-/// and within the model in version 6.
-std::string to_fbx(Choices& choices, const Table& table, Fault fault) {
-  constexpr std::uint64_t ticks_per_second = 46'186'158'000;
-  const int version = choices.one({6100, 7100, 7400});
-  const std::size_t rows = table.rows.size(), bad = choices.number(2);
-  const auto time = [&](std::size_t row) { return std::stoull(table.rows[row][0]) * ticks_per_second; };
-  std::string objects = "Model: 1, \"Model::a\", \"\" {\n}\nAnimationCurveNode: 2, \"AnimCurveNode::T\", \"\" {\n}\n";
-  std::string links = "C: \"OP\",2,1, \"Lcl Translation\"\n", channels;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const Fault here = c == bad ? fault : Fault::none;
-    const char axis = static_cast<char>('X' + c);
-    const std::size_t count = rows + (here == Fault::count ? 1 : 0);
-    std::vector<std::string> keys, times, values;
-    for (std::size_t row = 0; row < rows; ++row) {
-      times.push_back(fmt::format("{}", time(row)));
-      values.push_back(here == Fault::text && row == 1 ? "o.5" : table.rows[row][c + 1]);
-      keys.push_back(fmt::format("{},{},U,t,0,0,0", times.back(), values.back()));
-    }
-    if (here == Fault::cell_missing) {
-      values.pop_back();
-      keys.back().resize(keys.back().size() - 2);
-    }
-    if (here == Fault::cell_surplus) {
-      values.emplace_back("1");
-      keys.back() += ",1";
-    }
-    channels +=
-        fmt::format("Channel: \"{}\" {{\nKeyVer: 4005\nKeyCount: {}\nKey: {}\n}}\n", axis, count, fmt::join(keys, ","));
-    const auto list = [](std::string_view name, std::size_t size, const auto& numbers) {
-      return fmt::format("{}: *{} {{\na: {}\n}}\n", name, size, fmt::join(numbers, ","));
-    };
-    const std::size_t sets = choices.yes() ? 1 : rows;  // of flags and tangents
-    objects += fmt::format("AnimationCurve: {}, \"AnimCurve::\", \"\" {{\n", 10 + c) + list("KeyTime", count, times) +
-               list("KeyValueFloat", values.size(), values) +
-               list("KeyAttrFlags", sets, std::vector<int>(sets, 0x208)) +
-               list("KeyAttrDataFloat", 4 * sets, std::vector<int>(4 * sets, 0)) +
-               list("KeyAttrRefCount", sets, std::vector<std::size_t>(sets, rows / sets)) + "}\n";
-    links += fmt::format("C: \"OP\",{},2, \"d|{}\"\n", 10 + c, axis);
-  }
-  std::string text = fmt::format("; FBX project file\nFBXHeaderExtension: {{\nFBXVersion: {}\n}}\n", version);
-  if (fault == Fault::nested) {
-    for (int level = 0; level < 100; ++level) text += "n: {\n";
-    text += std::string(100, '}') + "\n";
-  }
-  if (version >= 7000) return text + fmt::format("Objects: {{\n{}}}\nConnections: {{\n{}}}\n", objects, links);
-  return text + fmt::format(
-                    "Takes: {{\nTake: \"b\" {{\nModel: \"Model::a\" {{\nChannel: \"Transform\" {{\nChannel: \"T\" "
-                    "{{\n{}}}\n}}\n}}\n}}\n}}\n",
-                    channels);
-}
-
 /// The table as a motion of LightWave, whose first three channels are the position.
 std::string to_lightwave(const Table& table, Fault fault) {
   std::string text = "LWMO\n3\n\nNumChannels 3\n";
@@ -396,16 +344,14 @@ void try_form(Choices& choices) {
         table.rows[i].resize(4, "0");
         table.rows[i][3] = fmt::format("{}", i);  // a track that never changes would be left out
       }
-      const std::string_view format = choices.one({"3ds", "fbx", "lws"});
+      const std::string_view format = choices.one({"3ds", "lws"});
       options.format = find_format(format);
-      const Fault others = format == "3ds" ? Fault::cut : format == "fbx" ? Fault::nested : Fault::none;
-      const bool has_form = fault == others || fault == Fault::cell_missing || fault == Fault::count ||
+      const Fault other = format == "3ds" ? Fault::cut : Fault::none;
+      const bool has_form = fault == other || fault == Fault::cell_missing || fault == Fault::count ||
                             (fault == Fault::cell_surplus && format != "lws") ||
                             (fault == Fault::text && format != "3ds");
       if (!has_form) fault = Fault::none;
-      text = format == "3ds"   ? to_3ds(table, fault)
-             : format == "fbx" ? to_fbx(choices, table, fault)
-                               : to_lightwave(table, fault);
+      text = format == "3ds" ? to_3ds(table, fault) : to_lightwave(table, fault);
       break;
     }
     default: {
@@ -416,8 +362,8 @@ void try_form(Choices& choices) {
       options.format = find_format(delimiter == ',' ? "csv" : "tsv");
     }
   }
-  const bool is_table = options.format != find_format("npy") && options.format->name != "3ds" &&
-                        options.format->name != "fbx" && options.format->name != "lws";
+  const bool is_table =
+      options.format != find_format("npy") && options.format->name != "3ds" && options.format->name != "lws";
   if (is_table && fault != Fault::cut && choices.number(3) == 0) {
     text = encoded(text, choices.one({2, 4}), choices.yes());
   }

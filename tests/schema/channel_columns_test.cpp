@@ -1,4 +1,4 @@
-// Channel columns: names such as "tension_x", requests of them, segments, and errors.
+// Channel columns: names such as "tension_x", requests of them, and errors.
 #include "schema/columns.hpp"
 
 #include <gmock/gmock.h>
@@ -104,25 +104,6 @@ TEST(ChannelColumns, an_unknown_channel_is_an_error) {
   EXPECT_THAT(error_in({"t", "x", "a", "b"}, "tension_x=a:b"),
               HasSubstr("a second column, \"b\", has the role tension_x"));
   EXPECT_THAT(error_in({"t", "x", "tension_x", "Tension_X"}), HasSubstr("has the role tension_x"));
-}
-
-TEST(ChannelColumns, rows_may_be_segments) {
-  const Columns columns = find({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "s"});
-  EXPECT_TRUE(columns.are_segments);
-  EXPECT_THAT(columns.channels, ElementsAre("x"));
-  EXPECT_THAT(columns.ignored, ElementsAre("s"));
-  EXPECT_EQ(columns.cells[0].role, Role::time);
-  EXPECT_EQ(columns.cells[1].role, Role::duration);
-  EXPECT_EQ(columns.cells[3].role, Role::velocity_out);
-  EXPECT_EQ(columns.name_of(columns.cells[3]), "x_v0");
-  EXPECT_EQ(columns.name_of(columns.cells[1]), "duration");
-  EXPECT_FALSE(find({"start", "duration", "x_p0", "x_p1"}).are_segments);
-  EXPECT_FALSE(find({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1"}, "time=start").are_segments);
-  const Names incomplete{"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "y_p0"};
-  EXPECT_THAT(error_in(incomplete), HasSubstr("segments and have a column \"y_p0\", but no \"y_v0\"; expected both"));
-  EXPECT_THAT(find(incomplete, "ignore=y_p0").channels, ElementsAre("x"));
-  EXPECT_THAT(error_in({"start", "duration", "x_p0", "x_v0", "x_p1", "x_v1", "x_p0"}),
-              HasSubstr("two columns are called \"x_p0\""));
 }
 
 }  // namespace

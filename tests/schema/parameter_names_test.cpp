@@ -47,9 +47,11 @@ TEST(ParameterNames, three_columns_with_the_same_rest_are_parameters) {
 }
 
 TEST(ParameterNames, others_are_not) {
-  for (const std::vector<std::string>& names :
-       {std::vector<std::string>{"time", "a", "b", "c"}, {"t", "c", "b", "x"}, {"time", "content", "contact", "tenant"},
-        {"time", "cable_tension", "gyro_bias"}, {"time", "tension [N]", "bias (V)", "continuity [ohm]"}}) {
+  for (const std::vector<std::string>& names : {std::vector<std::string>{"time", "a", "b", "c"},
+                                                {"t", "c", "b", "x"},
+                                                {"time", "content", "contact", "tenant"},
+                                                {"time", "cable_tension", "gyro_bias"},
+                                                {"time", "tension [N]", "bias (V)", "continuity [ohm]"}}) {
     EXPECT_EQ(roles(names), "") << names[1];
     EXPECT_FALSE(has_doubt(names)) << names[1];
   }

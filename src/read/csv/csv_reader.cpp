@@ -178,11 +178,7 @@ class RecordReader {
       const bool is_of_time = is_time || column.role == Role::nanoseconds;
       add_fault(
           cell,
-          head_.columns.are_segments
-              ? data_error(
-                    "{}: found {}; expected a number, as each row is a whole segment; fill it in, or remove the row",
-                    name, missing_cell(text))
-          : column.role == Role::position && head_.columns.channels.size() > 1
+          column.role == Role::position && head_.columns.channels.size() > 1
               ? data_error("{}: found {}; expected a number; fill it in, or give --missing skip-cell, skip-row or "
                            "break, or --columns {} to leave the column out",
                            name, missing_cell(text),

@@ -135,7 +135,7 @@ void add_optional_members(JsonColumns& columns) {
       return cell.channel == channel && (cell.role == Role::velocity || cell.role == Role::velocity_in);
     });
   };
-  std::size_t channel = columns.columns.are_segments ? columns.columns.channels.size() : 0;
+  std::size_t channel = 0;
   while (channel < columns.columns.channels.size() && is_given(channel)) ++channel;
   if (channel == columns.columns.channels.size()) return;  // no tangent depends on them
   const bool tcb = is_there("tcb");
@@ -171,8 +171,7 @@ void add_member(Member& key, const FoundMember& found) {
 void complete(JsonColumns& columns, Member& outer) {
   const auto is_required = [&](const Columns::Column& column) {
     const Role role = column.role;
-    return (columns.columns.are_segments && role != Role::ignored) || role == Role::time || role == Role::position ||
-           role == Role::group;
+    return role == Role::time || role == Role::position || role == Role::group;
   };
   for (Member& member : outer.inner) {
     member.number = columns.all_members++;

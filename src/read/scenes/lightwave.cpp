@@ -14,12 +14,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <map>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "read/scenes/text_lines.hpp"
+#include "error.hpp"
+#include "numbers/parse_number.hpp"
 #include "read/scenes/tracks.hpp"
 #include "tcb/spline/rules.hpp"
 #include "text/suggest.hpp"
@@ -45,11 +51,85 @@ Error scene_word_expected(std::string_view word, std::string_view found) {
                     in_quotes(word));
 }
 
+Error number_of_file_expected(std::string_view found) {
+  return data_error("{} is not a number of a key or a rate; expected a number; correct the file", in_quotes(found));
+}
+
+Error count_of_file_expected(std::string_view found) {
+  return data_error("{} is not a count; expected a whole number; correct the file", in_quotes(found));
+}
+
+/// The lines of a file as words, one after the other.
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text) : text_(text) {}
+
+  /// Reads the next line that is not blank; false at the end.
+  bool next() {
+    words_.clear();
+    while (!text_.empty()) {
+      const std::size_t end = std::min(text_.find('\n'), text_.size());
+      line_ = text_.substr(0, end);
+      text_.remove_prefix(std::min(end + 1, text_.size()));
+      ++number_;
+      const std::size_t first = line_.find_first_not_of(" \t\r");
+      if (first == std::string_view::npos) continue;
+      line_ = line_.substr(first, line_.find_last_not_of(" \t\r") + 1 - first);
+      for (std::size_t at = 0; at < line_.size();) {
+        const std::size_t stop = std::min(line_.find_first_of(" \t", at), line_.size());
+        words_.push_back(line_.substr(at, stop - at));
+        at = std::min(line_.find_first_not_of(" \t", stop), line_.size());
+      }
+      return true;
+    }
+    return false;
+  }
+  /// Throws: Error (data) at the end.
+  void require_next() {
+    if (!next()) {
+      throw at(data_error("the file ends within an object; expected the rest; copy the file again"));
+    }
+  }
+
+  const std::vector<std::string_view>& words() const { return words_; }
+  std::string_view word(std::size_t i) const { return i < words_.size() ? words_[i] : ""; }
+  /// The line from a word on.
+  std::string_view from_word(std::size_t i) const {
+    return i < words_.size() ? line_.substr(static_cast<std::size_t>(words_[i].data() - line_.data())) : "";
+  }
+  std::uint64_t number() const { return number_; }
+  Error at(const Error& error) const { return error.at({"", number_, 0}); }
+
+  /// A word as a number or a count. Throws: Error (data) for another one.
+  WrittenNumber number_in(std::size_t i) const {
+    const auto value = parse_number(word(i));
+    if (!value) throw at(number_of_file_expected(word(i)));
+    return {*value, std::string(word(i))};
+  }
+  std::size_t count_in(std::size_t i) const {
+    const auto count = in_digits<std::size_t>(word(i));
+    if (!count) throw at(count_of_file_expected(word(i)));
+    return *count;
+  }
+  /// Throws: Error (data) where a word is beyond those of a key.
+  void require_end(std::size_t i) const {
+    if (i < words_.size()) {
+      throw at(data_error("{} follows the numbers of the key; expected the end of the line; correct the file",
+                          in_quotes(from_word(i))));
+    }
+  }
+
+ private:
+  std::string_view text_, line_;
+  std::vector<std::string_view> words_;
+  std::uint64_t number_ = 0;
+};
+
 /// The extrapolation of a behavior by its number, or nothing; reset (0) goes to the value 0.
 constexpr std::array<std::string_view, 6> behaviors{"", "hold", "repeat", "oscillate", "offset", "linear"};
 
-/// Around y, then the x that was turned, then the z.
-constexpr std::array<EulerTrack::Turn, 3> heading_pitch_bank{{{0, 1}, {1, 0}, {2, 2}}};
+/// Heading, pitch, bank: around y, then the x that was turned, then the z.
+constexpr std::array<std::uint8_t, 3> axes_of_angles{1, 0, 2};
 
 enum class Span { tcb, hermite, bezier, linear, stepped, bezier2 };
 
@@ -57,42 +137,31 @@ struct EnvelopeKey : TrackKey {
   Span span = Span::tcb;
   WrittenNumber incoming, outgoing;  ///< tangents of Hermite and Bezier spans, each per its own segment
 
-  bool is_tcb() const { return span == Span::tcb; }
   bool has_tangents() const { return span == Span::hermite || span == Span::bezier; }
 };
 
 /// The memory that a key takes at most, as one of an envelope and then of a channel.
 constexpr std::uint64_t memory_of_envelope_key = 2 * sizeof(EnvelopeKey) + memory_of_key;
 
-using Envelope = TrackCurve<EnvelopeKey>;
+/// The keys of a channel, and its extrapolations as in TrackChannel.
+struct Envelope {
+  std::vector<EnvelopeKey> keys = {};
+  std::string_view before = {}, after = {};
+};
 
 /// The velocities of the keys of a channel whose spans are not all TCB.
 class Velocities {
  public:
   explicit Velocities(const std::vector<EnvelopeKey>& keys) : keys_(keys) {}
 
-  /// The span after key i. Throws: Error (data) for one that is no cubic in time.
-  TrackSpan span(std::size_t i) const {
-    for (const EnvelopeKey* const key : {&keys_[i], &keys_[i + 1]}) {
-      if (key->span != Span::bezier2) continue;
-      throw data_error(
-          "the span of the key is a Bezier 2D curve, which is not a cubic in time; expected TCB, Hermite, Bezier 1D, "
-          "linear or stepped; change the key's curve in LightWave")
-          .at({"", key->line, 0});
-    }
-    if (keys_[i + 1].span == Span::stepped) return {TrackSpan::Kind::holds_first};
-    return {TrackSpan::Kind::cubic, outgoing(i), incoming(i + 1)};
-  }
-
- private:
-  /// Of the segment before key i, at its end.
+  /// The velocity of the segment before key i, at its end.
   Rational incoming(std::size_t i) const {
     const EnvelopeKey& key = keys_[i];
     if (key.span == Span::linear) return chord(i - 1) / duration(i - 1);
     if (key.has_tangents()) return exact_number(key.incoming) / duration(i - 1);
     return by_preset(i, -exact_number(key.continuity));
   }
-  /// Of the segment after key i, at its start.
+  /// That of the segment after key i, at its start.
   Rational outgoing(std::size_t i) const {
     const EnvelopeKey& key = keys_[i];
     if (keys_[i + 1].span == Span::linear) return chord(i) / duration(i);
@@ -100,6 +169,7 @@ class Velocities {
     return key.span == Span::stepped ? Rational(0) : by_preset(i, exact_number(key.continuity));
   }
 
+ private:
   Rational duration(std::size_t i) const { return exact_number(keys_[i + 1].time) - exact_number(keys_[i].time); }
   Rational chord(std::size_t i) const { return exact_number(keys_[i + 1].value) - exact_number(keys_[i].value); }
 
@@ -121,6 +191,56 @@ class Velocities {
 
   const std::vector<EnvelopeKey>& keys_;
 };
+
+/// Adds a key for a step at the last double before a key, which gets the velocity of the step.
+void add_step(TrackChannel& channel, TrackKey& second) {
+  TrackKey& first = channel.keys.back();
+  const Rational from = exact_number(first.time), to = exact_number(second.time);
+  const Rational between(std::nextafter(nearest_double(to), -std::numeric_limits<double>::infinity()));
+  if (between <= from || between >= to)
+    throw data_error(
+        "the step to the key is shorter than doubles can distinguish; expected keys that are farther apart; remove one "
+        "of them")
+        .at({"", second.line, 0});
+  const Rational jump = exact_number(second.value) - exact_number(first.value);
+  TrackKey middle = first;
+  middle.time = {nearest_double(between), ratio_text(between)};
+  first.velocity_out = middle.velocity_in = WrittenNumber();
+  middle.velocity_out = second.velocity_in = written_number(jump / (to - between));
+  channel.keys.push_back(std::move(middle));
+}
+
+/// Throws: Error (data) for times that do not increase, for a span that is no cubic in time, and as add_step().
+TrackChannel channel_of(std::string_view name, const Envelope& envelope) {
+  const std::vector<EnvelopeKey>& keys = envelope.keys;
+  TrackChannel channel{std::string(name), {keys.begin(), keys.end()}, false, envelope.before, envelope.after};
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    if (exact_number(keys[i].time) <= exact_number(keys[i - 1].time)) throw times_of_track_repeat(keys[i]);
+  }
+  const auto is_tcb = [](const EnvelopeKey& key) { return key.span == Span::tcb; };
+  if (keys.size() < 2 || std::ranges::all_of(keys, is_tcb)) return channel;
+  for (const EnvelopeKey& key : keys) {
+    if (key.span == Span::bezier2)
+      throw data_error(
+          "the span of the key is a Bezier 2D curve, which is not a cubic in time; expected TCB, Hermite, Bezier 1D, "
+          "linear or stepped; change the key's curve in LightWave")
+          .at({"", key.line, 0});
+  }
+  const Velocities velocities(keys);
+  channel.has_velocities = true;
+  channel.keys = {keys[0]};
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    TrackKey next = keys[i];
+    if (keys[i].span == Span::stepped) {
+      add_step(channel, next);
+    } else {
+      channel.keys.back().velocity_out = written_number(velocities.outgoing(i - 1));
+      next.velocity_in = written_number(velocities.incoming(i));
+    }
+    channel.keys.push_back(std::move(next));
+  }
+  return channel;
+}
 
 /// Reads the motions of a scene.
 class Motions {
@@ -192,15 +312,14 @@ class Motions {
       for (std::size_t i = 0; i < 3; ++i) {
         const Envelope& envelope = envelopes[first + i];
         try {
-          const auto span_of = [velocities = Velocities(envelope.keys)](std::size_t key) {
-            return velocities.span(key);
-          };
-          track.channels.push_back(channel_of(channels[i], envelope, span_of));
+          track.channels.push_back(channel_of(channels[i], envelope));
         } catch (const Error& error) {
           track.failure = error.about(fmt::format("{}/{}", object_, names[first / 3]));
         }
       }
-      if (track.name == "rotation" && !track.failure) track.euler = EulerTrack{heading_pitch_bank, version_ < 3};
+      if (track.name == "rotation" && !track.failure) {
+        track.euler = spline::RotationNotation{spline::RotationForm::euler, axes_of_angles, true, version_ < 3};
+      }
       track.settings.preset = spline::Preset::lightwave;
       tracks_.push_back(std::move(track));
     }

@@ -79,7 +79,9 @@ class Bytes {
   }
   float single() {
     const auto value = std::bit_cast<float>(word(4));
-    if (!std::isfinite(value)) throw number_of_track_not_finite();
+    if (!std::isfinite(value)) {
+      throw data_error("a number of a key is infinite or no number; expected finite numbers; export the file again");
+    }
     return value;
   }
   /// A text that ends with a zero.
@@ -108,6 +110,14 @@ void each_chunk(std::string_view chunks, F f) {
 }
 
 WrittenNumber number_of(float value) { return written_number(Rational(static_cast<double>(value))); }
+
+/// An axis in the frame of the parent, and the angle from the key before.
+GivenRotation turns_around_axes() {
+  return {.notation = {.form = spline::RotationForm::axis_angle},
+          .relative = true,
+          .columns = {"axis_x", "axis_y", "axis_z", "angle"},
+          .in_parent = true};
+}
 
 /// Reads the nodes of a file.
 class Nodes {
@@ -162,7 +172,7 @@ class Nodes {
     Track track{object, std::string(name)};
     for (const std::string_view channel : kind.channels) track.channels.push_back({std::string(channel)});
     const bool is_rotation = kind.name == "rotation";
-    if (is_rotation) track.rotation = turns_around_axes({"axis_x", "axis_y", "axis_z", "angle"});
+    if (is_rotation) track.rotation = turns_around_axes();
     for (std::uint32_t i = 0; i < count; ++i) {
       memory_.add(memory_of_key * track.channels.size());
       add_key(track, bytes, is_rotation);

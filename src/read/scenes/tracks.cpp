@@ -4,15 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <deque>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include "io/encoding.hpp"
@@ -31,11 +27,6 @@ namespace {
 Error track_number_too_large(std::string_view number) {
   return data_error("{} is beyond the range of doubles; expected less than 1.8e308 in size; correct the file",
                     in_quotes(number));
-}
-
-Error times_of_track_repeat(std::string_view time) {
-  return data_error("the key at {} seconds is not after the one before it; expected increasing times; correct the file",
-                    time);
 }
 
 constexpr std::string_view object_name = "object", track_name = "track";
@@ -89,16 +80,8 @@ void make_utf8(std::vector<Track>& tracks, InputFacts& facts) {
   }
 }
 
-bool is_placement(const Track& track) {
-  return std::ranges::any_of(std::array{"position", "rotation", "scale"}, [&](std::string_view name) {
-    const std::string_view found = track.name;
-    return found == name || (found.starts_with(name) && found.substr(name.size()).starts_with(" ("));  // of a layer
-  });
-}
-
 /// Removes the tracks that are not read; those that are left out are named in `facts`.
-void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns, bool first_object,
-            InputFacts& facts) {
+void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns, InputFacts& facts) {
   for (const std::string& pattern : patterns) {
     if (std::ranges::any_of(tracks, [&](const Track& track) { return is_chosen(track, pattern); })) continue;
     throw usage_error(
@@ -106,24 +89,20 @@ void choose(std::vector<Track>& tracks, const std::vector<std::string>& patterns
         in_quotes(pattern), listed(paths_of(tracks)))
         .about("--only");
   }
-  const auto moves = [](const Track& track) { return is_placement(track) && (track.failure || track.changes()); };
-  const auto first = first_object ? std::ranges::find_if(tracks, moves) : tracks.end();
-  const std::optional<std::string> object = first == tracks.end() ? std::nullopt : std::optional(first->object);
   const auto is_wanted = [&](const Track& track) {
-    if (patterns.empty()) return !object || (track.object == *object && is_placement(track));
-    return std::ranges::any_of(patterns, [&](const std::string& pattern) { return is_chosen(track, pattern); });
+    return patterns.empty() ||
+           std::ranges::any_of(patterns, [&](const std::string& pattern) { return is_chosen(track, pattern); });
   };
   const bool takes_constant = !patterns.empty() && std::ranges::none_of(tracks, [&](const Track& track) {
     return is_wanted(track) && !track.is_constant();
   });
   std::vector<Track*> wanted;
   for (Track& track : tracks) {
-    if (track.is_constant() && !takes_constant && (patterns.empty() || is_wanted(track))) {
+    if (!is_wanted(track)) continue;
+    if (track.is_constant() && !takes_constant) {
       facts.constant_tracks.push_back(path_of(track));
-    } else if (is_wanted(track)) {
+    } else {
       wanted.push_back(&track);
-    } else if (patterns.empty()) {
-      facts.other_objects.push_back(path_of(track));
     }
   }
   for (const Track* const track : wanted) {
@@ -200,38 +179,26 @@ Extrapolation extrapolation_of(const Track& track, std::string_view TrackChannel
   return std::ranges::find(extrapolations, rule, &Named<Extrapolation>::name)->value;
 }
 
-/// The angles of a track by the channels of its columns; nothing where one is not read.
-std::optional<EulerTrack> euler_in_columns(const Track& track, const Columns& columns) {
-  std::optional<EulerTrack> euler = track.euler;
-  if (!euler) return euler;
-  for (EulerTrack::Turn& turn : euler->turns) {
-    const auto found = std::ranges::find(columns.channels, track.channels[turn.channel].name);
-    if (found == columns.channels.end()) return std::nullopt;
-    turn.channel = static_cast<std::size_t>(found - columns.channels.begin());
-  }
-  return euler;
+/// The place of a channel among those of a track. Throws: Error (data) for another column.
+std::size_t place_of(const Track& track, const std::string& channel) {
+  const auto found = std::ranges::find(track.channels, channel, &TrackChannel::name);
+  if (found == track.channels.end())
+    throw data_error("{} is no position of a track; expected one of {}; correct it", in_quotes(channel),
+                     listed(names_of(track)))
+        .about("--columns");
+  return static_cast<std::size_t>(found - track.channels.begin());
 }
 
-/// Adds a key for the step from the last key of a channel to the next one, which get their velocities.
-void add_step(TrackChannel& channel, TrackKey& second, TrackSpan::Kind kind) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  TrackKey& first = channel.keys.back();
-  const bool holds_first = kind == TrackSpan::Kind::holds_first;
-  const Rational from = exact_number(first.time), to = exact_number(second.time);
-  const Rational between(holds_first ? std::nextafter(nearest_double(to), -infinity)
-                                     : std::nextafter(nearest_double(from), infinity));
-  if (between <= from || between >= to)
-    throw data_error(
-        "the step to the key is shorter than doubles can distinguish; expected keys that are farther apart; remove one "
-        "of them")
-        .at({"", second.line, 0});
-  const Rational jump = exact_number(second.value) - exact_number(first.value);
-  const WrittenNumber none, velocity = written_number(jump / (holds_first ? to - between : between - from));
-  TrackKey middle = holds_first ? first : second;
-  middle.time = {nearest_double(between), ratio_text(between)};
-  first.velocity_out = middle.velocity_in = holds_first ? none : velocity;
-  middle.velocity_out = second.velocity_in = holds_first ? velocity : none;
-  channel.keys.push_back(std::move(middle));
+/// The angles of a track by the channels of its columns; nothing where one is not read.
+std::optional<EulerTrack> euler_in_columns(const Track& track, const Columns& columns) {
+  if (!track.euler) return std::nullopt;
+  EulerTrack euler{.notation = *track.euler};
+  for (std::size_t i = 0; i < euler.channels.size(); ++i) {
+    const auto found = std::ranges::find(columns.channels, track.channels[i].name);
+    if (found == columns.channels.end()) return std::nullopt;
+    euler.channels[i] = static_cast<std::size_t>(found - columns.channels.begin());
+  }
+  return euler;
 }
 
 class TrackKeys {
@@ -241,9 +208,7 @@ class TrackKeys {
         columns_(columns_of(track, time, options)),
         keys_(columns_, options.keys, units_of_keys(options.units, columns_, "")),
         next_(track.channels.size()) {
-    std::unordered_map<std::string_view, std::size_t> places;
-    for (std::size_t i = 0; i < track.channels.size(); ++i) places.emplace(track.channels[i].name, i);
-    for (const std::string& channel : columns_.channels) channels_.push_back(places.at(channel));
+    for (const std::string& channel : columns_.channels) channels_.push_back(place_of(track, channel));
   }
 
   const Columns& columns() const { return columns_; }
@@ -294,9 +259,7 @@ class TrackKeys {
       ++next_[i];
       const TrackKey* const after = key_of(i);
       if (after != nullptr && !is_before(first, *after)) {
-        throw times_of_track_repeat(time_text(nearest_time(exact_number(after->time))))
-            .about(path_of(track_))
-            .at({"", after->line, 0});
+        throw times_of_track_repeat(*after).about(path_of(track_));
       }
     }
     if (keys_.end_key()) keys_.set_position(line, 0);
@@ -359,71 +322,20 @@ std::string whole_file(const Source<std::string>& bytes, MemoryUse& memory) {
 
 }  // namespace
 
-Error number_of_track_not_finite() {
-  return data_error("a number of a key is infinite or no number; expected finite numbers; export the file again");
-}
-
-Error file_ends_early() { return data_error("the file ends within an object; expected the rest; copy the file again"); }
-
-Error number_of_file_expected(std::string_view found) {
-  return data_error("{} is not a number of a key or a rate; expected a number; correct the file", in_quotes(found));
-}
-
-Error count_of_file_expected(std::string_view found) {
-  return data_error("{} is not a count; expected a whole number; correct the file", in_quotes(found));
-}
-
 WrittenNumber written_number(const Rational& exact) {
   if (!within_doubles(exact)) throw track_number_too_large(ratio_text(exact));
   return {nearest_double(exact), ratio_text(exact)};
 }
 
-void require_increasing_times(const TrackChannel& channel) {
-  for (std::size_t i = 1; i < channel.keys.size(); ++i) {
-    const TrackKey& key = channel.keys[i];
-    const Rational time = exact_number(key.time);
-    if (exact_number(channel.keys[i - 1].time) < time) continue;
-    throw times_of_track_repeat(time_text(nearest_time(time))).at({"", key.line, 0});
-  }
-}
-
-void set_spans(TrackChannel& channel, const std::vector<TrackSpan>& spans) {
-  std::vector<TrackKey> keys = std::exchange(channel.keys, {});
-  channel.has_velocities = true;
-  channel.keys.push_back(std::move(keys.front()));
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    TrackKey& second = keys[i + 1];
-    TrackKey& first = channel.keys.back();
-    if (spans[i].kind == TrackSpan::Kind::cubic) {
-      first.velocity_out = written_number(spans[i].start);
-      second.velocity_in = written_number(spans[i].end);
-    } else {
-      add_step(channel, second, spans[i].kind);
-    }
-    channel.keys.push_back(std::move(second));
-  }
+Error times_of_track_repeat(const TrackKey& key) {
+  return data_error("the key at {} seconds is not after the one before it; expected increasing times; correct the file",
+                    time_text(nearest_time(exact_number(key.time))))
+      .at({"", key.line, 0});
 }
 
 bool Track::is_constant() const {
   const auto has_one_key = [](const TrackChannel& channel) { return channel.keys.size() < 2; };
   return !failure && std::ranges::all_of(channels, has_one_key);
-}
-
-bool Track::changes() const {
-  return std::ranges::any_of(channels, [](const TrackChannel& channel) {
-    const auto differs = [&](const TrackKey& key) { return key.value.value != channel.keys.front().value.value; };
-    const auto moves = [](const std::optional<WrittenNumber>& velocity) { return velocity && velocity->value != 0; };
-    return std::ranges::any_of(channel.keys, [&](const TrackKey& key) {
-      return differs(key) || moves(key.velocity_in) || moves(key.velocity_out);
-    });
-  });
-}
-
-GivenRotation turns_around_axes(const std::vector<std::string_view>& columns) {
-  return {.notation = {.form = spline::RotationForm::axis_angle},
-          .relative = true,
-          .columns = {columns.begin(), columns.end()},
-          .in_parent = true};
 }
 
 InputOptions options_of_scene(const SceneFormat& format, InputOptions options) {
@@ -438,7 +350,7 @@ Records open_scene(const SceneFormat& format, const Source<std::string>& bytes, 
   std::vector<Track> tracks = format.read(file, memory);
   Records records;
   make_utf8(tracks, records.facts);
-  choose(tracks, options.only, format.first_object, records.facts);
+  choose(tracks, options.only, records.facts);
   std::deque<KeyBlock> blocks;
   for (Track& track : tracks) {
     const Extrapolations rules{extrapolation_of(track, &TrackChannel::before),
@@ -453,7 +365,6 @@ Records open_scene(const SceneFormat& format, const Source<std::string>& bytes, 
     }
     std::vector<TrackChannel>().swap(track.channels);
   }
-  records.facts.is_recording = std::ranges::all_of(tracks, &Track::is_recording);
   records.rotation = tracks.front().rotation;
   records.keys.curve_info.settings = tracks.front().settings;
   records.keys.traits.has_whole_curves = true;

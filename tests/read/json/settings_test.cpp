@@ -20,8 +20,9 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(JsonSettings, settings_channels_and_id_are_read) {
-  const JsonCurveInfo found = read_curve_info(part(
-      R"({"id":"a","keys":[],"preset":"vtk","ends":["zero","half"],"closed":true,"period":7.5,"channels":["x","y"]})"),
+  const JsonCurveInfo found = read_curve_info(
+      part(
+          R"({"id":"a","keys":[],"preset":"vtk","ends":["zero","half"],"closed":true,"period":7.5,"channels":["x","y"]})"),
       {});
   EXPECT_EQ(found.settings.curve_info.id, "\"a");
   EXPECT_EQ(found.settings.curve_info.settings.preset, spline::Preset::vtk);
