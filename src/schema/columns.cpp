@@ -245,8 +245,6 @@ void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found
   if (!found.empty()) require_whole_velocities(columns);
 }
 
-}
-
 /// The cells of a time in two columns.
 struct SplitTime {
   std::size_t seconds, nanoseconds;
