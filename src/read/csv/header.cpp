@@ -209,7 +209,7 @@ std::vector<bool> numeric_columns(const HeadRecords& first, std::size_t data, co
 }
 
 /// Whether the first keys have numbers with a comma that divides no thousands, and none with a point.
-bool has_decimal_commas(const HeadRecords& first, std::size_t data, const DelimitedHead& head) {
+bool has_decimal_commas(const HeadRecords& first, std::size_t data) {
   bool has_commas = false;
   for (std::size_t i = data; i < first.records.size(); ++i) {
     for (const std::string& cell : first.records[i].cells) {
@@ -974,7 +974,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   }
   const auto& row = first.records[data];
   const bool has_commas = !head.is_of_format && !columns.samples && !options.delimited.has_decimal &&
-                          head.marks == NumberMarks() && has_decimal_commas(first, data, head);
+                          head.marks == NumberMarks() && has_decimal_commas(first, data);
   if (has_commas) head.marks.decimal = ',';
   if (head.is_of_format) {
     position = {};
