@@ -70,16 +70,14 @@ struct OtherFile {
   std::string_view word = {};  ///< in the place of WORD in the remedy; of JSON it is the option for the list of keys
 };
 
-constexpr std::string_view export_keys = "export the keys as CSV or JSON",
+constexpr std::string_view export_keys = "export the keys as CSV or JSON", export_csv = "export the keys as CSV",
+                           fbx_scene = "an FBX scene (nearly all are binary, which was never read)",
                            decompress = "decompress it, as in WORD FILE | tcbsample",
                            take_file = "take a file out of it, as in WORD FILE NAME | tcbsample",
                            save_table = "save its table as CSV", export_arrays = "export its arrays as CSV or .npy",
                            export_track = "export its track as CSV, with all digits",
                            export_topic = "export the messages of a topic as CSV or JSON",
-                           write_keys = "write an object of time and position for each key",
-                           fbx_scene = "an FBX scene (nearly all are binary, which was never read)",
-                           by_csv = "export the keys as CSV",
-                           by_max = "export the keys as CSV, or the scene from 3ds Max as .3ds";
+                           write_keys = "write an object of time and position for each key";
 
 constexpr std::string_view zip = "PK\x03\x04", compound = "\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"sv;
 /// The names of the streams of a compound file, which are in UTF-16.
@@ -126,10 +124,10 @@ constexpr OtherFile other_files[] = {
      {"\xD0\xCF\x11\xE0"},
      "a compound file of Microsoft, such as a workbook (.xls) or a 3ds Max scene (.max)",
      "export its table or its keys as CSV"},
-    {{".fbx"}, {"Kaydara FBX"}, fbx_scene, by_csv},
-    {{}, {"; FBX"}, fbx_scene, by_csv},
-    {{}, {"FBXHeaderExtension"}, fbx_scene, by_csv},
-    {{".ase"}, {"*3DSMAX_ASCIIEXPORT"}, "an ASE scene of 3ds Max", by_max},
+    {{".fbx"}, {"Kaydara FBX"}, fbx_scene, export_csv},
+    {{}, {"; FBX"}, fbx_scene, export_csv},
+    {{}, {"FBXHeaderExtension"}, fbx_scene, export_csv},
+    {{".ase"}, {"*3DSMAX_ASCIIEXPORT"}, "an ASE scene of 3ds Max", "export the keys as CSV, or the scene as .3ds"},
     {{".bvh"}, {"HIERARCHY"}, "a BVH motion capture file", export_keys},
     {{}, {"\x02P"}, "a C3D motion capture file", export_keys},
     {{}, {"Gamebryo File Format"}, "a NIF scene (.nif, .kf)", export_keys},
