@@ -311,10 +311,8 @@ class SettingsReader {
 
   /// Numbers of no setting are not used, except those about the rows of an earlier output.
   void read_other(const FileMember& member, std::string_view word) {
-    if (lists_word(rate_names, word) && is_one(member, Kind::number)) {
+    if (lists_word(rate_names, word) && is_one(member, Kind::number) && found.frame_rate.empty()) {
       found.frame_rate = member.values[0].text;
-      found.rate_name = path(member.name);
-      return;
     }
     object_->is_own ? require_no_own_setting(member) : require_no_near_setting(member, word);
     const bool is_read = member.values.empty() && !member.is_array && lists_word(inner_names, word);

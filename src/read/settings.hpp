@@ -47,7 +47,6 @@ struct FileSettings {
   std::optional<spline::Tcb<double>> tcb = {};  ///< of keys that have none
   std::vector<std::string> channels = {};       ///< names of the numbers of "position"
   std::string frame_rate = {};                  ///< as it is written; empty: none
-  std::string rate_name = {};                   ///< the path of its member
   std::vector<std::string> notes = {};
   std::vector<std::string> unused = {};  ///< members with numbers that are no settings
 };

@@ -1114,15 +1114,13 @@ std::optional<double> first_time_gap(const FoundColumns& found) {
   const std::vector<std::size_t> cells = found.columns.time_cells();
   if (cells.size() != 1 || found.rows.size() < 2 || found.columns.has(Role::nanoseconds)) return std::nullopt;
   double first = nan, last = nan;
-  std::size_t gaps = 0;  // without those between equal times
   for (const auto& row : found.rows) {
     const double time = number_in(found, row, cells[0]);
-    if (!(time == std::floor(time)) || time < last) return std::nullopt;
-    if (std::isnan(first)) first = time;
-    if (time > last) ++gaps;
+    if (!(time == std::floor(time)) || time <= last) return std::nullopt;
+    first = std::isnan(first) ? time : first;
     last = time;
   }
-  return gaps == 0 ? std::nullopt : std::optional((last - first) / static_cast<double>(gaps));
+  return (last - first) / static_cast<double>(found.rows.size() - 1);
 }
 
 std::vector<std::string> doubts_of_request(const Schema& schema, const RequestNeeds& needs) {

@@ -476,7 +476,7 @@ void require_keys_in_rows(const std::vector<HeadRecords::Record>& records, const
 
 /// The cells of the first records, without reading further. Requires: `chunks` outlive them.
 HeadRows cells_of(std::span<const Chunk> chunks, const Dialect& dialect) {
-  constexpr std::size_t most = 100;
+  constexpr std::size_t most = 16;
   HeadRows rows;
   try {
     for (const Chunk& chunk : chunks) {

@@ -580,7 +580,7 @@ class FirstKey {
                   std::vector<FoundMember>& members, std::vector<std::string>& rest) {
     const bool is_rotation = is_of_rotation(outer) && !has_rotation(outer.name);
     const bool is_nested = (outer.nested || outer.array) && outer.node != JsonCell::missing;
-    if (!is_nested || (holds_tcb(outer.name) && outer.array) || is_rotation) return false;
+    if (!is_nested || holds_tcb(outer.name) || is_rotation) return false;
     const bool is_position = outer.nested && !outer.array && outer.name == "position" &&
                              !requested_.has(Role::position) && !has_position_array && holds_numbers(outer);
     std::vector<FoundMember> inside;
@@ -717,7 +717,7 @@ class FirstKey {
 
   /// The cells of the first records.
   Rows first_rows(const Member& key, std::size_t columns) const {
-    constexpr std::size_t most = 100;
+    constexpr std::size_t most = 50;
     Rows rows(std::min(records_.size(), most));
     JsonCells cells;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -831,8 +831,9 @@ class FirstKey {
   /// Throws: Error (data) for a member that is an array where a number was expected, or the reverse, unless its role is
   /// requested.
   void require_shape(const FoundMember& member) const {
-    const bool is_array = holds_tcb(member.name);
-    if (!has_role(member.name) || member.is_parameter || (is_array == member.array && !member.text)) return;
+    const bool is_array = is_tcb(member.name);
+    if (!has_role(member.name) || member.name.starts_with("tcb.") || member.is_parameter) return;
+    if (is_array == member.array && !member.text) return;
     const bool is_named = requested_.has(member.name);
     if (is_named || (!is_array && member.numbers == 1 && !member.array)) return;  // it may be null
     throw at(member, is_array ? data_error("this is not an array; expected [T,C,B]; correct it")

@@ -82,11 +82,7 @@ FileSettings settings_around(const JsonTape& tape, const JsonTable& table, const
     }
     value = tape.value_of(*inner);
   }
-  if (table.is_beside_settings()) {
-    std::vector<std::string> columns = table.names();
-    columns.insert(columns.end(), {"columns", "index", "data", "values", "rows", "schema"});
-    add_object(tape, list, path, columns, objects);
-  }
+  if (table.is_beside_settings()) add_object(tape, list, path, table.names(), objects);
   return read_settings(objects, options);
 }
 

@@ -279,28 +279,6 @@ void add_notes(Records& records, const FileSettings& settings) {
   if (settings.tcb) records.facts.tcb = settings.tcb;
 }
 
-/// Notes the frame rate of the file: the times are frames at it, or it is not used.
-void take_rate(const FileSettings& settings, const UnitOptions& units, Records& records) {
-  const std::string& rate = settings.frame_rate;
-  if (rate.empty() || units.time || units.frame_rate) return;
-  Columns& columns = records.columns;
-  const bool counts = unit_of_time(columns.time) == TimeUnit::frames || counts_frames(records.units.notation);
-  if (records.units.frame_rate && records.columns.has(Role::time) && counts) {
-    records.frame_rate = records.units.frame_rate;
-    columns.doubts.push_back(
-        fmt::format("the file sets {} to {}, by which the times in column {} are frames; --time-unit frames undoes it",
-                    settings.rate_name, rate, in_quotes(columns.time)));
-    return;
-  }
-  records.facts.shown_rate = rate;
-  if (!columns.time_gap || unit_of_time(columns.time)) {
-    columns.ignored.push_back(settings.rate_name);
-  } else {
-    columns.doubts.push_back(fmt::format("{} is {}, and is not used; --input-fps {} takes the times as frames at it",
-                                         in_quotes(settings.rate_name), rate, rate));
-  }
-}
-
 /// An object with keys, or with curves. Keys are held until the members around them are known.
 Records open_objects(Source<Task> source, JsonShape shape, const InputOptions& options) {
   const auto parse = [options](const Task& task) { return parse_part(task, options); };
@@ -310,8 +288,8 @@ Records open_objects(Source<Task> source, JsonShape shape, const InputOptions& o
   if (curve->columns.key.inner.empty()) throw no_keys(curve->members);
   Records records = records_of(curve->columns, shape);
   FileSettings& settings = curve->members.settings;
+  records.facts.shown_rate = settings.frame_rate;
   add_notes(records, settings);
-  take_rate(settings, options.units, records);
   if (shape == JsonShape::object) {
     records.keys.curve_info = std::move(settings.curve_info);
     records.keys.blocks = each_of(std::move(curve->blocks));
@@ -378,6 +356,23 @@ class TableKeys {
   LineCounter lines_ = begin();
 };
 
+/// Takes the frame rate beside the keys where their times count frames, with a note; else only notes it.
+void take_rate(const std::string& rate, const UnitOptions& units, Records& records) {
+  if (rate.empty() || units.time || units.frame_rate || !records.columns.has(Role::time)) return;
+  Columns& columns = records.columns;
+  if (unit_of_time(columns.time) == TimeUnit::frames || counts_frames(records.units.notation)) {
+    records.frame_rate = parse_rational(rate);
+    columns.doubts.push_back(fmt::format(
+        "the file sets the frame rate to {}, by which the times in column {} are frames; --time-unit frames "
+        "undoes it",
+        rate, in_quotes(columns.time)));
+  } else if (!unit_of_time(columns.time)) {
+    columns.doubts.push_back(
+        fmt::format("the file has the frame rate {}, which is not used; --input-fps {} takes the times as frames at it",
+                    rate, rate));
+  }
+}
+
 Records open_tables(std::shared_ptr<const WholeJson> text, std::vector<JsonTable> tables, const InputOptions& options,
                     JsonShape shape = JsonShape::any) {
   FileSettings settings = settings_around(text->tape, tables[0], options);
@@ -385,7 +380,7 @@ Records open_tables(std::shared_ptr<const WholeJson> text, std::vector<JsonTable
   Records records = records_of(columns, shape);
   add_notes(records, settings);
   std::ranges::copy(tables[0].others(), std::back_inserter(records.columns.ignored));
-  take_rate(settings, options.units, records);
+  take_rate(settings.frame_rate, options.units, records);
   if (tables[0].joins_arrays()) {
     records.columns.doubts.emplace_back("the keys are the arrays that are as long as the one of times, a column each");
   }
