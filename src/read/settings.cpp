@@ -104,7 +104,7 @@ class SettingsReader {
 
   void find_other_spline(const FileObject& object) {
     for (const FileMember& member : object.members) {
-      if (!is_one(member, Kind::text) || !lists_word(spline_names, compact(member.name))) continue;
+      if (!is_one(member, Kind::text) || !has_word(spline_names, compact(member.name))) continue;
       const std::string value = compact(member.values[0].text);
       const auto is_in_it = [&](std::string_view known) { return value.find(known) != std::string::npos; };
       if (std::ranges::any_of(other_splines, is_in_it))
@@ -127,7 +127,7 @@ class SettingsReader {
 
   static bool is_setting(const FileMember& member) {
     const std::string word = compact(member.name);
-    return lists_word(closing_names, word) || std::ranges::count(own_names, word) > 0;
+    return has_word(closing_names, word) || std::ranges::count(own_names, word) > 0;
   }
 
   // Tension, continuity and bias.
@@ -172,7 +172,7 @@ class SettingsReader {
     }
   }
 
-  static bool is_parameter(std::string_view word) { return lists_word("tension continuity bias tcb tbc", word); }
+  static bool is_parameter(std::string_view word) { return has_word("tension continuity bias tcb tbc", word); }
 
   /// Whether a set that is not clear may be parameters: also where one name alone is nearly that of one.
   static bool may_be_parameters(const ParameterSet& set) {
@@ -223,7 +223,7 @@ class SettingsReader {
   void read_member(const FileMember& member) {
     const std::string word = compact(member.name);
     CurveSettings& settings = found.curve_info.settings;
-    if (lists_word(closing_names, word) && (word != "close" || is_one(member, Kind::boolean))) {
+    if (has_word(closing_names, word) && (word != "close" || is_one(member, Kind::boolean))) {
       read_closing(member);
     } else if (word == "preset") {
       read_setting(member, given_.preset,
@@ -251,7 +251,7 @@ class SettingsReader {
   void read_closing(const FileMember& member) {
     if (given_.closed) return;
     const std::string value = in_lower_case(shown(member));
-    const bool is_true = lists_word("true yes on 1", value), is_false = lists_word("false no off 0", value);
+    const bool is_true = has_word("true yes on 1", value), is_false = has_word("false no off 0", value);
     if (member.values.size() != 1 || member.is_array || is_true == is_false) {
       throw at(member, data_error("found {}; expected true or false; correct it, or give --closed=no",
                                   in_quotes(member.values.empty() ? "an object" : shown(member))));
@@ -311,11 +311,11 @@ class SettingsReader {
 
   /// Numbers of no setting are not used, except those about the rows of an earlier output.
   void read_other(const FileMember& member, std::string_view word) {
-    if (lists_word(rate_names, word) && is_one(member, Kind::number) && found.frame_rate.empty()) {
+    if (has_word(rate_names, word) && is_one(member, Kind::number) && found.frame_rate.empty()) {
       found.frame_rate = member.values[0].text;
     }
     object_->is_own ? require_no_own_setting(member) : require_no_near_setting(member, word);
-    const bool is_read = member.values.empty() && !member.is_array && lists_word(inner_names, word);
+    const bool is_read = member.values.empty() && !member.is_array && has_word(inner_names, word);
     const bool has_number = object_->is_own ? member.holds_numbers : are_all(member, Kind::number);
     if (has_number && !is_read && member.name != "meta") found.unused.push_back(path(member.name));
   }
@@ -384,7 +384,7 @@ class SettingsReader {
 
 }  // namespace
 
-bool may_hold_settings(std::string_view name) { return lists_word(inner_names, compact(name)); }
+bool may_hold_settings(std::string_view name) { return has_word(inner_names, compact(name)); }
 
 FileSettings read_settings(std::span<const FileObject> objects, const InputOptions& options) {
   return std::move(SettingsReader(objects, options).found);

@@ -61,7 +61,7 @@ std::optional<Meaning> meaning_of(std::string_view word) {
     if (word == known) return Meaning{i, Kind::word};
     if (word.size() >= least && known.starts_with(word)) return Meaning{i, Kind::beginning};
     if (word == known.substr(0, 1)) return Meaning{i, Kind::letter};
-    if (lists_word(foreign_words[i], word)) return Meaning{i, Kind::beginning, true};
+    if (has_word(foreign_words[i], word)) return Meaning{i, Kind::beginning, true};
     if (is_near(word, known)) return Meaning{i, Kind::unclear};
     if (is_skeleton(word, known)) return Meaning{i, Kind::unclear, true};
   }
@@ -78,7 +78,7 @@ bool may_be_parameter(std::string_view name) {
     return (lower(c) >= 'a' && lower(c) <= 'z') || static_cast<unsigned char>(c) > 127;
   };
   return std::ranges::none_of(unit, is_letter) ||
-         lists_word("none unitless dimensionless normalized", in_lower_case(unit));
+         has_word("none unitless dimensionless normalized", in_lower_case(unit));
 }
 
 /// The words of a name without the one that is the parameter: those before and those behind it.
@@ -91,9 +91,9 @@ Rest meaning_of_rest(std::string_view rest) {
   const std::size_t middle = rest.find('|');
   const std::string_view before = rest.substr(0, middle);
   for (const std::string_view word : {before.substr(before.rfind(' ') + 1), rest.substr(middle + 1)}) {
-    if (lists_word(words_of_tcb, word)) return Rest::of_tcb;
-    if (lists_word(words_of_parameters, word)) return Rest::of_parameters;
-    if (lists_word(words_of_keys, word)) return Rest::of_keys;
+    if (has_word(words_of_tcb, word)) return Rest::of_tcb;
+    if (has_word(words_of_parameters, word)) return Rest::of_parameters;
+    if (has_word(words_of_keys, word)) return Rest::of_keys;
   }
   return Rest::other;
 }

@@ -99,7 +99,7 @@ bool is_near(std::string_view name, std::string_view known) {
   return (are(1, 1) && known.size() > 4) || (are(2, 2) && here[0] == there[1] && here[1] == there[0]);
 }
 
-bool lists_word(std::string_view words, std::string_view word) {
+bool has_word(std::string_view words, std::string_view word) {
   for (std::size_t at = words.find(word); !word.empty() && at < words.size(); at = words.find(word, at + 1)) {
     const std::size_t end = at + word.size();
     if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;

@@ -36,7 +36,7 @@ std::string did_you_mean(std::string_view name, std::span<const std::string> kno
 bool is_near(std::string_view name, std::string_view known);
 
 /// Whether a list of words between blanks has a word.
-bool lists_word(std::string_view words, std::string_view word);
+bool has_word(std::string_view words, std::string_view word);
 
 /// The words of a name in lower case, such as "tcb" and "t" of "tcb_t", "tcb.T" and "tcbT": between other characters
 /// than letters and digits, and where a capital follows a small letter, or a digit a letter.
