@@ -33,12 +33,12 @@ struct NameOfOutput {
   std::string_view option;
   std::string text;
 
-  std::string file() const { return "x" + text; }  // a suffix may be an ending alone
+  std::string file;  ///< the name of a file with this ending
 };
 
 std::optional<NameOfOutput> name_of_output(const OutputPaths& outputs) {
-  if (outputs.file != "-") return NameOfOutput{"--output", outputs.file};
-  if (!outputs.suffix.empty()) return NameOfOutput{"--suffix", outputs.suffix};
+  if (outputs.file != "-") return NameOfOutput{"--output", outputs.file, outputs.file};
+  if (!outputs.suffix.empty()) return NameOfOutput{"--suffix", outputs.suffix, "x" + outputs.suffix};
   return std::nullopt;
 }
 
@@ -48,8 +48,8 @@ void set_output_format(TypedOptions& typed) {
   const auto name = name_of_output(typed.files.outputs);
   if (!name) return;
   const bool is_report = is_comparison(typed) || prints_limits(typed);
-  const Format* const named = find_output_format(name->file());
-  const std::string other(other_ending(name->file()));
+  const Format* const named = find_output_format(name->file);
+  const std::string other(other_ending(name->file));
   if (named == nullptr && !other.empty()) {
     throw usage_error(
         "{} {}: {} is not an output format; expected one of {}; choose another ending, and convert the file "

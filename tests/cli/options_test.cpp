@@ -36,7 +36,8 @@ TEST(Options, sources_name_options_of_the_table) {
   const std::regex text(R"re('(?:[^'\\]|\\.)'|"(?:[^"\\]|\\.)*")re"), option(R"re((?:^|[^\w-])(--[a-z][a-z-]*))re");
   for (const auto& entry : std::filesystem::recursive_directory_iterator(SOURCE_FOLDER "/src")) {
     const auto ending = entry.path().extension();
-    if (ending != ".cpp" && ending != ".hpp") continue;
+    const bool names_what_is_gone = entry.path().filename() == "removed.cpp";
+    if ((ending != ".cpp" && ending != ".hpp") || names_what_is_gone) continue;
     std::ifstream file(entry.path());
     for (std::string line; std::getline(file, line);) {
       for (std::sregex_iterator at(line.begin(), line.end(), text), end; at != end; ++at) {

@@ -53,7 +53,7 @@ TEST(Fitting, rotations_are_left_out) {
   EXPECT_THAT(keys_of_fit(input, {}, within({{"", 1}})).channels, ElementsAre("x", "tension", "bias"));
   input.schema.channels[0] = "q0";
   input.schema.rotations = {{{{{1, 2, 3, 4}}}}, {{{{0, 0, 0, 0}}}}};
-  EXPECT_TRUE(refusal(input, within({{"", 1}})).starts_with("there are only rotations or angles"));
+  EXPECT_TRUE(refusal(input, within({{"", 1}})).starts_with("there are only rotations, which have no distances"));
 }
 
 TEST(Fitting, inputs_without_samples_are_refused) {

@@ -48,7 +48,7 @@ TEST(Rotations, of_three_angles_get_a_channel_more) {
   block.keys.positions = {0, 0, 90, 7, 0, 0, 0, 8};
   block.text_positions.lines = {2, 3};
   for (const char* const decimal :
-       {"0", "", "", "", "", "", "", "0", "0", "90", "7", "1", "", "", "", "", "", "", "0", "0", "0", "8"}) {
+       {"0", "", "", "", "", "", "0", "0", "90", "7", "1", "", "", "", "", "", "0", "0", "0", "8"}) {
     block.decimals.add(decimal);
   }
   const GivenRotation given{{spline::RotationForm::euler, {2, 1, 0}, true, true}, false, {"a", "b", "c"}, {0, 1, 2}};

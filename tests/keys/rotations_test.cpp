@@ -49,8 +49,8 @@ TEST(Rotations, a_key_without_numbers_has_no_rotation) {
 
 TEST(Rotations, decimals_change_their_signs_too) {
   KeyBlock block = block_of({{0, 0, 0, 1}, {0, 0, 0.6, -0.8}});
-  for (const char* const text : {"0", "", "", "", "", "", "", "7", "0", "0", "0", "1"}) block.decimals.add(text);
-  for (const char* const text : {"1", "", "", "", "", "", "", "7", "0", "+0", "0.6", "-0.8"}) block.decimals.add(text);
+  for (const char* const text : {"0", "", "", "", "", "", "7", "0", "0", "0", "1"}) block.decimals.add(text);
+  for (const char* const text : {"1", "", "", "", "", "", "7", "0", "+0", "0.6", "-0.8"}) block.decimals.add(text);
   ASSERT_EQ(std::size_t{NumberOfKey::position} + 5, block.decimals.size() / 2);
   const KeyBlock result = checked(block);
   const std::size_t first = result.decimals.size() / 2 + NumberOfKey::position;

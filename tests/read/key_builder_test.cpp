@@ -111,7 +111,7 @@ TEST(KeyBuilder, a_time_cannot_be_skipped_alone_and_a_group_only_with_its_row) {
 }
 
 TEST(KeyBuilder, decimals_are_kept_as_written) {
-  KeyBuilder keys(columns, {{}, Missing::error, true});
+  KeyBuilder keys(columns, {.keeps_decimals = true});
   keys.begin_key();
   keys.take_decimal(columns.cells[3], "0.10");
   EXPECT_TRUE(keys.end_key());

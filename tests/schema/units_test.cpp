@@ -64,8 +64,6 @@ TEST(Units, that_contradict_the_name_are_refused) {
   options.units.frame_rate = 24;
   EXPECT_THAT(error_of([&] { opened_with_units("time_ns,x\n0,1\n1,2\n", options); }),
               HasSubstr("in frames by this option, but in ns"));
-  options.columns.timeless = true;
-  EXPECT_THAT(error_of([&] { opened_with_units("x,y\n0,1\n1,2\n", options); }), HasSubstr("no time column"));
 }
 
 TEST(Names, of_columns_are_replaced_at_once) {

@@ -147,7 +147,7 @@ TEST(Csv, the_text_before_a_nul_is_read_first) {
     EXPECT_EQ(read("t,x\n0,1\n1,a\n2,\0"s, {}, piece),
               "f:3:3: error: x: \"a\" is not a number; expected a decimal such as -1.5 or 2e3; correct the cell\n"
               "f:4:3: error: this is a NUL byte; expected text in UTF-8; if it is text, remove such "
-              "bytes, as in tr -d '\\0' < FILE | tcbsample");
+              "bytes, as in tr -d '\\0' <FILE | tcbsample");
   }
 }
 
