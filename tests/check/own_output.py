@@ -139,7 +139,7 @@ class Case:
 
     def sampling(self):
         lengths = pick(["0.5", "1", "3/7", "100", "1e-3", "1e149", "1e-151"])
-        mode = pick(["step", "count", "segments", "per-segment", "at", "arc-step", "arc-count", "arc-at", "tolerance"])
+        mode = pick(["step", "count", "per-segment", "at", "arc-step", "arc-count", "arc-at", "tolerance"])
         if mode == "tolerance" and self.channels == 1 and self.with_ease:  # the bound tightens slowly: seconds
             mode = "count"
         self.by_length = mode.startswith("arc")
@@ -153,9 +153,9 @@ class Case:
         self.samples = [f"--{mode}={value.get(mode, lambda: str(rng.randint(1, 30)))()}", "--max-rows", "400"]
         if mode in ("step", "arc-step") and chance(0.6):
             self.samples += ["--end", pick(["drop", "keep", "fit", "fit-down", "fit-up"])]
-        if mode in ("step", "count", "segments", "arc-step", "arc-count") and chance(0.2):
+        if mode in ("step", "count", "arc-step", "arc-count") and chance(0.2):
             self.samples += ["--keys"]
-        if mode in ("step", "count", "segments") and chance(0.2):
+        if mode in ("step", "count") and chance(0.2):
             low, high = sorted([self.place(), self.place()], key=Fraction)
             self.samples += [f"--from={low}", f"--to={high}"]
         self.output()

@@ -80,9 +80,9 @@ for number in range(curves):
     options += ["--period", period] if closed else ["--ends", "half"]
     first, last = curve.times[0], curve.times[-1]
 
-    mode = rng.choice(["at", "file", "range", "step", "rate", "count", "segments", "per-segment", "pieces"])
+    mode = rng.choice(["at", "file", "range", "step", "rate", "count", "per-segment", "pieces"])
     low, high, bounds = first, last, []
-    if mode in ("step", "rate", "count", "segments", "pieces") and rng.random() < 0.6:
+    if mode in ("step", "rate", "count", "pieces") and rng.random() < 0.6:
         middle = (first + last) / 2
         texts_of_bounds = time_text(first, middle), time_text(middle, last)
         low, high = (Fraction(t) for t in texts_of_bounds)
@@ -117,10 +117,10 @@ for number in range(curves):
         if keep:
             options += ["--end", "keep"]
             want += [high] if want[-1] != high else []
-    elif mode in ("count", "segments"):
+    elif mode in ("count",):
         rows = rng.randint(2, 9)
-        parts = rows if mode == "segments" or (closed and not bounds) else rows - 1
-        want = [low + (high - low) * j / parts for j in range(rows + (1 if mode == "segments" else 0))]
+        parts = rows if closed and not bounds else rows - 1
+        want = [low + (high - low) * j / parts for j in range(rows)]
         options += ["--" + mode, str(rows)]
     elif mode == "pieces":
         want = [max(a, low) for a, b in zip(curve.times, curve.times[1:]) if max(a, low) < min(b, high)]
