@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "error.hpp"
-#include "read/json/tape.hpp"
+#include "read/json/text.hpp"
 
 namespace tcb {
 namespace {
 
-using Kind = JsonNode::Kind;
+using Kind = Json::Kind;
 
 std::optional<std::string> value_of(std::string_view line, std::string_view name) {
   const std::string begin = fmt::format("# {}: ", name);
@@ -42,47 +42,45 @@ void read_lines(EarlierOutput& output, std::string& text) {
   text.erase(0, text.size() - left.size());
 }
 
-std::string text_of(const JsonTape& tape, std::size_t object, std::string_view name) {
-  const auto found = tape.member(object, name);
-  return found && tape.kind(*found) == Kind::string ? std::string(tape.text(*found)) : "";
+std::string text_of(const Json& json, std::size_t object, std::string_view name) {
+  const auto found = json.member(object, name);
+  return found && json.is(*found, Kind::string) ? std::string(json.text(*found)) : "";
 }
 
 /// The elements of a member; none if it is no array.
-std::vector<std::uint32_t> elements_of(const JsonTape& tape, std::size_t object, std::string_view name) {
-  const auto found = tape.member(object, name);
-  return found && tape.kind(*found) == Kind::array ? tape.elements(*found) : std::vector<std::uint32_t>{};
+std::vector<std::uint32_t> elements_of(const Json& json, std::size_t object, std::string_view name) {
+  const auto found = json.member(object, name);
+  return found && json.is(*found, Kind::array) ? json.values(*found) : std::vector<std::uint32_t>{};
 }
 
-std::optional<EarlierOutput> provenance_of(const JsonTape& tape) {
-  if (tape.kind(0) != Kind::object) return std::nullopt;
-  const auto meta = tape.member(0, "meta");
-  if (!meta || tape.kind(*meta) != Kind::object) return std::nullopt;
+std::optional<EarlierOutput> provenance_of(const Json& json, std::size_t object) {
+  const auto meta = json.member(object, "meta");
+  if (!meta || !json.is(*meta, Kind::object)) return std::nullopt;
   EarlierOutput provenance;
-  provenance.program = text_of(tape, *meta, "program");
-  for (const std::size_t option : elements_of(tape, *meta, "options")) {
-    if (tape.kind(option) == Kind::string) provenance.options.emplace_back(tape.text(option));
+  provenance.program = text_of(json, *meta, "program");
+  for (const std::size_t option : elements_of(json, *meta, "options")) {
+    if (json.is(option, Kind::string)) provenance.options.emplace_back(json.text(option));
   }
-  for (const std::size_t input : elements_of(tape, *meta, "inputs")) {
-    if (tape.kind(input) != Kind::object) continue;
-    provenance.inputs.emplace_back(text_of(tape, input, "name"), text_of(tape, input, "sha256"));
+  for (const std::size_t input : elements_of(json, *meta, "inputs")) {
+    if (json.is(input, Kind::object)) {
+      provenance.inputs.emplace_back(text_of(json, input, "name"), text_of(json, input, "sha256"));
+    }
   }
   return provenance;
 }
 
 /// The member "meta" of JSON: of the object around the rows or the curves, or of the last one of lines; empty if there
 /// is none.
-EarlierOutput json_provenance(std::string_view text) {
+EarlierOutput json_provenance(std::string_view text, std::uint64_t max_memory) {
   if (text.find("\"meta\"") == std::string_view::npos) return {};
-  JsonSplitter splitter(each_of(std::deque{std::string(text)}));
+  JsonBlocks blocks(each_of(std::deque{std::string(text)}), max_memory);
   EarlierOutput found;
   try {
-    while (const std::optional<JsonPart> part = splitter.next()) {
-      if (part->kind == JsonPart::Kind::list) continue;
-      JsonTape tape(*part);
-      do {
-        if (tape.size() == 0) continue;
-        if (auto provenance = provenance_of(tape)) found = *std::move(provenance);
-      } while (part->kind == JsonPart::Kind::values && tape.read_next());
+    while (std::optional<JsonBlock> block = blocks.next()) {
+      const Json json(std::move(block->text), block->begin, block->nodes);
+      for (const std::size_t value : json.inside(0)) {
+        if (auto provenance = provenance_of(json, value)) found = *std::move(provenance);
+      }
     }
   } catch (const Error&) {  // a text that is not JSON, or is cut off
   }
@@ -102,7 +100,7 @@ void EarlierOutputReader::add(std::string_view bytes) {
 std::optional<EarlierOutput> EarlierOutputReader::end() {
   text_ += '\n';
   if (json_) {
-    output_ = json_provenance(text_);
+    output_ = json_provenance(text_, max_memory_);
   } else {
     read_lines(output_, text_);
   }
