@@ -159,7 +159,8 @@ class KeyframeReader {
 
   /// Adds a keyframe at a time after that of the one before. Its faults are those of the keys.
   void add(std::size_t number, std::size_t keyframe) {
-    position_ = lines_.to(json_.whole(), json_.offset(keyframe));
+    const TextPosition position = json_.position(keyframe);
+    position_ = {position.line, position.column};
     keys_.begin_key();
     try {
       read(number, keyframe);
@@ -225,7 +226,6 @@ class KeyframeReader {
   const Columns& columns_;
   const WrittenNumber transition_;
   const std::optional<WrittenNumber> fov_;
-  LineCounter lines_;
   LinePosition position_;  ///< of the current keyframe
   Rational seconds_ = Rational(0), first_transition_ = Rational(0);
 };

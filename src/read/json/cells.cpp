@@ -491,6 +491,7 @@ template <class F>
 void JsonRows::read_value(const JsonPaths::Step& step, std::uint32_t value, const F& found) {
   const std::uint32_t id = find(step);
   if (id == 0) return refuse_unknown(row_, step, value);
+  if (grows_ == nullptr && layout_.paths.is_used(id)) require_shape(id, value);
   if (!json_.is_nested(value)) return found(id, value);
   std::uint32_t index = 0;
   const bool is_object = json_.is(value, Kind::object);
@@ -548,7 +549,9 @@ void JsonRows::add_columns(std::size_t row, JsonLayout& layout) {
     if (layout.paths.column(id) != JsonPaths::no_column) return;
     layout.paths.set_column(id, layout.columns.size());
     JsonColumn& column = layout.columns.emplace_back();
-    const std::uint32_t parent = layout.paths.step(id).parent;
+    const JsonPaths::Step step = layout.paths.step(id);
+    const std::uint32_t parent = step.parent;
+    if (step.number != JsonPaths::of_member && row == 0) layout.paths.set_elements(parent, step.number + 1);
     column.path = column.name = layout.paths.path(id);
     if (parent != 0) column.stem = layout.paths.path(parent);
     constexpr std::size_t copies = 8;  // of the names around a cell, which may be long
@@ -568,7 +571,7 @@ bool JsonRows::get(std::size_t row, std::vector<std::uint32_t>& cells) {
   cells.assign(layout_.columns.size(), 0);
   read(row, [&](std::uint32_t id, std::uint32_t value) {
     const std::size_t number = layout_.paths.column(id);
-    if (number == JsonPaths::no_column) return refuse_unknown(row, layout_.paths.step(id), value);
+    if (number == JsonPaths::no_column) return;
     const JsonColumn& column = layout_.columns[number];
     if (cells[column.target] == 0) {
       cells[column.target] = value;
@@ -584,6 +587,26 @@ bool JsonRows::get(std::size_t row, std::vector<std::uint32_t>& cells) {
 
 Error JsonRows::at(std::size_t row, std::string_view path, std::size_t value, const Error& error) const {
   return error.about(fmt::format("{}[{}].{}", table_.list(), row, path)).at(json_.position(value));
+}
+
+/// Throws: Error (data) for a value of another shape than it has in the first records.
+void JsonRows::require_shape(std::uint32_t id, std::uint32_t value) const {
+  const JsonPaths& paths = layout_.paths;
+  const auto refuse = [&](const Error& error) { throw at(row_, paths.path(id), value, error); };
+  const bool is_cell = paths.column(id) != JsonPaths::no_column;
+  if (json_.is(value, Kind::array) && paths.elements(id) > 0) {
+    const std::size_t count = json_.count(value);
+    if (count != paths.elements(id)) {
+      refuse(data_error("the array has {}; expected {}, as in the first key; correct it", how_many(count, "element"),
+                        paths.elements(id)));
+    }
+  } else if (json_.is_nested(value) && is_cell && paths.elements(id) == 0) {
+    refuse(data_error("this is not a number; expected one, as in the first key; correct it"));
+  } else if (!json_.is_nested(value) && !json_.is(value, Kind::null) && !is_cell) {
+    refuse(paths.elements(id) > 0
+               ? data_error("this is not an array; expected one of numbers, as in the first key; correct it")
+               : data_error("this is not an object; expected one, as in the first key; correct it"));
+  }
 }
 
 /// Throws: Error (data) for a number that the first records do not have, unless it is in a value that is not used.
@@ -602,6 +625,23 @@ void JsonRows::refuse_unknown(std::size_t row, const JsonPaths::Step& step, std:
 JsonLayout find_layout(const Json& json, const JsonTable& table, const InputOptions& options,
                        const std::vector<std::string>& channels) {
   return LayoutFinder(json, table, options, channels).find();
+}
+
+void add_parameters(JsonLayout& layout) {
+  constexpr std::array<std::string_view, 3> names{"tension", "continuity", "bias"};
+  const std::uint32_t array = layout.paths.add({0, JsonPaths::of_member, "tcb"});
+  layout.paths.set_elements(array, static_cast<std::uint32_t>(names.size()));
+  for (std::uint32_t i = 0; i < names.size(); ++i) {
+    const std::size_t column = layout.columns.size();
+    const JsonPaths::Step alone{0, JsonPaths::of_member, names[i]}, element{array, i};
+    for (const std::uint32_t id : {layout.paths.add(alone), layout.paths.add(element)}) {
+      layout.paths.set_column(id, layout.columns.size());
+      layout.paths.set_used(id);
+      const std::string path = layout.paths.path(id);
+      layout.columns.push_back({.path = path, .name = std::string(names[i]), .target = column});
+    }
+    layout.columns.back().is_used = false;
+  }
 }
 
 InputOptions with_columns_of_layout(InputOptions options, const JsonLayout& layout) {

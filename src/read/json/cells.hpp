@@ -50,11 +50,14 @@ class JsonPaths {
     const auto found = ids_.find(step);
     return found == ids_.end() ? 0 : found->second;
   }
+  std::uint32_t find_member(std::string_view name) const { return find({0, of_member, name}); }
   std::uint32_t add(const Step& step);
   const Step& step(std::uint32_t id) const { return nodes_[id].step; }
   std::size_t size() const { return nodes_.size(); }
   std::size_t column(std::uint32_t id) const { return nodes_[id].column; }
   void set_column(std::uint32_t id, std::size_t column) { nodes_[id].column = column; }
+  std::uint32_t elements(std::uint32_t id) const { return nodes_[id].elements; }  ///< of an array; 0 for others
+  void set_elements(std::uint32_t id, std::uint32_t count) { nodes_[id].elements = count; }
   bool is_used(std::uint32_t id) const { return nodes_[id].is_used; }  ///< a cell that is used is there
   void set_used(std::uint32_t id);
   std::string path(std::uint32_t id) const;
@@ -63,10 +66,11 @@ class JsonPaths {
   struct Node {
     Step step;
     std::size_t column = no_column;
+    std::uint32_t elements = 0;
     bool is_used = false;
   };
   std::map<Step, std::uint32_t> ids_;
-  std::vector<Node> nodes_{Node{{}, no_column, true}};
+  std::vector<Node> nodes_{Node{{}, no_column, 0, true}};
 };
 
 /// What the cells of a table are. Requires: the text of the first records outlives it.
@@ -84,6 +88,9 @@ struct JsonLayout {
 /// Throws: Error (data) for records that are none, and where it is not clear which numbers are positions.
 JsonLayout find_layout(const Json& json, const JsonTable& table, const InputOptions& options,
                        const std::vector<std::string>& channels);
+
+/// Adds tension, continuity and bias, alone and in "tcb", as any record may have them. They are the last columns.
+void add_parameters(JsonLayout& layout);
 
 /// The options in which the names of arrays and objects stand for the columns in them.
 InputOptions with_columns_of_layout(InputOptions options, const JsonLayout& layout);
@@ -113,6 +120,7 @@ class JsonRows {
   template <class F>
   void read_value(const JsonPaths::Step& step, std::uint32_t value, const F& found);
   std::uint32_t find(const JsonPaths::Step& step);
+  void require_shape(std::uint32_t id, std::uint32_t value) const;
   void refuse_unknown(std::size_t row, const JsonPaths::Step& step, std::uint32_t value) const;
 
   const Json& json_;

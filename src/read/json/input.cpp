@@ -28,18 +28,19 @@ using SharedJson = std::shared_ptr<const Json>;
 /// The meaning of the records of a table.
 struct Meaning {
   JsonLayout layout;
-  DelimitedHead head;
+  DelimitedHead head = {};
+  Columns columns = {};  ///< those that the first records have
 };
 
 /// Successive records of a table, and what their cells are.
-struct Part {
+struct TablePart {
   SharedJson json;
   std::shared_ptr<const JsonTable> table;
   std::shared_ptr<const Meaning> meaning;
   std::size_t first = 0, last = 0;
   std::uint64_t number = 0;                         ///< of the first record of the table
-  bool has_breaks = true;                           ///< null counts as a record
   std::shared_ptr<const CurveInfo> curve_info = {};  ///< of a curve that begins here
+  std::vector<Error> faults = {};                    ///< of values that are not among the records
 };
 
 /// Records as delimited text.
@@ -81,8 +82,8 @@ void add_row(PlainText& plain, const Json& json, const JsonLayout& layout, JsonR
 /// Puts the places in JSON into keys and faults.
 class Places {
  public:
-  Places(const Part& part, const PlainText& plain)
-      : part_(part), json_(*part.json), table_(*part.table), plain_(plain), lines_(json_.begin()) {}
+  Places(const TablePart& part, const PlainText& plain)
+      : part_(part), json_(*part.json), table_(*part.table), plain_(plain) {}
 
   void restore(KeyBlock& block) {
     KeyTextPositions& places = block.text_positions;
@@ -90,10 +91,10 @@ class Places {
     places.numbers.clear();
     for (std::size_t key = 0; key < places.lines.size(); ++key) {
       const std::size_t row = plain_.rows[line_of(places.lines[key])];
-      const LinePosition at = lines_.to(json_.whole(), json_.offset(table_.place(row)));
+      mark_ = json_.mark_at(json_.offset(table_.place(row)), mark_);
       places.numbers.push_back(part_.number + row);
-      places.lines[key] = at.line;
-      places.columns[key] = static_cast<std::uint32_t>(at.column);
+      places.lines[key] = mark_.at.line;
+      places.columns[key] = static_cast<std::uint32_t>(mark_.at.column);
     }
     for (Error& fault : block.faults.errors) fault = restored(fault);
   }
@@ -154,22 +155,22 @@ class Places {
     return cell;
   }
 
-  const Part& part_;
+  const TablePart& part_;
   const Json& json_;
   const JsonTable& table_;
   const PlainText& plain_;
-  LineCounter lines_;
+  Json::Mark mark_ = {0, {0, 0}};  ///< the last record; line 0: there is none
 };
 
 /// The keys of records. A pure function.
-KeyBlock keys_of(const Part& part) {
+KeyBlock keys_of(const TablePart& part) {
   const Json& json = *part.json;
   const JsonLayout& layout = part.meaning->layout;
   JsonRows rows(json, *part.table, layout);
   PlainText plain{.next_line = part.number + part.first + 2};
   const std::uint64_t line = plain.next_line;
   std::vector<std::uint32_t> cells;
-  std::vector<Error> faults;
+  std::vector<Error> faults = part.faults;
   for (std::size_t row = part.first; row < part.last; ++row) {
     try {
       add_row(plain, json, layout, rows, row, cells);
@@ -196,11 +197,27 @@ InputOptions options_of_text(const InputOptions& options, const JsonLayout& layo
   return of_text;
 }
 
+/// Tension, continuity and bias may be in any key, even if the first ones have none, unless no tangent depends on them.
+void add_optional_parameters(Meaning& meaning) {
+  Columns& columns = meaning.head.columns;
+  const auto is_given = [&](std::size_t channel) {
+    return std::ranges::any_of(columns.cells, [&](const Columns::Column& cell) {
+      return cell.channel == channel && (cell.role == Role::velocity || cell.role == Role::velocity_in);
+    });
+  };
+  std::size_t channel = columns.are_segments ? columns.channels.size() : 0;
+  while (channel < columns.channels.size() && is_given(channel)) ++channel;
+  const bool has_parameters = columns.has(Role::tension) || columns.has(Role::continuity) || columns.has(Role::bias);
+  if (channel == columns.channels.size() || has_parameters || meaning.layout.paths.find_member("tcb") != 0) return;
+  add_parameters(meaning.layout);
+  for (const Role role : {Role::tension, Role::continuity, Role::bias}) columns.cells.push_back({role, 0});
+}
+
 /// The meaning of the records of a table, by the first of them.
 std::shared_ptr<const Meaning> meaning_of(const SharedJson& json, const std::shared_ptr<const JsonTable>& table,
                                           const InputOptions& options, const std::vector<std::string>& channels) {
   constexpr std::size_t most_records = 100;
-  auto meaning = std::make_shared<Meaning>(Meaning{find_layout(*json, *table, options, channels), {}});
+  auto meaning = std::make_shared<Meaning>(Meaning{find_layout(*json, *table, options, channels)});
   const JsonLayout& layout = meaning->layout;
   PlainText plain;
   if (table->has_names) {
@@ -224,18 +241,20 @@ std::shared_ptr<const Meaning> meaning_of(const SharedJson& json, const std::sha
   }
   const InputOptions of_text = options_of_text(options, layout, *table);
   const Dialect dialect{',', "", true};
-  const Part part{json, table, meaning, 0, table->size()};
+  const TablePart part{json, table, meaning, 0, table->size()};
   try {
     std::vector<Chunk> rest;
     meaning->head = read_head(each_of(std::deque{Chunk{plain.text}}), dialect, of_text, rest);
   } catch (const Error& error) {
     throw Places(part, plain).restored(error);
   }
+  meaning->columns = meaning->head.columns;
+  add_optional_parameters(*meaning);
   return meaning;
 }
 
 Records records_of(const Meaning& meaning, const JsonTable& table) {
-  Records records{meaning.head.columns, meaning.head.units};
+  Records records{meaning.columns, meaning.head.units};
   records.facts = meaning.head.facts;
   records.facts.comment.clear();
   records.time_unit = meaning.head.time_unit;
@@ -257,12 +276,14 @@ Records records_of(const Meaning& meaning, const JsonTable& table) {
 }
 
 /// The parts of a table, in order.
-Source<Part> parts_of(Part whole) {
-  return [whole = std::move(whole)]() mutable -> std::optional<Part> {
-    constexpr std::size_t records_of_part = 4000;
+Source<TablePart> parts_of(TablePart whole) {
+  return [whole = std::move(whole)]() mutable -> std::optional<TablePart> {
+    constexpr std::size_t most_records = 4000, most_cells = 200'000;
+    const std::size_t columns = whole.meaning->layout.columns.size();
+    const std::size_t records_of_part = std::clamp(most_cells / (columns + 1), std::size_t{1}, most_records);
     const std::size_t end = whole.last;
     if (whole.first >= end) return std::nullopt;
-    Part part = whole;
+    TablePart part = whole;
     part.last = std::min(part.first + records_of_part, end);
     whole.first = part.last;
     whole.curve_info = nullptr;
@@ -272,7 +293,7 @@ Source<Part> parts_of(Part whole) {
 
 /// A table with the settings around it.
 struct Opened {
-  Part part;
+  TablePart part;
   JsonCurveInfo info;
 };
 
@@ -304,16 +325,16 @@ void require_same_columns(const Columns& first, const Columns& columns, const st
 class Curves {
  public:
   Curves(SharedJson json, std::vector<JsonTable> tables, const InputOptions& options, Opened first)
-      : json_(std::move(json)), tables_(std::move(tables)), options_(options), columns_(first.part.meaning->head.columns) {
+      : json_(std::move(json)), tables_(std::move(tables)), options_(options), columns_(first.part.meaning->columns) {
     begin(std::move(first));
   }
 
-  std::optional<Part> operator()() {
+  std::optional<TablePart> operator()() {
     for (;;) {
-      if (std::optional<Part> part = parts_()) return part;
+      if (std::optional<TablePart> part = parts_()) return part;
       if (++table_ >= tables_.size()) return std::nullopt;
       Opened next = open_table(json_, std::move(tables_[table_]), options_);
-      require_same_columns(columns_, next.part.meaning->head.columns, next.part.table->list());
+      require_same_columns(columns_, next.part.meaning->columns, next.part.table->list());
       begin(std::move(next));
     }
   }
@@ -331,7 +352,7 @@ class Curves {
   InputOptions options_;
   Columns columns_;  ///< of the first curve
   std::size_t table_ = 0;
-  Source<Part> parts_;
+  Source<TablePart> parts_;
 };
 
 /// Finds the frame rate that a text has beside its keys, and adds a note where their times may be frames.
@@ -362,8 +383,20 @@ void require_no_groups(const Columns& columns) {
       "the curves of \"curves\" are separate already; expected keys of several curves in one list; remove --group");
 }
 
+/// There are more values than the one that holds the keys.
+Error unlike_list(const Json& json) {
+  const std::size_t second = json.next(1);
+  const bool are_lists = json.is(1, Kind::array) && json.is(second, Kind::array);
+  return (are_lists
+              ? data_error("another array follows the first one; expected one array of all keys; put them into one, as "
+                           "in jq -s 'add' FILE | tcbsample")
+              : data_error("found {} behind the keys; expected nothing; remove it", json.shown(second)))
+      .at(json.position(second));
+}
+
 /// One value, whose tables are the keys.
 Records open_value(const SharedJson& json, const InputOptions& options) {
+  if (json->next(1) < json->size()) throw unlike_list(*json);
   std::vector<JsonTable> tables = find_tables(*json, options);
   if (tables.empty() && json->is(1, Kind::object)) tables.push_back({.value = 0, .records = {1}});  // it may be a key
   if (tables.empty()) {
@@ -391,23 +424,49 @@ Records open_value(const SharedJson& json, const InputOptions& options) {
   require_no_groups(records.columns);
   records.columns.groups = {"id"};
   records.keys.traits.own_curves = true;
-  records.keys.blocks = ordered_map(Source<Part>(Curves(json, std::move(tables), options, std::move(first))), keys_of,
+  records.keys.blocks = ordered_map(Source<TablePart>(Curves(json, std::move(tables), options, std::move(first))), keys_of,
                                     options.threads);
   return records;
 }
 
+/// The values of a block of lines. A line that is no JSON is a fault, and blank from then on.
+SharedJson json_of_lines(JsonBlock block, std::vector<Error>& faults) {
+  for (;;) {
+    try {
+      return std::make_shared<const Json>(block.text, block.begin, block.nodes);
+    } catch (const Error& error) {
+      faults.push_back(error);
+      std::size_t begin = 0;
+      for (std::uint64_t line = block.begin.line; line < error.position().line; ++line) {
+        begin = std::min(block.text.find('\n', begin), block.text.size() - 1) + 1;
+      }
+      const std::size_t end = std::min(block.text.find('\n', begin), block.text.size());
+      const bool is_blank = block.text.find_first_not_of(" \t\r", begin) >= end;
+      if (faults.size() > most_faults || is_blank) throw Error(faults.front());
+      std::fill(block.text.begin() + static_cast<std::ptrdiff_t>(begin),
+                block.text.begin() + static_cast<std::ptrdiff_t>(end), ' ');
+    }
+  }
+}
+
 /// Several values, each a key.
-Records open_values(const SharedJson& first, std::shared_ptr<JsonBlocks> blocks, const InputOptions& options) {
+Records open_values(JsonBlock block, const std::shared_ptr<JsonBlocks>& blocks, const InputOptions& options) {
+  std::vector<Error> faults;
+  const SharedJson first = json_of_lines(std::move(block), faults);
+  if (first->size() < 2) throw Error(faults.front());
+  const bool is_list = first->is(1, Kind::array) && !first->is_empty(1) && first->is_nested(first->first(1));
+  if (is_list && first->next(1) < first->size()) throw unlike_list(*first);
   const auto table = std::make_shared<const JsonTable>(table_of_values(*first));
-  const Part part{first, table, meaning_of(first, table, options, {}), 0, table->size()};
+  TablePart part{first, table, meaning_of(first, table, options, {}), 0, table->size()};
+  part.faults = std::move(faults);
   Records records = records_of(*part.meaning, *table);
   records.facts.shape = table->has_names ? JsonShape::lines : JsonShape::table;
-  Source<Part> parts = [blocks = std::move(blocks), meaning = part.meaning, number = table->size(),
-                        has_names = table->has_names, keeps = first]() mutable -> std::optional<Part> {
+  Source<TablePart> parts = [blocks, meaning = part.meaning, number = table->size(),
+                        has_names = table->has_names, keeps = first]() mutable -> std::optional<TablePart> {
     std::optional<JsonBlock> block = blocks->next();
     if (!block) return std::nullopt;
-    Part next{nullptr, nullptr, meaning, 0, 0, number};
-    next.json = std::make_shared<const Json>(std::move(block->text), block->begin, block->nodes);
+    TablePart next{nullptr, nullptr, meaning, 0, 0, number};
+    next.json = json_of_lines(*std::move(block), next.faults);
     next.table = std::make_shared<const JsonTable>(JsonTable{.has_names = has_names, .records = next.json->values(0)});
     next.last = next.table->size();
     number += next.last;
@@ -427,13 +486,16 @@ Source<KeyBlock> within_memory(Source<KeyBlock> blocks, std::uint64_t max_memory
   });
 }
 
+/// Whether a text is one value, and not one after another: it begins with an array or an object that ends with it.
+bool is_one_value(const JsonBlock& block, JsonBlocks& blocks) { return block.values < 2 && blocks.is_at_end(); }
+
 Records open_json(const Format&, Source<std::string> bytes, InputOptions options) {
   const auto blocks = std::make_shared<JsonBlocks>(std::move(bytes), options.max_memory);
   std::optional<JsonBlock> block = options.records.empty() ? blocks->next() : blocks->whole();
   if (!block) throw data_error("the input has no keys; expected a JSON object for each key; see --help");
-  const auto json = std::make_shared<const Json>(std::move(block->text), block->begin, block->nodes);
-  const bool is_one = json->count(0) == 1 && blocks->is_at_end();
-  Records records = is_one || !options.records.empty() ? open_value(json, options) : open_values(json, blocks, options);
+  Records records = is_one_value(*block, *blocks) || !options.records.empty()
+                        ? open_value(std::make_shared<const Json>(std::move(block->text), block->begin, block->nodes), options)
+                        : open_values(*std::move(block), blocks, options);
   if (options.keys.missing == Missing::skip_cell) {
     records.keys.blocks = within_memory(std::move(records.keys.blocks), options.max_memory);
   }

@@ -31,7 +31,11 @@ struct JsonTable {
   std::size_t size() const { return columns.empty() ? records.size() : columns[0].size(); }
   bool are_rows() const { return !has_names || (columns.empty() && !names.empty()); }
   /// Where a record begins.
-  std::size_t place(std::size_t row) const { return columns.empty() ? records[row] : columns[0][row]; }
+  std::size_t place(std::size_t row) const {
+    std::size_t column = 0;
+    while (column + 1 < columns.size() && columns[column][row] == 0) ++column;
+    return columns.empty() ? records[row] : columns[column][row];
+  }
   /// As messages call its records.
   std::string list() const { return path.empty() ? "keys" : path; }
 };

@@ -17,61 +17,61 @@
 namespace tcb {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\n";
-constexpr std::size_t node_size = 12;
-
-/// The characters of a text for the parser, with null in the place of NaN. `at` is behind the last one that it has.
-struct Characters {
-  const char *at, *end;
-  bool in_string = false, is_escaped = false;
-  std::size_t of_null = 0;  ///< how many characters of null the parser has in the place of NaN
-
-  char get() const { return of_null > 0 || is_nan() ? "null"[of_null] : *at; }
-  void pass() {
-    if (of_null > 0 || is_nan()) {
-      constexpr std::size_t size_of_null = 4, size_of_nan = 3;
-      if (++of_null < size_of_null) return;
-      of_null = 0;
-      at += size_of_nan;
-      return;
-    }
-    if (*at == '"' && !is_escaped) in_string = !in_string;
-    is_escaped = in_string && *at == '\\' && !is_escaped;
-    ++at;
-  }
-  bool is_nan() const { return *at == 'N' && !in_string && std::string_view(at, end).starts_with("NaN"); }
-};
-
-/// Passes the characters to the parser, which reads each of them once.
-struct CharacterIterator {
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = char;
-  Characters* from;  ///< null at the end
-
-  char operator*() const { return from->get(); }
-  CharacterIterator& operator++() { return from->pass(), *this; }
-  CharacterIterator operator++(int) { return std::exchange(*this, ++CharacterIterator(*this)); }
-  bool is_end() const { return from == nullptr || from->at == from->end; }
-  friend bool operator==(const CharacterIterator& one, const CharacterIterator& other) {
-    return one.is_end() == other.is_end();
-  }
-  friend bool operator!=(const CharacterIterator& one, const CharacterIterator& other) { return !(one == other); }
-};
+constexpr std::string_view json_blanks = " \t\r\n";
+constexpr std::size_t node_size = 12, distance_of_marks = std::size_t{1} << 20;
 
 }  // namespace
 
 /// Makes nodes of the events of the parser, which come directly after their tokens: so a token begins at the first
 /// character behind the last one that is no blank, comma or colon.
 class Json::Events : public nlohmann::json_sax<nlohmann::json> {
+  /// The characters of a text for the parser, with null in the place of NaN. `at` is behind the last one that it has.
+  struct Characters {
+    const char *at, *end;
+    bool in_string = false, is_escaped = false;
+    std::size_t of_null = 0;  ///< how many characters of null the parser has in the place of NaN
+
+    char get() const { return of_null > 0 || is_nan() ? "null"[of_null] : *at; }
+    void pass() {
+      if (of_null > 0 || is_nan()) {
+        constexpr std::size_t size_of_null = 4, size_of_nan = 3;
+        if (++of_null < size_of_null) return;
+        of_null = 0;
+        at += size_of_nan;
+        return;
+      }
+      if (*at == '"' && !is_escaped) in_string = !in_string;
+      is_escaped = in_string && *at == '\\' && !is_escaped;
+      ++at;
+    }
+    bool is_nan() const { return *at == 'N' && !in_string && std::string_view(at, end).starts_with("NaN"); }
+  };
+
+  /// Passes the characters to the parser, which reads each of them once.
+  struct CharacterIterator {
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = char;
+    Characters* from;  ///< null at the end
+
+    char operator*() const { return from->get(); }
+    CharacterIterator& operator++() { return from->pass(), *this; }
+    CharacterIterator operator++(int) { return std::exchange(*this, ++CharacterIterator(*this)); }
+    bool is_end() const { return from == nullptr || from->at == from->end; }
+    friend bool operator==(const CharacterIterator& one, const CharacterIterator& other) {
+      return one.is_end() == other.is_end();
+    }
+    friend bool operator!=(const CharacterIterator& one, const CharacterIterator& other) { return !(one == other); }
+  };
+
  public:
   explicit Events(Json& json) : json_(json), text_(json.text_), from_{text_.data(), text_.data() + text_.size()} {}
 
   /// Parses the next value; false at the end.
   bool parse_next() {
-    now_ = std::min(text_.find_first_not_of(blanks, now_), text_.size());
+    now_ = std::min(text_.find_first_not_of(json_blanks, now_), text_.size());
     if (now_ == text_.size()) return false;
     from_ = {text_.data() + now_, text_.data() + text_.size()};
     nlohmann::json::sax_parse(CharacterIterator{&from_}, CharacterIterator{nullptr}, this,
@@ -93,7 +93,7 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) override {
-    const bool is_end = text_.find_first_not_of(blanks, now_) == text_.npos || from_.at == from_.end;
+    const bool is_end = text_.find_first_not_of(json_blanks, now_) == text_.npos || from_.at == from_.end;
     if (is_end) {
       throw data_error("not JSON: the text ends too early; expected the rest of the last value; complete it")
           .at(json_.position_at(text_.size()));
@@ -151,8 +151,9 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
   std::vector<std::size_t> open_;  ///< the arrays and objects around the next value
 };
 
-Json::Json(std::string text, LinePosition begin, std::size_t nodes) : text_(std::move(text)), begin_(begin) {
+Json::Json(std::string text, LinePosition begin, std::size_t nodes) : text_(std::move(text)) {
   static_assert(sizeof(Node) == node_size);
+  set_marks(begin);
   nodes_.reserve(nodes);
   nodes_.push_back({0, 0, Kind::array});
   Events events(*this);
@@ -241,8 +242,23 @@ std::string Json::shown(std::size_t value) const {
 
 TextPosition Json::position(std::size_t value) const { return position_at(nodes_[value].begin); }
 
+void Json::set_marks(LinePosition begin) {
+  marks_.push_back({0, begin});
+  while (marks_.back().byte + distance_of_marks < text_.size()) {
+    const Mark& last = marks_.back();
+    const std::string_view between = std::string_view(text_).substr(last.byte, distance_of_marks);
+    marks_.push_back({last.byte + distance_of_marks, position_after(between, last.at)});
+  }
+}
+
+Json::Mark Json::mark_at(std::size_t byte, const Mark& last) const {
+  const bool is_near = last.at.line > 0 && last.byte <= byte && byte - last.byte < distance_of_marks;
+  const Mark& from = is_near ? last : marks_[std::min(byte / distance_of_marks, marks_.size() - 1)];
+  return {byte, position_after(std::string_view(text_).substr(from.byte, byte - from.byte), from.at)};
+}
+
 TextPosition Json::position_at(std::size_t byte) const {
-  const LinePosition at = position_after(std::string_view(text_).substr(0, byte), begin_);
+  const LinePosition at = mark_at(byte, {0, {0, 0}}).at;
   return {"", at.line, at.column};
 }
 
@@ -268,6 +284,7 @@ void JsonBlocks::scan(std::size_t most_lines) {
       case '[':
       case '{':
         left_.nodes += depth_ == 0 ? 2 : 1;
+        left_.values += depth_ == 0 ? 1 : 0;
         ++depth_;
         break;
       case ',':
@@ -304,7 +321,7 @@ void JsonBlocks::fill(std::size_t lines, std::size_t most_lines) {
 /// Throws: Error (data) with the memory that the whole text needs.
 void JsonBlocks::refuse_size() {
   constexpr std::uint64_t mebibyte = 1ULL << 20, bytes_of_byte = 8, most_times = 16;
-  const bool is_list = left_.text.find_first_not_of(blanks) == left_.text.find('[');
+  const bool is_list = left_.text.find_first_not_of(json_blanks) == left_.text.find('[');
   std::uint64_t size = left_.text.size();
   for (std::string more; size < most_times * most_ && bytes_.append_to(more, {}); more.clear()) size += more.size();
   throw data_error(
@@ -329,7 +346,7 @@ std::optional<JsonBlock> JsonBlocks::whole() {
 }
 
 bool JsonBlocks::is_at_end() {
-  while (left_.text.find_first_not_of(blanks) == std::string::npos) {
+  while (left_.text.find_first_not_of(json_blanks) == std::string::npos) {
     if (!read_more()) return true;
   }
   return false;
@@ -337,7 +354,7 @@ bool JsonBlocks::is_at_end() {
 
 /// All that was read; nothing if it is blank.
 std::optional<JsonBlock> JsonBlocks::rest() {
-  if (left_.text.find_first_not_of(blanks) == std::string::npos) return std::nullopt;
+  if (left_.text.find_first_not_of(json_blanks) == std::string::npos) return std::nullopt;
   return std::exchange(left_, {});
 }
 

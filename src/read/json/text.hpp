@@ -69,11 +69,17 @@ class Json {
   /// The path of a value within another one, as in points[2].x.
   std::string path(std::size_t within, std::size_t value) const;
 
-  LinePosition begin() const { return begin_; }
   std::size_t offset(std::size_t value) const { return nodes_[value].begin; }
-  const std::string& whole() const { return text_; }
   TextPosition position(std::size_t value) const;
   TextPosition position_at(std::size_t byte) const;
+
+  /// A byte with its place.
+  struct Mark {
+    std::size_t byte = 0;
+    LinePosition at = {};
+  };
+  /// That of a byte, from the last one that is known before it, if it is near.
+  Mark mark_at(std::size_t byte, const Mark& last) const;
 
  private:
   class Events;
@@ -83,9 +89,10 @@ class Json {
     Kind kind;
   };
   std::size_t end_of(std::size_t value) const;
+  void set_marks(LinePosition begin);
 
   std::string text_;
-  LinePosition begin_;
+  std::vector<Mark> marks_;  ///< at even distances
   std::vector<Node> nodes_;
   std::unordered_map<std::uint32_t, std::string> unescaped_;  ///< strings with escapes, by their nodes
 };
@@ -135,6 +142,7 @@ struct JsonBlock {
   LinePosition begin = {};
   std::size_t nodes = 0;  ///< at most, of the values in it
   std::size_t lines = 0;  ///< that end outside of values
+  std::size_t values = 0;  ///< the arrays and objects that no other one holds
 };
 
 /// Cuts an input at the ends of lines that are outside of values: each line of JSON Lines alone, and any other text not
