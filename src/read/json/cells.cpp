@@ -58,6 +58,19 @@ std::size_t number_in_quaternion(const JsonColumn& column) {
   return elements.size();
 }
 
+constexpr std::array<std::string_view, 3> parameters{"tension", "continuity", "bias"};
+
+/// Which of the parameters a number in "tcb" is, or in the array of a channel in it; 3 for others.
+std::size_t parameter_in_tcb(const JsonColumn& column) {
+  const std::string_view step = column.last_step();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (step == fmt::format("[{}]", i)) return i;
+    const bool is_member = column.stem == "tcb" && step.starts_with('.');
+    if (is_member && (step.substr(1) == parameters[i] || step.substr(1) == parameters[i].substr(0, 1))) return i;
+  }
+  return parameters.size();
+}
+
 /// The arrays of velocities beside one of positions, and the ends of the names of their numbers.
 constexpr std::array velocity_arrays{std::pair{"velocity", "_v"}, std::pair{"velocity_in", "_vin"},
                                      std::pair{"velocity_out", "_vout"}};
@@ -94,7 +107,7 @@ class LayoutFinder {
       find_requested();
       require_shapes();
       find_positions();
-      choose();
+      table_.are_scattered ? take_all() : choose();
     }
     name_columns();
     join_parameters();
@@ -112,9 +125,29 @@ class LayoutFinder {
  private:
   bool lacks_position_request() const { return !requested_.has(Role::position); }
   bool has_any(const auto& f) const { return std::ranges::any_of(columns_, f); }
-  /// An error at the first value of a column, or of the array or object that it is in.
+  void take_all() {
+    for (JsonColumn& column : columns_) column.is_used = true;
+  }
+
+  /// The member of its first record that a column is in.
+  std::size_t member_of(const JsonColumn& column) const {
+    const std::size_t record = table_.place(column.row);
+    if (!json_.is(record, Kind::object) || column.value < record) return column.value;
+    for (const std::size_t member : json_.inside(record)) {
+      if (column.value < json_.next(member)) return member;
+    }
+    return column.value;
+  }
+  /// An error at the name of a member, or at its value.
   Error at(const JsonColumn& column, std::string_view path, const Error& error) const {
-    return error.about(fmt::format("{}[{}].{}", table_.list(), column.row, path)).at(json_.position(column.value));
+    const std::size_t member = member_of(column);
+    return of_record(column, path, error).at(json_.position(member - (json_.is_member(member) ? 1 : 0)));
+  }
+  Error at_value(const JsonColumn& column, std::string_view path, const Error& error) const {
+    return of_record(column, path, error).at(json_.position(member_of(column)));
+  }
+  Error of_record(const JsonColumn& column, std::string_view path, const Error& error) const {
+    return error.about(fmt::format("{}[{}].{}", table_.list(), column.row, path));
   }
 
   void read_first_records() {
@@ -174,12 +207,12 @@ class LayoutFinder {
   void require_shapes() const {
     for (const JsonColumn& column : columns_) {
       if (column.is_requested) continue;
-      if (column.path == "tcb") {
+      if (column.path == "tcb" || (is_tcb(column) && parameter_in_tcb(column) == parameters.size())) {
         throw at(column, column.path, data_error("this is not an array; expected [T,C,B]; correct it"));
       }
       const Role role = role_of_name(column.stem);
       if (column.depth > 0 && column.stem != "position" && role != Role::position && role != Role::time) {
-        throw at(column, column.stem, data_error("this is not a number; expected one; correct it"));
+        throw at_value(column, column.stem, data_error("this is not a number; expected one; correct it"));
       }
     }
   }
@@ -199,7 +232,10 @@ class LayoutFinder {
     const auto is_of_quaternion = [](const JsonColumn& column) {
       return column.stem == "rotation" && number_in_quaternion(column) < 4;
     };
-    has_quaternion_ = rotation_cells == 4 && std::ranges::count_if(columns_, is_of_quaternion) == 4;
+    const bool takes_array = has_any([&](const JsonColumn& column) {
+      return column.is_in_array() && std::ranges::count(positions_, column.stem) > 0;
+    });
+    has_quaternion_ = !options_.rotation.none && !takes_array && rotation_cells == 4 && std::ranges::count_if(columns_, is_of_quaternion) == 4;
     std::vector<std::string> usual;
     for (const JsonColumn& column : columns_) {
       if (column.depth == 0 && is_free_number(column) && column.has_number) has_plain_ = true;
@@ -236,6 +272,10 @@ class LayoutFinder {
                             return column.depth == 0 && is_time(column);
                           });
     bool has_positions = !lacks_position_request() || has_plain_;
+    std::unordered_set<std::string_view> arrays_of_first;  // a number beyond their ends is a fault of its record
+    for (const JsonColumn& column : columns_) {
+      if (column.row == 0 && column.is_in_array()) arrays_of_first.insert(column.stem);
+    }
     const bool may_be_partial = options_.keys.missing != Missing::skip_cell && has_full_position();
     for (JsonColumn& column : columns_) {
       const bool has_role = column.stem == "position" || is_tcb(column) || (is_of_rotation(column) && has_quaternion_);
@@ -245,7 +285,8 @@ class LayoutFinder {
                            : role_of_name(column.path) != Role::position ? column.depth > 0
                                                               : is_free_number(column) && !is_position(column);
       const bool is_partial = column.depth == 0 && is_position(column) && column.row > 0 && may_be_partial;
-      column.is_used = column.is_requested || !(is_left || is_partial);
+      const bool is_beyond = column.row > 0 && column.is_in_array() && arrays_of_first.contains(column.stem);
+      column.is_used = column.is_requested || !(is_left || is_partial || is_beyond);
       if (is_partial && !column.is_requested) {
         layout_.ignored.push_back(fmt::format("{} (in {} of {} records)", column.path, column.rows,
                                               std::min(table_.size(), most_first_records)));
@@ -265,30 +306,23 @@ class LayoutFinder {
   }
 
   void require_array_of_numbers() const {
-    std::unordered_map<std::string_view, std::size_t> begins;  // the records in which arrays come first
-    for (const JsonColumn& column : columns_) begins.emplace(column.stem, column.row);
     for (const JsonColumn& column : columns_) {
-      if (column.path.starts_with(stem_ + '[') && column.stem != stem_) {
-        throw at(column, column.path, data_error("this is not a number; expected one, as elsewhere in the array; correct it"));
-      }
-      if (column.is_used && column.is_in_array() && column.row > begins[column.stem]) {
-        throw at(column, column.stem,
-                 data_error("the array has more numbers than that of the first key; expected as many; correct it"));
-      }
+      if (!column.path.starts_with(stem_ + '[') || column.stem == stem_) continue;
+      throw at(column, column.path,
+               data_error("this is not a number; expected one, as elsewhere in the array; correct it"));
     }
   }
 
-  /// The member that a number is in, as a request names it.
-  static const std::string& outer(const JsonColumn& column) { return column.depth == 0 ? column.path : column.stem; }
+  /// The array that a number is in, or itself, and the member of a record.
+  static std::string_view outer(std::string_view path) { return path.substr(0, path.find('[')); }
+  static std::string_view outermost(std::string_view path) { return path.substr(0, path.find_first_of(".[")); }
 
   /// Throws: Error (data) for numbers that are not used and may be the positions, or the time.
   void require_no_lost_numbers(bool has_time, bool has_positions) const {
-    std::vector<std::string> left;
     const JsonColumn* first = nullptr;
     for (const JsonColumn& column : columns_) {
       if (column.is_used || !is_free_number(column) || !column.has_number) continue;
       if (first == nullptr) first = &column;
-      if (left.empty() || left.back() != outer(column)) left.push_back(outer(column));
       const bool is_array = sizes_.contains(column.stem) && !rotation_stem_of(column.stem + "x") &&
                             !is_of_rotation_vector(column.stem + "x");
       if (lacks_position_request() && stem_.empty() && is_array) refuse_arrays(column);
@@ -301,7 +335,7 @@ class LayoutFinder {
       }
     }
     if (has_positions || first == nullptr) return;
-    throw at(*first, outer(*first),
+    throw at(*first, outermost(first->path),
              data_error("the numbers in this value are not used, as they are in an object, or in arrays in an array; "
                         "expected an array of numbers, or a member for each number; give --columns position=NAME:NAME "
                         "for the members to take, with their paths, such as {}",
@@ -350,13 +384,18 @@ class LayoutFinder {
   /// Notes the numbers beside the positions, and lists what else is not part of the table.
   void note_left_numbers() {
     std::vector<std::string> numbers;
-    std::unordered_set<std::string> names;
+    std::unordered_set<std::string_view> used, names;
+    for (const JsonColumn& column : columns_) {
+      if (column.is_used) used.insert(outermost(column.path));
+    }
     for (const JsonColumn& column : columns_) {
       const bool is_partial = column.depth == 0 && !column.is_used && column.row > 0 && is_position(column);
-      if (column.is_used || is_partial || !names.insert(outer(column)).second) continue;
+      const bool is_apart = used.contains(outermost(column.path));
+      const std::string_view name = is_apart ? outer(column.path) : outermost(column.path);
+      if (column.is_used || is_partial || !names.insert(name).second) continue;
       const bool is_number = column.depth < 2 && (column.depth == 0 || column.is_in_array()) && is_free_number(column);
       const bool is_rotation = rotation_stem_of(column.stem + "x") || is_of_rotation_vector(column.stem + "x");
-      (stem_ == "position" && is_number && !is_rotation ? numbers : layout_.ignored).push_back(outer(column));
+      (stem_ == "position" && is_number && !is_rotation ? numbers : layout_.ignored).emplace_back(name);
     }
     if (numbers.empty()) return;
     constexpr std::size_t most = 8;  // names in a command
@@ -371,13 +410,12 @@ class LayoutFinder {
     for (JsonColumn& column : columns_) {
       const std::size_t number = number_in_quaternion(column);
       constexpr std::array<std::string_view, 4> quaternion{"qx", "qy", "qz", "qw"};
-      constexpr std::array<std::string_view, 3> parameters{"tension", "continuity", "bias"};
       if (has_quaternion_ && is_of_rotation(column) && !column.is_requested && !options_.rotation.none) {
         column.name = quaternion[number];
-      } else if (column.stem == "tcb" && number < parameters.size()) {
-        column.name = parameters[number];
-      } else if (is_tcb(column) && number < parameters.size()) {
-        column.name = fmt::format("{}_{}", parameters[number], column.stem.substr(4));
+      } else if (is_tcb(column) && column.depth == 1) {
+        column.name = parameters[parameter_in_tcb(column)];
+      } else if (is_tcb(column)) {
+        column.name = fmt::format("{}_{}", parameters[parameter_in_tcb(column)], column.stem.substr(4));
       }
       for (const auto& [array, ending] : velocity_arrays) {
         if (column.stem != array || !column.is_in_array()) continue;
@@ -628,19 +666,18 @@ JsonLayout find_layout(const Json& json, const JsonTable& table, const InputOpti
 }
 
 void add_parameters(JsonLayout& layout) {
-  constexpr std::array<std::string_view, 3> names{"tension", "continuity", "bias"};
   const std::uint32_t array = layout.paths.add({0, JsonPaths::of_member, "tcb"});
-  layout.paths.set_elements(array, static_cast<std::uint32_t>(names.size()));
-  for (std::uint32_t i = 0; i < names.size(); ++i) {
+  layout.paths.set_elements(array, static_cast<std::uint32_t>(parameters.size()));
+  for (std::uint32_t i = 0; i < parameters.size(); ++i) {
     const std::size_t column = layout.columns.size();
-    const JsonPaths::Step alone{0, JsonPaths::of_member, names[i]}, element{array, i};
+    const JsonPaths::Step alone{0, JsonPaths::of_member, parameters[i]}, element{array, i};
     for (const std::uint32_t id : {layout.paths.add(alone), layout.paths.add(element)}) {
       layout.paths.set_column(id, layout.columns.size());
       layout.paths.set_used(id);
       const std::string path = layout.paths.path(id);
-      layout.columns.push_back({.path = path, .name = std::string(names[i]), .target = column});
+      layout.columns.push_back({.path = path, .name = std::string(parameters[i]), .target = column});
     }
-    layout.columns.back().is_used = false;
+    layout.columns[column].is_used = true;
   }
 }
 

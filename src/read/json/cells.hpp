@@ -26,7 +26,7 @@ struct JsonColumn {
   std::uint32_t value = 0;      ///< its first value
   std::size_t row = 0, rows = 0;  ///< the first record with it, and how many of the first records have it
   bool has_number = false, has_text = false;
-  bool is_used = true, is_requested = false;  ///< it is part of the table
+  bool is_used = false, is_requested = false;  ///< it is part of the table
   std::size_t target = 0;                     ///< the column that has its cells: itself, or another one of this name
 
   std::string_view last_step() const { return std::string_view(path).substr(stem.size()); }
