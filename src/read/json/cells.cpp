@@ -235,7 +235,8 @@ class LayoutFinder {
     const bool takes_array = has_any([&](const JsonColumn& column) {
       return column.is_in_array() && std::ranges::count(positions_, column.stem) > 0;
     });
-    has_quaternion_ = !options_.rotation.none && !takes_array && rotation_cells == 4 && std::ranges::count_if(columns_, is_of_quaternion) == 4;
+    has_quaternion_ = !options_.rotation.none && !takes_array && rotation_cells == 4 &&
+                      std::ranges::count_if(columns_, is_of_quaternion) == 4;
     std::vector<std::string> usual;
     for (const JsonColumn& column : columns_) {
       if (column.depth == 0 && is_free_number(column) && column.has_number) has_plain_ = true;
@@ -260,7 +261,8 @@ class LayoutFinder {
     if (!stem_.empty()) return column.stem == stem_;
     if (column.depth == 0) return true;
     const std::size_t bracket = column.path.find('[');
-    const bool is_last = bracket == std::string::npos || column.path.find_first_of(".[", bracket + 1) == std::string::npos;
+    const bool is_last =
+        bracket == std::string::npos || column.path.find_first_of(".[", bracket + 1) == std::string::npos;
     const bool is_in_member = bracket == std::string::npos || column.path.find('.') < bracket || column.depth == 1;
     return !has_plain_ && arrays_.empty() && is_last && is_in_member;
   }
@@ -268,9 +270,8 @@ class LayoutFinder {
   /// Decides which columns are part of the table. Throws: Error (data) where numbers are not used and may be the
   /// positions, or the time.
   void choose() {
-    const bool has_time = requested_.timeless || requested_.has(Role::time) || has_any([](const JsonColumn& column) {
-                            return column.depth == 0 && is_time(column);
-                          });
+    const bool has_time = requested_.timeless || requested_.has(Role::time) ||
+                          has_any([](const JsonColumn& column) { return column.depth == 0 && is_time(column); });
     bool has_positions = !lacks_position_request() || has_plain_;
     std::unordered_set<std::string_view> arrays_of_first;  // a number beyond their ends is a fault of its record
     for (const JsonColumn& column : columns_) {
@@ -280,10 +281,11 @@ class LayoutFinder {
     for (JsonColumn& column : columns_) {
       const bool has_role = column.stem == "position" || is_tcb(column) || (is_of_rotation(column) && has_quaternion_);
       const bool may_be_time = column.depth == 0 || (!has_time && column.path.find('[') == std::string::npos);
-      const bool is_left = is_time(column)                    ? !may_be_time
-                           : column.has_text                  ? column.depth > 0 && !has_role
-                           : role_of_name(column.path) != Role::position ? column.depth > 0
-                                                              : is_free_number(column) && !is_position(column);
+      const bool is_left = is_time(column)   ? !may_be_time
+                           : column.has_text ? column.depth > 0 && !has_role
+                           : role_of_name(column.path) != Role::position
+                               ? column.depth > 0
+                               : is_free_number(column) && !is_position(column);
       const bool is_partial = column.depth == 0 && is_position(column) && column.row > 0 && may_be_partial;
       const bool is_beyond = column.row > 0 && column.is_in_array() && arrays_of_first.contains(column.stem);
       column.is_used = column.is_requested || !(is_left || is_partial || is_beyond);
@@ -302,7 +304,8 @@ class LayoutFinder {
 
   /// Whether a position is in all of the first records, so that others need not be.
   bool has_full_position() const {
-    return has_any([&](const JsonColumn& column) { return column.row == 0 && column.has_number && is_position(column); });
+    return has_any(
+        [&](const JsonColumn& column) { return column.row == 0 && column.has_number && is_position(column); });
   }
 
   void require_array_of_numbers() const {
@@ -412,10 +415,9 @@ class LayoutFinder {
       constexpr std::array<std::string_view, 4> quaternion{"qx", "qy", "qz", "qw"};
       if (has_quaternion_ && is_of_rotation(column) && !column.is_requested && !options_.rotation.none) {
         column.name = quaternion[number];
-      } else if (is_tcb(column) && column.depth == 1) {
-        column.name = parameters[parameter_in_tcb(column)];
-      } else if (is_tcb(column)) {
-        column.name = fmt::format("{}_{}", parameters[parameter_in_tcb(column)], column.stem.substr(4));
+      } else if (is_tcb(column) && parameter_in_tcb(column) < parameters.size()) {
+        const std::string channel = column.depth == 1 ? "" : "_" + column.stem.substr(4);
+        column.name = std::string(parameters[parameter_in_tcb(column)]) + channel;
       }
       for (const auto& [array, ending] : velocity_arrays) {
         if (column.stem != array || !column.is_in_array()) continue;
@@ -479,12 +481,12 @@ class LayoutFinder {
   std::vector<std::string> positions_;       ///< names that are requested as positions
   JsonLayout layout_;
   std::vector<JsonColumn>& columns_ = layout_.columns;
-  std::vector<std::string> arrays_;     ///< names of those that may be positions, and their sizes
+  std::vector<std::string> arrays_;  ///< names of those that may be positions, and their sizes
   std::unordered_map<std::string, std::size_t> sizes_;
-  std::string stem_;                    ///< of the positions; empty: they are members of records
-  bool has_plain_ = false;              ///< a number of records may be a position
-  bool has_quaternion_ = false;         ///< "rotation" has four numbers
-  std::vector<JsonColumn*> unnamed_;    ///< positions that are called as channels
+  std::string stem_;                  ///< of the positions; empty: they are members of records
+  bool has_plain_ = false;            ///< a number of records may be a position
+  bool has_quaternion_ = false;       ///< "rotation" has four numbers
+  std::vector<JsonColumn*> unnamed_;  ///< positions that are called as channels
 };
 
 }  // namespace
@@ -555,7 +557,8 @@ void JsonRows::read(std::size_t row, const F& found) {
   const std::uint32_t record = table_.records[row];
   const bool is_row = table_.are_rows();
   if (!json_.is(record, is_row ? Kind::array : Kind::object)) {
-    throw data_error("found {} as a key; expected {}; correct it", json_.shown(record), is_row ? "an array" : "an object")
+    throw data_error("found {} as a key; expected {}; correct it", json_.shown(record),
+                     is_row ? "an array" : "an object")
         .at(json_.position(record));
   }
   std::uint32_t cell = 0;
@@ -603,7 +606,8 @@ void JsonRows::add_columns(std::size_t row, JsonLayout& layout) {
 }
 
 bool JsonRows::get(std::size_t row, std::vector<std::uint32_t>& cells) {
-  if (table_.columns.empty() && json_.is(table_.records[row], Kind::null) && json_.text(table_.records[row]) == "null") {
+  if (table_.columns.empty() && json_.is(table_.records[row], Kind::null) &&
+      json_.text(table_.records[row]) == "null") {
     return false;
   }
   cells.assign(layout_.columns.size(), 0);
@@ -650,12 +654,13 @@ void JsonRows::require_shape(std::uint32_t id, std::uint32_t value) const {
 /// Throws: Error (data) for a number that the first records do not have, unless it is in a value that is not used.
 void JsonRows::refuse_unknown(std::size_t row, const JsonPaths::Step& step, std::uint32_t value) const {
   if (!layout_.paths.is_used(step.parent)) return;
-  const bool is_number = json_.holds(json_.is(value, Kind::array) && !json_.is_empty(value) ? json_.first(value) : value,
-                                     Kind::number);
+  const bool is_number =
+      json_.holds(json_.is(value, Kind::array) && !json_.is_empty(value) ? json_.first(value) : value, Kind::number);
   if (!is_number) return;
   const std::string outer = layout_.paths.path(step.parent);
-  const std::string path = step.number != JsonPaths::of_member ? fmt::format("{}[{}]", outer, step.number)
-                                                       : fmt::format("{}{}{}", outer, outer.empty() ? "" : ".", step.name);
+  const std::string path = step.number != JsonPaths::of_member
+                               ? fmt::format("{}[{}]", outer, step.number)
+                               : fmt::format("{}{}{}", outer, outer.empty() ? "" : ".", step.name);
   throw at(row, path, value,
            data_error("the first key has no such number; expected the same members in every key; add it there"));
 }

@@ -19,15 +19,15 @@ namespace tcb {
 
 /// A cell of each record, as the first records have it.
 struct JsonColumn {
-  std::string path;             ///< as in pose.x
-  std::string name;             ///< in the header
-  std::string stem = {};        ///< the path without its last step; empty for members of records
-  std::size_t depth = 0;        ///< the number of steps behind the first one
-  std::uint32_t value = 0;      ///< its first value
+  std::string path;               ///< as in pose.x
+  std::string name;               ///< in the header
+  std::string stem = {};          ///< the path without its last step; empty for members of records
+  std::size_t depth = 0;          ///< the number of steps behind the first one
+  std::uint32_t value = 0;        ///< its first value
   std::size_t row = 0, rows = 0;  ///< the first record with it, and how many of the first records have it
   bool has_number = false, has_text = false;
   bool is_used = false, is_requested = false;  ///< it is part of the table
-  std::size_t target = 0;                     ///< the column that has its cells: itself, or another one of this name
+  std::size_t target = 0;                      ///< the column that has its cells: itself, or another one of this name
 
   std::string_view last_step() const { return std::string_view(path).substr(stem.size()); }
   bool is_in_array() const { return path.ends_with(']'); }
@@ -38,7 +38,7 @@ class JsonPaths {
  public:
   static constexpr std::uint32_t of_member = static_cast<std::uint32_t>(-1);
   struct Step {
-    std::uint32_t parent = 0;  ///< 0: the record
+    std::uint32_t parent = 0;          ///< 0: the record
     std::uint32_t number = of_member;  ///< of an element
     std::string_view name = {};        ///< of a member
     auto operator<=>(const Step&) const = default;
@@ -81,7 +81,7 @@ struct JsonLayout {
   std::vector<std::string> notes = {};
   std::vector<std::string> ignored = {};  ///< names of what is not part of the table
   std::vector<std::string> meant = {};    ///< names in the header of numbers in arrays
-  MemoryUse memory;                  ///< of paths
+  MemoryUse memory;                       ///< of paths
 };
 
 /// The layout of a table by its first records. `channels`: names for the numbers of positions, if any.

@@ -27,6 +27,7 @@ using SharedJson = std::shared_ptr<const Json>;
 
 /// The meaning of the records of a table.
 struct Meaning {
+  SharedJson first;  ///< whose text has the names in the layout
   JsonLayout layout;
   DelimitedHead head = {};
   Columns columns = {};  ///< those that the first records have
@@ -38,7 +39,7 @@ struct TablePart {
   std::shared_ptr<const JsonTable> table;
   std::shared_ptr<const Meaning> meaning;
   std::size_t first = 0, last = 0;
-  std::uint64_t number = 0;                         ///< of the first record of the table
+  std::uint64_t number = 0;                          ///< of the first record of the table
   std::shared_ptr<const CurveInfo> curve_info = {};  ///< of a curve that begins here
   std::vector<Error> faults = {};                    ///< of values that are not among the records
 };
@@ -76,7 +77,8 @@ void add_row(PlainText& plain, const Json& json, const JsonLayout& layout, JsonR
   plain.rows.push_back(row);
   plain.begins.push_back(begin);
   plain.lines.push_back(plain.next_line);
-  plain.next_line += static_cast<std::uint64_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(), '\n'));
+  plain.next_line +=
+      static_cast<std::uint64_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(begin), text.end(), '\n'));
 }
 
 /// Puts the places in JSON into keys and faults.
@@ -125,8 +127,9 @@ class Places {
     }
     constexpr std::string_view empty = "found an empty cell; expected a";
     if (value == 0 && message.starts_with(empty)) {
-      message = fmt::format("the key has no member {}; expected the members of the first key; add it{}",
-                            in_quotes(column.path), message.substr(std::min(message.find(", or give"), message.size())));
+      message =
+          fmt::format("the key has no member {}; expected the members of the first key; add it{}",
+                      in_quotes(column.path), message.substr(std::min(message.find(", or give"), message.size())));
       return Error(fault.exit(), message).at(json_.position(table_.place(row)));
     }
     const std::size_t place = value != 0 ? value : table_.place(row);
@@ -183,9 +186,8 @@ KeyBlock keys_of(const TablePart& part) {
   Places(part, plain).restore(block);
   auto& errors = block.faults.errors;
   errors.insert(errors.end(), faults.begin(), faults.end());
-  std::ranges::stable_sort(errors, {}, [](const Error& error) {
-    return std::pair(error.position().line, error.position().column);
-  });
+  std::ranges::stable_sort(
+      errors, {}, [](const Error& error) { return std::pair(error.position().line, error.position().column); });
   block.curve_info = part.curve_info;
   return block;
 }
@@ -193,7 +195,12 @@ KeyBlock keys_of(const TablePart& part) {
 /// The options for the delimited text of a table.
 InputOptions options_of_text(const InputOptions& options, const JsonLayout& layout, const JsonTable& table) {
   InputOptions of_text = with_columns_of_layout(options, layout);
-  of_text.delimited = {.delimiter = ',', .header = table.has_names, .comment = "", .is_plain = true, .meant = layout.meant, .has_decimal = true};
+  of_text.delimited = {.delimiter = ',',
+                       .header = table.has_names,
+                       .comment = "",
+                       .is_plain = true,
+                       .meant = layout.meant,
+                       .has_decimal = true};
   return of_text;
 }
 
@@ -217,7 +224,7 @@ void add_optional_parameters(Meaning& meaning) {
 std::shared_ptr<const Meaning> meaning_of(const SharedJson& json, const std::shared_ptr<const JsonTable>& table,
                                           const InputOptions& options, const std::vector<std::string>& channels) {
   constexpr std::size_t most_records = 100;
-  auto meaning = std::make_shared<Meaning>(Meaning{find_layout(*json, *table, options, channels)});
+  auto meaning = std::make_shared<Meaning>(Meaning{json, find_layout(*json, *table, options, channels)});
   const JsonLayout& layout = meaning->layout;
   PlainText plain;
   if (table->has_names) {
@@ -424,8 +431,8 @@ Records open_value(const SharedJson& json, const InputOptions& options) {
   require_no_groups(records.columns);
   records.columns.groups = {"id"};
   records.keys.traits.own_curves = true;
-  records.keys.blocks = ordered_map(Source<TablePart>(Curves(json, std::move(tables), options, std::move(first))), keys_of,
-                                    options.threads);
+  records.keys.blocks = ordered_map(Source<TablePart>(Curves(json, std::move(tables), options, std::move(first))),
+                                    keys_of, options.threads);
   return records;
 }
 
@@ -462,12 +469,13 @@ Records open_values(JsonBlock block, const std::shared_ptr<JsonBlocks>& blocks, 
   Records records = records_of(*part.meaning, *table);
   records.facts.shape = table->has_names ? JsonShape::lines : JsonShape::table;
   Source<TablePart> parts = [blocks, meaning = part.meaning, number = table->size(),
-                        has_names = table->has_names, keeps = first]() mutable -> std::optional<TablePart> {
+                             has_names = table->has_names]() mutable -> std::optional<TablePart> {
     std::optional<JsonBlock> block = blocks->next();
     if (!block) return std::nullopt;
     TablePart next{nullptr, nullptr, meaning, 0, 0, number};
     next.json = json_of_lines(*std::move(block), next.faults);
-    next.table = std::make_shared<const JsonTable>(JsonTable{.has_names = has_names, .records = next.json->values(0)});
+    next.table =
+        std::make_shared<const JsonTable>(JsonTable{.has_names = has_names, .records = records_in(*next.json, 0)});
     next.last = next.table->size();
     number += next.last;
     return next;
@@ -493,9 +501,10 @@ Records open_json(const Format&, Source<std::string> bytes, InputOptions options
   const auto blocks = std::make_shared<JsonBlocks>(std::move(bytes), options.max_memory);
   std::optional<JsonBlock> block = options.records.empty() ? blocks->next() : blocks->whole();
   if (!block) throw data_error("the input has no keys; expected a JSON object for each key; see --help");
-  Records records = is_one_value(*block, *blocks) || !options.records.empty()
-                        ? open_value(std::make_shared<const Json>(std::move(block->text), block->begin, block->nodes), options)
-                        : open_values(*std::move(block), blocks, options);
+  Records records =
+      is_one_value(*block, *blocks) || !options.records.empty()
+          ? open_value(std::make_shared<const Json>(std::move(block->text), block->begin, block->nodes), options)
+          : open_values(*std::move(block), blocks, options);
   if (options.keys.missing == Missing::skip_cell) {
     records.keys.blocks = within_memory(std::move(records.keys.blocks), options.max_memory);
   }

@@ -59,7 +59,8 @@ class SettingsReader {
     if (!nearest.empty()) throw at(name_, data_error("there is no such setting; did you mean {}?", nearest));
     const bool has_number = json_.holds(value, Kind::number);
     if (found.shown_rate.empty() && is_frame_rate(json_, value)) found.shown_rate = json_.text(value);
-    if (has_number && member_ != "meta" && member_ != "rows" && others_.insert(member_).second) found.unused.emplace_back(member_);
+    if (has_number && member_ != "meta" && member_ != "rows" && others_.insert(member_).second)
+      found.unused.emplace_back(member_);
   }
 
   /// Throws: Error (data) for a name that has a meaning only elsewhere.
@@ -84,10 +85,10 @@ class SettingsReader {
   void take(std::size_t value, bool in_array) {
     const Kind kind = json_.kind(value);
     const bool is_quoted = kind == Kind::string;
-    const std::string text = is_quoted                  ? std::string(json_.text(value))
-                             : kind == Kind::number     ? json_number_text(json_.text(value))
+    const std::string text = is_quoted                ? std::string(json_.text(value))
+                             : kind == Kind::number   ? json_number_text(json_.text(value))
                              : json_.is_nested(value) ? "an object"
-                                                        : std::string(json_.text(value));
+                                                      : std::string(json_.text(value));
     if (member_ == "id") {
       if (in_array || json_.is_nested(value)) {
         throw at(value, data_error("this is not a text or a number; expected one; correct it"));

@@ -100,10 +100,7 @@ class Layouts {
   }
 
   bool take_list(JsonTable& table, bool is_wanted) const {
-    table.records = json_.values(table.value);
-    std::erase_if(table.records, [&](std::size_t record) {  // the provenance of an output
-      return json_.is(record, Kind::object) && json_.count(record) == 1 && json_.member(record, "meta");
-    });
+    table.records = records_in(json_, table.value);
     if (table.records.empty()) return false;
     if (is_list_of_objects(table.value) || (is_wanted && json_.is(table.records[0], Kind::object))) {
       table.has_times = has_time(table.records[0]);
@@ -205,8 +202,8 @@ class Layouts {
     const std::size_t rows = json_.count(times.value_or(arrays[0]));
     for (const std::size_t array : arrays) {
       const Values cells = json_.values(array);
-      const bool are_vectors = times && rows > 1 && cells.size() > rows && cells.size() % rows == 0 &&
-                               json_.has_only(array, Kind::number);
+      const bool are_vectors =
+          times && rows > 1 && cells.size() > rows && cells.size() % rows == 0 && json_.has_only(array, Kind::number);
       if (are_vectors) {
         add_flat_vectors(table, json_.name(array), cells, rows);
       } else if (cells.size() == rows) {
@@ -214,10 +211,10 @@ class Layouts {
         table.columns.push_back(cells);
       } else {
         const std::size_t first = times.value_or(arrays[0]);
-        fault_ = data_error("the column {} has {}; expected {}, as many as {}; correct it",
-                            in_quotes(json_.name(array)), how_many(cells.size(), "value"), rows,
-                            in_quotes(json_.name(first)))
-                     .at(json_.position(array - 1));
+        fault_ =
+            data_error("the column {} has {}; expected {}, as many as {}; correct it", in_quotes(json_.name(array)),
+                       how_many(cells.size(), "value"), rows, in_quotes(json_.name(first)))
+                .at(json_.position(array - 1));
         if (is_wanted) throw Error(*fault_);
         return false;
       }
@@ -431,8 +428,8 @@ class TableSearch {
   /// are the keys.
   void search(std::size_t value) {
     auto table = layouts_.table_of(value, false);
-    const bool has_lists = table && !table->has_times && json_.is(value, Kind::array) &&
-                           holds_list(json_, layouts_, value);
+    const bool has_lists =
+        table && !table->has_times && json_.is(value, Kind::array) && holds_list(json_, layouts_, value);
     if (table && !has_lists) return add(*std::move(table));
     const bool is_object = json_.is(value, Kind::object);
     if (is_object) around_.push_back(static_cast<std::uint32_t>(value));
@@ -529,9 +526,8 @@ class TableSearch {
     }
     const bool is_list = json_.is(root, Kind::array) && !json_.is_empty(root);
     const auto type = json_.member(is_list ? json_.first(root) : root, "type");
-    const std::string records = tables_.empty() || tables_[0].path.empty()
-                                    ? ""
-                                    : fmt::format("--records {} ", in_shell(tables_[0].path));
+    const std::string records =
+        tables_.empty() || tables_[0].path.empty() ? "" : fmt::format("--records {} ", in_shell(tables_[0].path));
     const auto error = other_json(names, type ? json_.text(*type) : "", records);
     if (error) throw error->at({"", 1, 1});
   }
@@ -588,6 +584,15 @@ class TableSearch {
 
 std::vector<JsonTable> find_tables(const Json& json, const InputOptions& options) {
   return TableSearch(json, options).find();
+}
+
+std::vector<std::uint32_t> records_in(const Json& json, std::size_t array) {
+  std::vector<std::uint32_t> records = json.values(array);
+  std::erase_if(records, [&](std::size_t record) {  // the provenance of an output
+    return json.is(record, Kind::object) && !json.is_empty(record) && json.name(json.first(record)) == "meta" &&
+           json.count(record) == 1;
+  });
+  return records;
 }
 
 JsonTable table_of_values(const Json& json) {

@@ -15,15 +15,15 @@ namespace tcb {
 
 /// A list of records, which are objects or arrays, or of the cells of columns.
 struct JsonTable {
-  std::size_t value = 0;                   ///< that holds it
-  std::string path = {};                   ///< as in "trajectory.points"; empty for the whole text
-  std::vector<std::uint32_t> around = {};  ///< the objects on the way to it, from the outermost one
-  bool has_times = false;                  ///< so that it is taken before others
-  bool is_own = false;                     ///< keys or rows as the program writes them, with settings beside them
-  bool are_scattered = false;              ///< its columns are in several objects
-  bool has_names = true;                   ///< the text names its columns
-  std::vector<std::string> names = {};     ///< of the cells of records that are arrays, or of columns
-  std::vector<std::uint32_t> records = {};               ///< objects, arrays, or null, which ends a curve
+  std::size_t value = 0;                    ///< that holds it
+  std::string path = {};                    ///< as in "trajectory.points"; empty for the whole text
+  std::vector<std::uint32_t> around = {};   ///< the objects on the way to it, from the outermost one
+  bool has_times = false;                   ///< so that it is taken before others
+  bool is_own = false;                      ///< keys or rows as the program writes them, with settings beside them
+  bool are_scattered = false;               ///< its columns are in several objects
+  bool has_names = true;                    ///< the text names its columns
+  std::vector<std::string> names = {};      ///< of the cells of records that are arrays, or of columns
+  std::vector<std::uint32_t> records = {};  ///< objects, arrays, or null, which ends a curve
   std::vector<std::vector<std::uint32_t>> columns = {};  ///< in place of records; 0 for a missing value
   std::vector<std::uint32_t> index = {};                 ///< of rows, which are the times; empty: none are
   std::vector<std::string> others = {};                  ///< names of members beside the columns, which are not read
@@ -44,6 +44,9 @@ struct JsonTable {
 /// likely to be keys. Requires: the text has a value. Throws: Error (usage) where there is no such value, and Error
 /// (data) where several tables may be the keys.
 std::vector<JsonTable> find_tables(const Json& json, const InputOptions& options);
+
+/// The values in an array without the provenance that the program writes among them.
+std::vector<std::uint32_t> records_in(const Json& json, std::size_t array);
 
 /// The table of several values that follow one another.
 JsonTable table_of_values(const Json& json);

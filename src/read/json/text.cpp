@@ -224,7 +224,8 @@ std::string Json::path(std::size_t within, std::size_t value) const {
     JsonIterator inner = inside(within).begin();
     while (next(*inner) <= value) ++inner, ++number;
     within = *inner;
-    path += is_member(within) ? fmt::format("{}{}", path.empty() ? "" : ".", name(within)) : fmt::format("[{}]", number);
+    path +=
+        is_member(within) ? fmt::format("{}{}", path.empty() ? "" : ".", name(within)) : fmt::format("[{}]", number);
     if (within == value || within == value + 1) break;
   }
   return path;

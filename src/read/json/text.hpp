@@ -29,7 +29,8 @@ class Json {
  public:
   enum class Kind : std::uint8_t { null, boolean, number, string, name, array, object };
 
-  /// The root, which node 0 is, holds all values of the text. `begin`: where the text is in the file. `nodes`: so many at most. Throws: Error (data) for what is no JSON, and where it is nested too deeply.
+  /// The root, which node 0 is, holds all values of the text. `begin`: where the text is in the file. `nodes`: so many
+  /// at most. Throws: Error (data) for what is no JSON, and where it is nested too deeply.
   Json(std::string text, LinePosition begin, std::size_t nodes);
 
   Kind kind(std::size_t value) const { return nodes_[value].kind; }
@@ -140,8 +141,8 @@ inline JsonRange Json::inside(std::size_t value) const { return {*this, value}; 
 struct JsonBlock {
   std::string text;
   LinePosition begin = {};
-  std::size_t nodes = 0;  ///< at most, of the values in it
-  std::size_t lines = 0;  ///< that end outside of values
+  std::size_t nodes = 0;   ///< at most, of the values in it
+  std::size_t lines = 0;   ///< that end outside of values
   std::size_t values = 0;  ///< the arrays and objects that no other one holds
 };
 
@@ -173,11 +174,11 @@ class JsonBlocks {
 
   TextBytes bytes_;
   std::uint64_t most_;
-  JsonBlock left_;         ///< what was read and not yet cut off
-  bool is_read_ = false;   ///< the input is read to its end
-  bool is_first_ = true;   ///< no block was taken
-  std::size_t at_ = 0;     ///< scanned up to here
-  std::size_t depth_ = 0;  ///< of brackets there
+  JsonBlock left_;                              ///< what was read and not yet cut off
+  bool is_read_ = false;                        ///< the input is read to its end
+  bool is_first_ = true;                        ///< no block was taken
+  std::size_t at_ = 0;                          ///< scanned up to here
+  std::size_t depth_ = 0;                       ///< of brackets there
   bool in_string_ = false, has_value_ = false;  ///< there, and the line has a value
   std::size_t end_ = 0, end_nodes_ = 0;         ///< behind the last line that ends outside of values, and its nodes
 };
