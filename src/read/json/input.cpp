@@ -132,6 +132,9 @@ class Places {
                       in_quotes(column.path), message.substr(std::min(message.find(", or give"), message.size())));
       return Error(fault.exit(), message).at(json_.position(table_.place(row)));
     }
+    constexpr std::string_view null = "found \"null\"";
+    const bool is_null = value != 0 && json_.is(value, Kind::null);
+    if (is_null && message.starts_with(null)) message.replace(0, null.size(), "found null");
     const std::size_t place = value != 0 ? value : table_.place(row);
     return Error(fault.exit(), message)
         .about(fmt::format("{}[{}].{}", table_.list(), part_.number + row, column.path))
