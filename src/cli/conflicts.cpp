@@ -154,6 +154,12 @@ constexpr Conflict conflicts[] = {
     {{"--max-gap"}, excludes, {"--closed", "--period"}},
     {{"--max-gap"}, excludes, {"--identify"}, ", which tries rules on whole curves"},
     {{"--time-unit"}, excludes, {"--input-fps"}},
+    {{"--time-start"}, needs, {"--input-fps"}, ", the rate of the rows"},
+    {{"--input-fps"},
+     excludes,
+     {"--parameter"},
+     ", as both give rows their times",
+     [](const Typed& typed) { return typed.keys.rules.parameter && typed.keys.rules.parameter->exponent != 0; }},
     {{"--angles"}, needs, {"--rotation", "--rotation-output"}, ", which tells where angles are"},
 
     {{"--metric"}, has_no_effect, {}, ", as no length or speed is requested", needs_no_metric},

@@ -195,7 +195,7 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.keys.input.units.time = named_row(time_units, text).unit; }, names_in<time_units>},
     {"--input-fps", "", "HZ", input_group,
      "Converts times from frame numbers at HZ frames per second, such as 24 or 30000/1001, to seconds; HZ as for "
-     "--fps",
+     "--fps. Where no column is the time, as with --parameter uniform, row i of a curve is at i/HZ",
      "", other,
      [](Typed& to, Text text) {
        UnitOptions& units = to.keys.input.units;
@@ -208,6 +208,14 @@ constexpr OptionRow option_rows[] = {
      "", name,
      [](Typed& to, Text text) { to.keys.input.units.date_order = named_row(date_orders, text).order; },
      names_in<date_orders>},
+    {"--time-start", "", "T", input_group,
+     "The time of the first row where --input-fps gives rows their times: seconds, a date, a time of day or timecode",
+     "0", other,
+     [](Typed& to, Text text) {
+       UnitOptions& units = to.keys.input.units;
+       const auto seconds = seconds_in_words(units, text);
+       units.start = seconds ? *seconds : time_value(expects_ratio, text).value;
+     }},
     {"--scale", "", "CHANNEL=FACTOR,...", input_group,
      "Multiplies the positions of channels by exact decimals or ratios, as in x=0.01",
      "", other, [](Typed& to, Text text) { to.keys.input.units.scales = channel_scales(text); }},

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,8 +30,9 @@ enum class Generated { manual, curves, bash, zsh, fish, tables };
 
 /// A column of a file that has the times or arc lengths of an option.
 struct PlaceColumn {
-  std::string_view option;  ///< its name
-  std::string path, name;
+  std::string_view option;                               ///< its name
+  std::string path, name;                                ///< without a name: the column of times
+  std::shared_ptr<const std::string> content = nullptr;  ///< of the file, if it was read
 };
 
 /// The times or arc lengths of the option that has them.

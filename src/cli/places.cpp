@@ -1,6 +1,9 @@
-// Places: the times or arc lengths of --at and --arc-at, as listed, in a file of numbers, or in a column of a file.
+// Places: the times or arc lengths of --at and --arc-at, as listed, in a file of numbers, or in a column of a recording.
 #include "cli/values.hpp"
 
+#include <fmt/format.h>
+
+#include <deque>
 #include <filesystem>
 #include <system_error>
 
@@ -8,7 +11,9 @@
 #include "io/compression.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
+#include "numbers/print_number.hpp"
 #include "read/csv/splitter.hpp"
+#include "read/csv/tokenizer.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
 #include "schema/key_rules.hpp"
@@ -22,6 +27,16 @@ constexpr std::string_view not_a_range = "is not a range; expected FIRST:LAST:ST
 constexpr std::string_view not_a_list_of_numbers =
     "is not a number; expected decimals or ratios of whole numbers, separated by commas, such as 0,0.5,7/24";
 
+/// Whether a text such as 0:10:0.5 is a range. One that may be a time of day as well is that if a zero precedes another
+/// digit in a part of it, as in 10:05:30.
+bool is_range(std::string_view text) {
+  if (text.find_first_not_of("0123456789.:") != std::string_view::npos) return false;
+  const std::vector<std::string_view> parts = split(text, ':');
+  return parts.size() == 3 && std::ranges::none_of(parts, [](std::string_view part) {
+           return part.size() > 1 && part[0] == '0' && is_digit(part[1]);
+         });
+}
+
 /// Throws: Error (usage) for more numbers of an option than are kept.
 void require_room_for(const Rational& numbers) {
   constexpr std::uint64_t most_places = 10'000'000;
@@ -34,10 +49,11 @@ void require_room_for(const Rational& numbers) {
 struct NumberedPlaces {
   std::vector<Rational> list;
   bool in_seconds = false;  ///< they have units of time, as in 30min
-  bool are_dates = false;
+  bool are_words = false;   ///< dates, times of day or timecode
+  std::string range = {};   ///< one that might be a time of day
 };
 
-/// The numbers of a list, all with units of time or none.
+/// The numbers of a list, all with units of time or none, or times in words.
 class PlaceNumbers {
  public:
   explicit PlaceNumbers(const UnitOptions& units) : units_(units) {}
@@ -46,22 +62,23 @@ class PlaceNumbers {
   void add(std::string_view item) {
     require_room_for(places_.list.size() + 1);
     const auto notation = find_notation(item);
-    if (notation && is_date(*notation)) {
+    if (notation && !is_range(item)) {
       places_.list.push_back(*seconds_in_words(units_, item));
-      ++dates_;
+      ++words_;
     } else if (item.find(':') == std::string_view::npos) {
       places_.list.push_back(number(not_a_list_of_numbers, item));
     } else {
+      if (notation && item.find('.') == std::string_view::npos) places_.range = item;
       add_range(item);
     }
   }
 
   NumberedPlaces take() {
-    if (dates_ > 0 && dates_ != places_.list.size()) {
-      throw usage_error("there are both dates and numbers; expected one of the two");
+    if (words_ > 0 && words_ != places_.list.size()) {
+      throw usage_error("there are both times in words, such as dates, and numbers; expected one of the two");
     }
-    places_.are_dates = dates_ > 0;
-    places_.in_seconds = places_.in_seconds || places_.are_dates;
+    places_.are_words = words_ > 0;
+    places_.in_seconds = places_.in_seconds || places_.are_words;
     return std::move(places_);
   }
 
@@ -91,7 +108,7 @@ class PlaceNumbers {
 
   const UnitOptions& units_;
   NumberedPlaces places_;
-  std::size_t dates_ = 0;
+  std::size_t words_ = 0;
   bool any_ = false;
 };
 
@@ -104,32 +121,68 @@ bool is_header(const std::vector<std::string_view>& cells) {
   });
 }
 
-/// The numbers in a file as a list separated by commas. A first line without a digit is a header.
-std::string numbers_in(const std::string& path) {
+/// The text of a file or of standard input. Throws: Error (usage) for one that is too large to be kept.
+std::string content_of(const std::string& path, std::uint64_t max_memory) {
   return in_file(shown_name(path), [&] {
-    const Source<Chunk> chunks = split_delimited(decompressed(read_file(path)), {',', ""});
-    std::string items;
-    std::uint64_t count = 0;
-    while (std::optional<Chunk> chunk = chunks()) {
-      std::uint64_t line = chunk->line;
-      if (line == 1 && chunk->text.starts_with(byte_order_mark)) chunk->text.erase(0, byte_order_mark.size());
-      std::ranges::replace_if(
-          chunk->text, [](char c) { return c == ' ' || c == '\t' || c == '\r'; }, ',');
-      for (const std::string_view text : split(chunk->text, '\n')) {
-        const TextPosition position{"", line++, 0};
-        const std::vector<std::string_view> cells = split(text, ',');
-        if (position.line == 1 && is_header(cells)) continue;
-        for (const std::string_view cell : cells) {
-          if (cell.empty()) continue;
-          at_position(position, [&] { (void)ratio_or(not_a_list_of_numbers, cell); });
-          items += (items.empty() ? "" : ",") + std::string(cell);
-          require_room_for(++count);
-        }
-      }
+    const Source<std::string> bytes = decompressed(read_file(path));
+    std::string text;
+    while (append_next(text, bytes)) {
+      if (text.size() > max_memory)
+        throw usage_error(
+            "the text has more than {} bytes, as --max-memory allows; expected fewer; give fewer places, or more memory",
+            with_thousands(max_memory));
     }
-    if (items.empty()) throw usage_error("the file has no numbers; expected at least one");
-    return items;
+    if (text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+    return text;
   });
+}
+
+Source<std::string> source_of(const std::string& text) { return each_of(std::deque<std::string>{text}); }
+
+/// Whether a text is a recording: JSON, the text of a format with a beginning of its own, or rows of one length, above
+/// one. Otherwise it is a list of numbers.
+bool is_recording(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return false;
+  const auto begins = [&](const Format& format) {
+    return format.can_read() && format.input->begins != nullptr && format.input->begins(text);
+  };
+  if (text[first] == '[' || text[first] == '{' || std::ranges::any_of(formats(), begins)) return true;
+  const DelimitedOptions usual;
+  const Source<std::string> bytes = source_of(text);
+  Beginning beginning = find_delimiter(bytes, {}, usual);
+  const Dialect dialect{beginning.delimiter, usual.comment};
+  const Source<Chunk> chunks = split_delimited(preceded_by(std::move(beginning.text), bytes), dialect);
+  std::size_t rows = 0, length = 0;
+  std::vector<std::string_view> cells;
+  while (const std::optional<Chunk> chunk = chunks()) {
+    for (Tokenizer records(*chunk, dialect); records.next(cells); ++rows) {
+      if (rows > 0 && cells.size() != length) return false;
+      length = cells.size();
+    }
+  }
+  return rows > 1 && length > 1;
+}
+
+/// The numbers in a text as a list separated by commas. A first line without a digit is a header.
+std::string numbers_in(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == ' ' || c == '\t' || c == '\r'; }, ',');
+  std::string items;
+  std::uint64_t count = 0, line = 0;
+  for (const std::string_view row : split(text, '\n')) {
+    const TextPosition position{"", ++line, 0};
+    const std::vector<std::string_view> cells = split(row, ',');
+    if (line == 1 && is_header(cells)) continue;
+    for (const std::string_view cell : cells) {
+      if (cell.empty()) continue;
+      if (!find_notation(cell)) at_position(position, [&] { (void)ratio_or(not_a_list_of_numbers, cell); });
+      items += (items.empty() ? "" : ",") + std::string(cell);
+      require_room_for(++count);
+    }
+  }
+  if (items.empty()) throw usage_error("the file has no numbers; expected at least one");
+  return items;
 }
 
 /// Whether there is a file; false also for a name that the system does not take.
@@ -138,16 +191,15 @@ bool exists(const std::string& path) {
   return std::filesystem::exists(path, none);
 }
 
-/// The numbers in a text; for @FILE those in that file, for "-" those of standard input, as one text separated by
-/// commas.
-std::string listed_numbers(const std::string& text) {
-  if (text == "-") return numbers_in(text);
-  if (!text.starts_with('@')) return text;
+/// The file of "@FILE", or "-" for standard input; nothing for a list. Throws: Error (usage) where there is none.
+std::optional<std::string> place_file(const std::string& text) {
+  if (text == "-") return text;
+  if (!text.starts_with('@')) return std::nullopt;
   const std::string path = text.substr(1);
   if (!exists(path))
     throw usage_error("the file cannot be read; expected a file of numbers, or @FILE:COLUMN for a column of a file")
         .in(path);
-  return numbers_in(path);
+  return path;
 }
 
 /// The parts of "@FILE:COLUMN". Both may contain colons: the file is the longest name of one. Nothing for a file alone.
@@ -169,17 +221,40 @@ std::vector<std::string> group_names(const InputOptions& keys) {
   return group == keys.columns.roles.end() ? std::vector<std::string>{} : group->columns;
 }
 
-/// The places in a column of a file, in its order. Throws: Error.
-GroupedPlaces read_places(const PlaceColumn& column, const InputOptions& of_keys) {
+/// Opens the recording of a column. The column of times is found as that of keys, if it has no name. Throws: Error.
+Input open_recording(const PlaceColumn& column, const InputOptions& of_keys) {
   InputOptions options;
-  options.columns.samples = SampleNames{column.name, group_names(of_keys)};
-  options.columns.samples->times_only = column.option;
   options.units = {
       .frame_rate = of_keys.units.frame_rate, .date_order = of_keys.units.date_order, .are_optional = true};
-  const Input input = open_input(column.path, read_file(column.path), options);
+  if (column.name.empty()) {
+    options.columns.times_only = true;
+    const std::vector<std::string> groups = group_names(of_keys);
+    if (!groups.empty()) options.columns.roles = {{Role::group, groups}};
+  } else {
+    options.columns.samples = SampleNames{column.name, group_names(of_keys)};
+    options.columns.samples->times_only = column.option;
+  }
+  if (column.content == nullptr) return open_input(column.path, read_file(column.path), options);
+  try {
+    return open_input(column.path, source_of(*column.content), options);
+  } catch (const Error& error) {
+    const std::string_view fault = error.message();
+    throw Error(error.exit(), fmt::format("{}; name the column, as in {} @{}:COLUMN", fault.substr(0, fault.find(';')),
+                                          column.option, column.path == "-" ? "FILE" : column.path))
+        .at(error.position());
+  }
+}
+
+/// The places in a column of a file, in its order, and whether they are in seconds. Throws: Error.
+std::pair<GroupedPlaces, bool> read_places(const PlaceColumn& column, const InputOptions& of_keys) {
+  const Input input = open_recording(column, of_keys);
   const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
+  const TimeSchema& time = input.schema.time;
+  const bool in_seconds =
+      column.name.empty() && column.option == "--at" && time.unit && *time.unit != TimeUnit::frames;
+  const Rational units = in_seconds ? units_per_second(*time.unit) : Rational(1);
   SamplingRequest request;
-  if (const auto& rate = input.schema.time.frame_rate) request.frames.emplace(*rate);
+  if (time.frame_rate) request.frames.emplace(*time.frame_rate);
   GroupedPlaces places;
   std::uint64_t count = 0;
   while (const std::optional<KeyBlock> block = keys()) {
@@ -187,10 +262,10 @@ GroupedPlaces read_places(const PlaceColumn& column, const InputOptions& of_keys
     for (std::size_t key = 0; key < block->size(); ++key) {
       std::vector<std::string> group;
       for (std::size_t i = 0; i < input.schema.groups.size(); ++i) group.emplace_back(content(block->text(key, i)));
-      places[group].push_back(request.exact(block->keys.times[key]));
+      places[group].push_back(request.exact(block->keys.times[key]) / units);
     }
   }
-  return places;
+  return {std::move(places), in_seconds};
 }
 
 }  // namespace
@@ -200,24 +275,35 @@ void store_places(TypedOptions& typed, std::string_view option, const std::strin
   typed.places.from_input = text == "-";
   if (typed.places.column) typed.files.other_inputs.push_back(typed.places.column->path);
   if (typed.places.column) return;
-  if (typed.places.from_input) typed.files.other_inputs.push_back(text);
-  if (text.starts_with('@')) typed.files.other_inputs.push_back(text.substr(1));
-  const std::string listed = listed_numbers(text);
+  std::string listed = text;
+  if (const auto path = place_file(text)) {
+    typed.files.other_inputs.push_back(*path);
+    std::string content = content_of(*path, typed.keys.input.max_memory);
+    if (in_file(shown_name(*path), [&] { return is_recording(content); })) {
+      typed.places.column = PlaceColumn{option, *path, option == "--arc-at" ? "s" : "",
+                                        std::make_shared<const std::string>(std::move(content))};
+      return;
+    }
+    listed = in_file(shown_name(*path), [&] { return numbers_in(std::move(content)); });
+  }
   PlaceNumbers numbers(typed.keys.input.units);
   for (const std::string_view item : split(listed, ',')) numbers.add(item);
   NumberedPlaces places = numbers.take();
-  if (places.are_dates && option != "--at") throw usage_error("there are dates; expected numbers");
+  if (places.are_words && option != "--at") throw usage_error("there are times in words; expected numbers");
   if (places.in_seconds && option == "--arc-at")
     throw usage_error(
         "a unit of time is given, but samples are placed by arc length; expected a length without a unit");
   typed.places.list = std::move(places.list);
   typed.places.in_seconds = places.in_seconds;
+  typed.sampling.range_like_clock = std::move(places.range);
 }
 
 void read_place_column(TypedOptions& typed) {
   if (!typed.places.column) return;
   const PlaceColumn& column = *typed.places.column;
-  GroupedPlaces places = in_file(column.path, [&] { return read_places(column, typed.keys.input); });
+  auto [places, in_seconds] =
+      in_file(shown_name(column.path), [&] { return read_places(column, typed.keys.input); });
+  typed.places.in_seconds = in_seconds;
   const auto alone = places.find({});
   if (alone == places.end()) {
     typed.places.grouped = std::move(places);

@@ -13,6 +13,7 @@
 #include "read/input.hpp"
 #include "read/input_options.hpp"
 #include "read/other_files.hpp"
+#include "read/row_times.hpp"
 #include "schema/schema.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -107,14 +108,15 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   }
   const Format& format = given.format != nullptr ? *given.format : format_of(path, beginning);
   bytes = preceded_by(std::move(beginning), std::move(bytes));
-  const InputOptions options = options_of(format, bytes, given);
+  InputOptions options = options_of(format, bytes, given);
+  options.keys.counts_rows = options.units.frame_rate && options.keys.missing == Missing::skip_row;
   Records records = format.input->open(format, std::move(bytes), options);
   const Columns& columns = records.columns;
   Input input{schema_of(columns, records.units.notation, records.units.dates), std::move(records.facts),
               std::move(records.keys)};
   RotationOptions rotation = options.rotation;
   if (records.rotation && rotation.requests.empty() && !rotation.none) rotation.requests.push_back(*records.rotation);
-  if (!options.columns.samples) input.schema = with_rotations(std::move(input.schema), columns, rotation);
+  if (!options.columns.samples && !options.columns.times_only) input.schema = with_rotations(std::move(input.schema), columns, rotation);
   input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
   if (!input.schema.time.unit) input.schema.time.unit = records.time_unit;
   if (!input.schema.time.unit) input.schema.time.epoch_unit = records.units.epoch_unit;
@@ -132,6 +134,11 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   traits.has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown;
   traits.marks = columns.marks;
   if (columns.named) traits.channels = columns.channels;
+  if (input.schema.time.counts_rows) {
+    input.keys.blocks =
+        with_row_times(std::move(input.keys.blocks), input.schema.time,
+                       traits.own_curves ? 0 : input.schema.groups.size(), options.keys.counts_rows);
+  }
   return input;
 }
 

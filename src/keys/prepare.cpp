@@ -199,8 +199,9 @@ class Steps {
 
 /// Passes the keys of a curve without times on. Throws: Error (data) where the first channel, of this name, increases
 /// from key to key, up to the thousandth: then it may be the time. A coordinate that counts the keys says the same.
-Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel, std::string request) {
-  return [blocks = std::move(blocks), counts = is_coordinate(channel), channel = std::move(channel),
+/// `are_frames`: only whole numbers may be the time.
+Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel, std::string request, bool are_frames) {
+  return [blocks = std::move(blocks), counts = is_coordinate(channel), are_frames, channel = std::move(channel),
           request = std::move(request), held = std::deque<KeyBlock>(),
           is_clear = false]() mutable -> std::optional<KeyBlock> {
     constexpr std::size_t most = 1000;
@@ -210,7 +211,7 @@ Source<KeyBlock> with_clear_times(Source<KeyBlock> blocks, std::string channel, 
       for (std::size_t i = 0; block && i < block->size() && keys < most && !is_clear; ++i) {
         const double now = block->keys.positions[i * block->keys.channels];
         counts = counts && now == static_cast<double>(keys);
-        is_clear = keys++ > 0 && !(before < now);
+        is_clear = (keys++ > 0 && !(before < now)) || (are_frames && now != std::trunc(now));
         before = now;
       }
       const bool is_known = is_clear || !block || keys == most;
@@ -261,7 +262,7 @@ Time retimed(const Time& time, const Retiming& retiming, const std::optional<Fra
 Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs) {
   blocks = with_clear_turns(std::move(blocks), needs.turns);
   if (!needs.likely_time.empty()) {
-    blocks = with_clear_times(std::move(blocks), needs.turns.channels[0], needs.likely_time);
+    blocks = with_clear_times(std::move(blocks), needs.turns.channels[0], needs.likely_time, needs.counts_rows);
   }
   return [blocks = std::move(blocks), steps = Steps(needs)]() mutable -> std::optional<KeyBlock> {
     std::optional<KeyBlock> block = blocks();

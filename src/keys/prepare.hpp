@@ -26,6 +26,7 @@ enum class ShownTcbScale { from_0_to_50, percent };
 struct KeyPreparation {
   TurnsOfKeys turns;
   std::string likely_time = {};           ///< the first channel as it can be requested, if it may be the time
+  bool counts_rows = false;               ///< keys have the times of rows at a rate, of which the channel has numbers
   std::optional<double> exponent = {};    ///< of the distances that make the times; nothing: keys have times
   std::vector<std::size_t> metric = {};   ///< the channels of these distances; empty: all
   std::optional<Retiming> retiming = {};  ///< their times change

@@ -79,14 +79,17 @@ FrameTimes FrameTimes::decimals() {
   return times;
 }
 
-FrameTimes::FrameTimes(const Rational& rate) {
+FrameTimes::FrameTimes(const Rational& rate, const Rational& start) : start_(start) {
+  near_start_.hi = nearest_double(start);
+  near_start_.lo = nearest_double(start - Rational(near_start_.hi));
   const Rational parts = rate * parts_of_frame;
   if (numerator(parts) > most_ticks || denominator(parts) > most_ticks) return;
   ticks_ = nearest_double(numerator(parts));
   seconds_ = nearest_double(denominator(parts));
 }
 
-Time FrameTimes::time_of(double number) const {
+/// The time of a part of a frame since the start.
+Time FrameTimes::since_start(double number) const {
   if (number == 0) return {};
   const auto product = spline::two_product(number, seconds_);
   return Time(product.value, product.error) / Time(ticks_);
@@ -95,16 +98,16 @@ Time FrameTimes::time_of(double number) const {
 /// The number of the part of a frame to which a double is nearest.
 std::optional<double> FrameTimes::number(const Time& time) const {
   if (time.lo != 0 || ticks_ == 0) return std::nullopt;
-  const double near = time.hi * ticks_ / seconds_;
+  const double near = (time - near_start_).hi * ticks_ / seconds_;
   if (!(std::abs(near) < 0x1p51)) return std::nullopt;
   const double number = rounded_to_whole(near);
-  return time_of(number).hi == time.hi ? std::optional(number) : std::nullopt;
+  return (near_start_ + since_start(number)).hi == time.hi ? std::optional(number) : std::nullopt;
 }
 
 std::optional<Rational> FrameTimes::exact(const Time& time) const {
   const auto found = number(time);
   if (!found) return are_decimals_ ? std::optional(exact_time(time)) : std::nullopt;
-  return Rational(*found) * Rational(seconds_) / Rational(ticks_);
+  return start_ + Rational(*found) * Rational(seconds_) / Rational(ticks_);
 }
 
 FrameTimes FrameTimes::from(const Time& origin) const {
@@ -123,11 +126,11 @@ Time FrameTimes::elapsed(const Time& time) const {
     return difference(named(time), named(decimal_origin_));
   }
   const auto found = number(time);
-  return found ? time_of(*found - origin_) : time - time_of(origin_);
+  return found ? since_start(*found - origin_) : time - near_start_ - since_start(origin_);
 }
 
 Time FrameTimes::time(const Time& elapsed) const {
-  return are_decimals_ ? elapsed + with_all_digits(decimal_origin_) : as_double(elapsed + time_of(origin_));
+  return are_decimals_ ? elapsed + with_all_digits(decimal_origin_) : as_double(elapsed + since_start(origin_) + near_start_);
 }
 
 Time FrameTimes::key_time(const Time& elapsed) const {

@@ -13,7 +13,8 @@ namespace tcb {
 /// rounded. Frames may have three decimals.
 class FrameTimes {
  public:
-  explicit FrameTimes(const Rational& rate);
+  /// `start`: the time of frame 0.
+  explicit FrameTimes(const Rational& rate, const Rational& start = 0);
 
   /// The times of frames that are decimals.
   static FrameTimes decimals();
@@ -39,10 +40,12 @@ class FrameTimes {
   FrameTimes() = default;
 
   std::optional<double> number(const Time& time) const;
-  Time time_of(double number) const;
+  Time since_start(double number) const;
 
   // A second has ticks_ / seconds_ of the smallest parts of frames.
   double ticks_ = 0, seconds_ = 0;  ///< whole numbers; 0: too large, or there are no frames
+  Rational start_ = 0;              ///< of frame 0
+  Time near_start_;
   double origin_ = 0;               ///< the number of the part of a frame
   bool are_decimals_ = false;
   Time decimal_origin_;

@@ -222,7 +222,8 @@ bool KeyBuilder::end_key() {
     add_fault(segment_without_duration(duration));
   }
   const bool is_faulty = block_.faults.errors.size() > faults_;
-  const bool is_gap = is_missing_ && rules_.missing == Missing::break_curve;
+  const bool counts = rules_.counts_rows && !is_timed_;
+  const bool is_gap = is_missing_ && (rules_.missing == Missing::break_curve || counts);
   if (is_faulty || (is_missing_ && !is_gap)) {
     if (!is_faulty) ++block_.faults.skipped;
     return false;

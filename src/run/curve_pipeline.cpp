@@ -44,6 +44,7 @@ CurveSpec spec_of(const CurveSettings& settings, CurveSettings of_input, const S
   if (!may_leave_curve(request)) of_input.extrapolate.reset();
   if (request.mode == Mode::tolerance) of_input.metric.reset();
   CurveSettings all = merged(settings, of_input);
+  if (schema.time.counts_rows) all.parameter.reset();  // which is uniform
   if (!all.metric && request.mode != Mode::tolerance) all.metric = metric_by_names(schema);
   CurveSpec spec = make_spec(all, schema.channels, rotations, schema.angles);
   spec.timed = schema.time.is_given;
@@ -56,7 +57,7 @@ std::optional<FrameTimes> named_times(const CurveRequest& request, const TimeSch
   if (!time.is_given) return std::nullopt;
   const TimeNotation notation = request.time_notation.value_or(time.notation);
   if (is_date(notation) || notation == TimeNotation::clock || request.counts_from_zero) return FrameTimes::decimals();
-  if (time.frame_rate) return FrameTimes(*time.frame_rate);
+  if (time.frame_rate) return FrameTimes(*time.frame_rate, time.start);
   const bool shows_frames = counts_frames(notation) && request.frame_rate && time.unit != TimeUnit::frames;
   if (!shows_frames) return std::nullopt;
   return FrameTimes(*request.frame_rate / (time.unit ? units_per_second(*time.unit) : Rational(1)));
@@ -156,6 +157,7 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
       preparation_{.turns = {schema.rotations, schema.sources, spec_.rules.rotation_rules.curve,
                              spec_.preset == spline::Preset::nel, spec_.closed, spec_.angles, schema.channels},
                    .likely_time = needs_likely_time(request_, schema) ? schema.time.likely : "",
+                   .counts_rows = schema.time.counts_rows,
                    .exponent = schema.time.is_given ? std::nullopt : std::optional(spec_.exponent()),
                    .metric = spec_.rules.metric,
                    .retiming = spec_.retiming,

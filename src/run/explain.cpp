@@ -79,7 +79,9 @@ Facts input_facts(const Input& input) {
     add("shape", shapes.at(static_cast<std::size_t>(input.facts.shape)));
   }
   if (!input.keys.traits.own_curves) list("group", input.schema.groups);
-  if (input.schema.time.is_given) {
+  if (const TimeSchema& time = input.schema.time; time.counts_rows) {
+    add("time", fmt::format("row i of a curve at {} + i / ({}) s", ratio_text(time.start), ratio_text(*time.frame_rate)));
+  } else if (input.schema.time.is_given) {
     add("time", input.schema.time.name.empty() ? "(nameless)" : input.schema.time.name);
     add("unit of time", unit_in_words(input.schema.time));
   }

@@ -55,6 +55,7 @@ RequestNeeds needs_of(const Input& input, const KeyOptions& options, const Sampl
   needs.chooses_metric = options.rules.metric || input.keys.curve_info.settings.metric || is_of_format;
   needs.time_gap = input.facts.time_gap;
   needs.is_rate = request.is_rate;
+  needs.range_like_clock = request.range_like_clock;
   needs.shown_rate = input.facts.shown_rate;
   if (request.mode == Mode::step) {
     (request.in_seconds.step ? needs.step : needs.plain_step) = nearest_double(request.step);

@@ -63,6 +63,7 @@ struct SamplingRequest {
   std::string rate_as_decimal;       ///< such as "29.97", where the rate is 30000/1001; else empty
   std::uint64_t count = 0;           ///< rows, or intervals between them: intervals, per_segment
   std::vector<Rational> places;      ///< times or arc lengths: at, arc_at
+  std::string range_like_clock;      ///< a range of places that might be a time of day, such as "10:20:30"; else empty
   CurveTolerance tolerance;          ///< tolerance
   std::optional<Rational> from, to;  ///< where to begin and end, in time, or in arc length for the arc modes
   EndPolicy end = EndPolicy::drop;   ///< step, arc_step

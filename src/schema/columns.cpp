@@ -381,9 +381,9 @@ std::string likely_time(const Columns& columns, std::span<const std::string> hea
   return is_likely ? requested_as(columns.channels[0], static_cast<std::size_t>(first - columns.cells.begin())) : "";
 }
 
-/// Roles by name, or without a header time first; positions only where none were requested.
+/// Roles by name, or without a header time first; positions only where none were requested. `times_only`: no other one.
 void assign_the_rest(Columns& columns, std::span<const std::string> header, const std::vector<bool>& numeric,
-                     const std::vector<bool>& usual, bool timeless) {
+                     const std::vector<bool>& usual, bool timeless, bool times_only = false) {
   const bool positions_given = columns.has(Role::position);
   const auto requested = columns.cells;
   const std::vector<Role> named = roles_by_name(header);
@@ -400,6 +400,7 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     const bool is_time = header.empty() ? first : usual[cell];
     columns.has_time_by_place = columns.has_time_by_place || (header.empty() && first);
     const Role role = is_time ? Role::time : header.empty() ? Role::position : named[cell];
+    if (times_only && role != Role::time) continue;
     const bool has_request = is_requested[static_cast<std::size_t>(role)];
     columns.cells[cell].is_text = role == Role::position && !positions_given && !numeric[cell];
     if (role == Role::position ? positions_given || !numeric[cell] : has_request) continue;
@@ -537,6 +538,27 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
                   "give {}--parameter uniform if the only column is a position",
                   header.empty() ? "" : fmt::format("--columns {} ", in_shell(request_of("position", header, 0))))
             : std::string("give a table with numbers"));
+  }
+  return columns;
+}
+
+Columns find_time_column(std::span<const std::string> header, const std::vector<bool>& numeric,
+                         std::span<const RoleRequest> requests) {
+  const NameIndex named(header);
+  const auto is_there = [&](const std::string& name) {
+    const std::size_t number = header.empty() ? in_digits<std::size_t>(name).value_or(0) : 0;
+    return named.find(name) || (number >= 1 && number <= numeric.size());
+  };
+  std::vector<RoleRequest> present;
+  std::ranges::copy_if(requests, std::back_inserter(present), [&](const RoleRequest& request) {
+    return request.role != Role::group || std::ranges::all_of(request.columns, is_there);
+  });
+  Columns columns = requested_columns(header, numeric, present);
+  assign_split_time(columns, header, numeric, false);
+  assign_the_rest(columns, header, numeric, usual_times(columns, header, numeric), false, true);
+  if (!columns.has(Role::time)) throw data_error("no column is the time by its name; expected one called time");
+  for (Columns::Column& column : columns.cells) {
+    if (column.role == Role::ignored || column.role == Role::unused) column = {Role::ignored, most_marks};
   }
   return columns;
 }

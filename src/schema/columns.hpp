@@ -32,6 +32,7 @@ struct SampleNames {
 struct ColumnOptions {
   std::vector<RoleRequest> roles = {};
   bool timeless = false;                    ///< no column is the time, unless by its name
+  bool times_only = false;                  ///< only the time is read, and the groups if they are there
   std::optional<SampleNames> samples = {};  ///< the records are samples of a curve, not keys
 
   bool has(Role role) const { return std::ranges::count(roles, role, &RoleRequest::role) > 0; }
@@ -96,6 +97,11 @@ struct Columns {
 /// Throws: Error (data) for a column that does not exist, that has two roles, or whose role another column has.
 Columns find_columns(std::span<const std::string> header, const std::vector<bool>& numeric,
                      std::span<const RoleRequest> requests, bool timeless = false);
+
+/// The column of times of records that are found as those of keys, and the groups that are requested, if all are there.
+/// Throws: Error (data) where no column, or another one, may be the time.
+Columns find_time_column(std::span<const std::string> header, const std::vector<bool>& numeric,
+                         std::span<const RoleRequest> requests);
 
 /// The columns that are requested, without any other. Throws: Error (data) as find_columns.
 Columns requested_columns(std::span<const std::string> header, const std::vector<bool>& numeric,

@@ -733,10 +733,10 @@ Found lengths_of_unlike_things(const Schema& schema, const RequestNeeds& needs) 
               in_quotes(first), in_quotes(schema.channels[*other]));
 }
 
-Found time_by_its_place(const Schema& schema, const RequestNeeds& needs) {
-  // Lists of numbers in JSON are often points.
-  if (!schema.time.is_by_place || (!needs.by_length && schema.marks)) return std::nullopt;
-  return note("the first column is taken as the time; --parameter uniform takes it as a position");
+Found time_by_its_place(const Schema& schema, const RequestNeeds&) {
+  if (!schema.time.is_by_place) return std::nullopt;
+  return note(
+      "the first column is taken as the time; --columns time=1 says so, and --parameter uniform takes it as a position");
 }
 
 /// Times without a unit are taken as seconds.
@@ -823,9 +823,19 @@ Found rate_of_frames(const Schema& schema, const RequestNeeds& needs) {
       in_quotes(schema.time.name), rate);
 }
 
+/// A range such as 10:20:30 beside times of day.
+Found range_beside_clock(const Schema& schema, const RequestNeeds& needs) {
+  if (needs.range_like_clock.empty() || schema.time.notation != TimeNotation::clock) return std::nullopt;
+  return error(
+      "{0} may be a range, in seconds, or a time of day, as those in column {1}; expected one of the two; give {2}s for "
+      "the time of day, or {0}.0 for the range",
+      needs.range_like_clock, in_quotes(schema.time.name),
+      whole_text(*read_time(needs.range_like_clock, TimeNotation::clock, 1, DateOrder::ymd)));
+}
+
 constexpr std::array about_requests{lengths_of_degrees, lengths_of_space, lengths_of_unlike_things,
                                     time_by_its_place,  rate_of_frames,   seconds_of_unknown_times,
-                                    step_in_small_units};
+                                    step_in_small_units, range_beside_clock};
 
 /// Appends a note, or throws the error of a doubt.
 void take(std::vector<std::string>& notes, Found found) {

@@ -70,6 +70,7 @@ struct RequestNeeds {
   std::optional<double> plain_step = {};  ///< where it is in the unit of the times
   std::optional<double> time_gap = {};    ///< as in Columns
   bool is_rate = false;                   ///< rows are at a rate
+  std::string_view range_like_clock = {};  ///< as in SamplingRequest
   std::string_view shown_rate = {};       ///< the frame rate that the file shows; empty: none
 };
 

@@ -58,6 +58,7 @@ inline Rational from_0_to_50(const Rational& v) { return (v - 25) / 25; }
 struct KeyRules {
   std::optional<spline::Tcb<double>> tcb = {};  ///< of keys that have none; nothing: that of the file, or 0
   Missing missing = Missing::error;
+  bool counts_rows = false;  ///< rows without times that are skipped remain as gaps, as they count
   bool keeps_decimals = false;             ///< keys keep their numbers as written
   std::vector<std::string> signs = {};     ///< of missing cells, besides the common ones
   TcbScale tcb_scale = TcbScale::unknown;  ///< of the keys

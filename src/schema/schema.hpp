@@ -34,6 +34,8 @@ struct TimeSchema {
   std::optional<TimeUnit> unit = {};              ///< nothing: unknown
   std::optional<TimeUnit> epoch_unit = {};        ///< in which they seem to count from 1970, if the unit is unknown
   std::optional<Rational> frame_rate = {};        ///< the times were frames, and are seconds
+  bool counts_rows = false;                       ///< row i of a group is at start + i / frame_rate
+  Rational start = 0;                             ///< of the rows that are counted
   std::string likely = {};                        ///< the first channel as it can be requested, if it may be the time
 };
 

@@ -166,12 +166,26 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
 Schema with_unit(Schema schema, const UnitOptions& options) {
   TimeSchema& time = schema.time;
   if (!time.is_given) {
-    if (!options.frame_rate && !options.time) return schema;
-    throw data_error(
-        "there is no time column, but the option needs one; name the column with --columns time=NAME, or remove the "
-        "option: the times are then 0, 1, 2, ..., and --step 0.5 makes two rows for each")
-        .about(options.frame_rate ? "--input-fps" : "--time-unit");
+    if (options.are_optional || (!options.frame_rate && !options.time)) return schema;
+    if (options.time) {
+      throw data_error(
+          "there is no time column, but the option needs one; name the column with --columns time=NAME, or remove the "
+          "option: the times are then 0, 1, 2, ..., and --step 0.5 makes two rows for each; --input-fps HZ gives rows "
+          "the times 0, 1/HZ, 2/HZ, ...")
+          .about("--time-unit");
+    }
+    time.is_given = time.counts_rows = true;
+    time.unit = TimeUnit::s;
+    time.frame_rate = options.frame_rate;
+    time.start = options.start.value_or(0);
+    return schema;
   }
+  if (options.start && !options.are_optional)
+    throw data_error(
+        "column {} has the times; expected rows without times; remove the option, or give --parameter uniform where "
+        "the first column is no time",
+        in_quotes(schema.named ? time.name : "1"))
+        .about("--time-start");
   if (!time.unit) time.unit = options.time ? options.time : unit_of_time(time.name);
   if (time.notation != TimeNotation::seconds) {
     time.unit = TimeUnit::s;

@@ -24,6 +24,7 @@ struct ChannelScale {
 struct UnitOptions {
   std::optional<TimeUnit> time = {};         ///< nothing: that of the column's name, if it has one
   std::optional<Rational> frame_rate = {};   ///< the times are frames, so many of them a second
+  std::optional<Rational> start = {};        ///< the time of the first of rows without times, in seconds
   std::string rate_as_decimal = {};          ///< such as "29.97", where that rate is 30000/1001; else empty
   std::vector<ChannelScale> scales = {};     ///< factors of channels
   std::optional<DateOrder> date_order = {};  ///< of dates that do not tell it

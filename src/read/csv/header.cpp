@@ -871,7 +871,8 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
     notes = by_cells.notes();
   }
   try {
-    head.columns = find_columns(names, numeric, requested.roles, requested.timeless);
+    head.columns = requested.times_only ? find_time_column(names, numeric, requested.roles)
+                                        : find_columns(names, numeric, requested.roles, requested.timeless);
   } catch (const Error& error) {
     const Columns none;
     const std::string pose = error.message().starts_with("two columns are called") ? pose_of({.names = names,
@@ -892,7 +893,7 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
                         return cell >= row.size() || is_missing_sign(row[cell], head.rules.signs);
                       });
   }
-  if (!head.is_of_format) {
+  if (!head.is_of_format && !requested.times_only) {
     const FoundColumns found{
         .names = names,
         .rows = rows,
@@ -1000,7 +1001,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     const UnitOptions of_times = with_date_order(options.units, head.columns.time, times, head.columns.doubts);
     head.units = units_of_keys(of_times, head.columns, times[0]);
   });
-  if (!columns.has(Role::position) && !columns.samples) require_text(rest[0], head, names, numeric);
+  if (!columns.has(Role::position) && !columns.samples && !columns.times_only) require_text(rest[0], head, names, numeric);
   return head;
 }
 

@@ -228,6 +228,10 @@ class FirstKey {
     std::vector<std::string> notes;
     if (requested_.samples) {
       result.columns = find_sample_columns(header, numeric, *requested_.samples, requested_.timeless);
+    } else if (requested_.times_only) {
+      std::vector<RoleRequest> roles = requests();
+      if (!rows.empty()) add_roles_by_cells(header, rows, roles, notes);
+      result.columns = find_time_column(header, numeric, roles);
     } else {
       if (!options_.rotation.none && !requested_.has(Role::position)) require_quaternion();
       require_no_lost_arrays();
@@ -248,14 +252,15 @@ class FirstKey {
     }
     const bool has_array = has_any(&FoundMember::is_of_positions);
     if (has_array) result.columns.likely_time.clear();
-    const bool lacks_time = !result.columns.has(Role::time) && !requested_.timeless && !requested_.samples;
+    const bool are_keys = !requested_.samples && !requested_.times_only;
+    const bool lacks_time = !result.columns.has(Role::time) && !requested_.timeless && are_keys;
     if (has_array && lacks_time) require_no_lost_time(result.columns);
     result.columns.ignored.insert(result.columns.ignored.end(), unused_.begin(), unused_.end());
     result.found = result.columns.cells.size();
     result.columns.doubts = std::move(notes);
-    if (!requested_.samples) find_doubts(result, header, numeric, rows);
-    if (!requested_.samples) find_unused_rotation(result.columns.doubts);
-    if (!requested_.samples && !requested_.has(Role::position)) find_unused_numbers(result.columns);
+    if (are_keys) find_doubts(result, header, numeric, rows);
+    if (are_keys) find_unused_rotation(result.columns.doubts);
+    if (are_keys && !requested_.has(Role::position)) find_unused_numbers(result.columns);
     add_optional_members(result);
     complete(result, result.key);
     result.rules = options_.keys;
