@@ -116,7 +116,8 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
               std::move(records.keys)};
   RotationOptions rotation = options.rotation;
   if (records.rotation && rotation.requests.empty() && !rotation.none) rotation.requests.push_back(*records.rotation);
-  if (!options.columns.samples && !options.columns.times_only) input.schema = with_rotations(std::move(input.schema), columns, rotation);
+  if (!options.columns.samples && !options.columns.times_only)
+    input.schema = with_rotations(std::move(input.schema), columns, rotation);
   input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
   if (!input.schema.time.unit) input.schema.time.unit = records.time_unit;
   if (!input.schema.time.unit) input.schema.time.epoch_unit = records.units.epoch_unit;
@@ -131,13 +132,13 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   KeyTraits& traits = input.keys.traits;
   traits.are_segments = columns.are_segments;
   traits.may_miss = options.keys.missing == Missing::skip_cell;
+  traits.may_be_point = options.keys.missing == Missing::break_curve;
   traits.has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown;
   traits.marks = columns.marks;
   if (columns.named) traits.channels = columns.channels;
   if (input.schema.time.counts_rows) {
-    input.keys.blocks =
-        with_row_times(std::move(input.keys.blocks), input.schema.time,
-                       traits.own_curves ? 0 : input.schema.groups.size(), options.keys.counts_rows);
+    input.keys.blocks = with_row_times(std::move(input.keys.blocks), input.schema.time,
+                                       traits.own_curves ? 0 : input.schema.groups.size(), options.keys.counts_rows);
   }
   return input;
 }

@@ -81,7 +81,8 @@ class FileRun {
                                  threads_,
                                  notation_of_times(job_.rows, input.schema.time),
                                  job_.rows.frame_rate,
-                                 job_.rows.time_zero.has_value()};
+                                 job_.rows.time_zero.has_value(),
+                                 true};
       pipeline_.emplace(request, input.schema, input.keys.traits, *curve.curve_info, curve.part);
     }
     if (curve_info_ == nullptr) {

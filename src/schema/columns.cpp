@@ -74,15 +74,11 @@ std::size_t find_cell(const std::string& wanted, std::string_view option, std::s
 /// The cells of requested columns: of one, or of a range of numbers such as "2-4" that is no name.
 std::vector<std::size_t> find_cells(const std::string& wanted, std::string_view option,
                                     std::span<const std::string> header, const NameIndex& named, std::size_t cells) {
-  const std::size_t dash = wanted.find('-');
-  if (dash != std::string::npos && !named.find(wanted)) {
-    const std::size_t first = in_digits<std::size_t>(wanted.substr(0, dash)).value_or(0);
-    const std::size_t last = in_digits<std::size_t>(wanted.substr(dash + 1)).value_or(0);
-    if (first >= 1 && first <= last && last <= cells) {
-      std::vector<std::size_t> range(last - first + 1);
-      std::iota(range.begin(), range.end(), first - 1);
-      return range;
-    }
+  const auto numbers = named.find(wanted) ? std::nullopt : column_range(wanted, cells);
+  if (numbers) {
+    std::vector<std::size_t> range(numbers->last - numbers->first + 1);
+    std::iota(range.begin(), range.end(), numbers->first - 1);
+    return range;
   }
   return {find_cell(wanted, option, header, named, cells)};
 }
@@ -426,6 +422,14 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
 }
 
 }  // namespace
+
+std::optional<ColumnRange> column_range(std::string_view text, std::size_t columns) {
+  const std::size_t dash = text.find('-');
+  if (dash == std::string_view::npos) return std::nullopt;
+  const ColumnRange range{in_digits<std::size_t>(text.substr(0, dash)).value_or(0),
+                          in_digits<std::size_t>(text.substr(dash + 1)).value_or(0)};
+  return range.first >= 1 && range.first <= range.last && range.last <= columns ? std::optional(range) : std::nullopt;
+}
 
 bool Columns::has(Role role) const {
   return std::ranges::any_of(cells, [&](const Column& column) { return column.role == role; });

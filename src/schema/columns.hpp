@@ -41,6 +41,12 @@ struct ColumnOptions {
   }
 };
 
+/// Columns by their numbers from 1, as in "2-4"; nothing for another text, and for numbers that `columns` do not have.
+struct ColumnRange {
+  std::size_t first, last;
+};
+std::optional<ColumnRange> column_range(std::string_view text, std::size_t columns);
+
 /// A column as options request it: by its name, or by its number from 1 if it has none, one that another column has
 /// too, or one that a list would divide.
 std::string requested_as(std::span<const std::string> names, std::size_t cell);

@@ -722,9 +722,13 @@ Found lengths_of_space(const Schema& schema, const RequestNeeds& needs) {
 }
 
 Found lengths_of_unlike_things(const Schema& schema, const RequestNeeds& needs) {
-  if (!needs.lengths || needs.chooses_metric || !schema.named) return std::nullopt;
+  if (!needs.lengths || needs.chooses_metric) return std::nullopt;
   const std::vector<std::size_t> plain = plain_channels(schema);
-  if (!spatial_channels(schema.channels).empty() || plain.size() < 2) return std::nullopt;
+  if (!schema.named && plain.size() > 1) {
+    return note("lengths and speeds measure all {} channels together; --metric {} chooses some by their numbers",
+                plain.size(), plain.size() == 2 ? "1" : "1,2");
+  }
+  if (!schema.named || !spatial_channels(schema.channels).empty() || plain.size() < 2) return std::nullopt;
   const std::string& first = schema.channels[plain[0]];
   const auto other = std::ranges::find_if(
       plain, [&](std::size_t channel) { return !are_of_one_kind(first, schema.channels[channel]); });
@@ -736,7 +740,8 @@ Found lengths_of_unlike_things(const Schema& schema, const RequestNeeds& needs) 
 Found time_by_its_place(const Schema& schema, const RequestNeeds&) {
   if (!schema.time.is_by_place) return std::nullopt;
   return note(
-      "the first column is taken as the time; --columns time=1 says so, and --parameter uniform takes it as a position");
+      "the first column is taken as the time; --columns time=1 says so, and --parameter uniform takes it as a "
+      "position");
 }
 
 /// Times without a unit are taken as seconds.
@@ -827,14 +832,15 @@ Found rate_of_frames(const Schema& schema, const RequestNeeds& needs) {
 Found range_beside_clock(const Schema& schema, const RequestNeeds& needs) {
   if (needs.range_like_clock.empty() || schema.time.notation != TimeNotation::clock) return std::nullopt;
   return error(
-      "{0} may be a range, in seconds, or a time of day, as those in column {1}; expected one of the two; give {2}s for "
+      "{0} may be a range, in seconds, or a time of day, as those in column {1}; expected one of the two; give {2}s "
+      "for "
       "the time of day, or {0}.0 for the range",
       needs.range_like_clock, in_quotes(schema.time.name),
       whole_text(*read_time(needs.range_like_clock, TimeNotation::clock, 1, DateOrder::ymd)));
 }
 
-constexpr std::array about_requests{lengths_of_degrees, lengths_of_space, lengths_of_unlike_things,
-                                    time_by_its_place,  rate_of_frames,   seconds_of_unknown_times,
+constexpr std::array about_requests{lengths_of_degrees,  lengths_of_space,  lengths_of_unlike_things,
+                                    time_by_its_place,   rate_of_frames,    seconds_of_unknown_times,
                                     step_in_small_units, range_beside_clock};
 
 /// Appends a note, or throws the error of a doubt.

@@ -585,8 +585,15 @@ std::vector<bool> requested_cells(const std::vector<std::string>& names, std::si
     return columns.contains(in_lower_case(name)) || columns.contains(in_lower_case(without_unit(name)));
   };
   std::vector<bool> requested(cells);
+  for (const std::string& column : columns) {
+    if (const auto range = column_range(column, cells)) {
+      std::fill(requested.begin() + static_cast<std::ptrdiff_t>(range->first) - 1,
+                requested.begin() + static_cast<std::ptrdiff_t>(range->last), true);
+    }
+  }
   for (std::size_t cell = 0; cell < cells && !columns.empty(); ++cell) {
-    requested[cell] = (cell < names.size() && is_named(names[cell])) || columns.contains(fmt::format("{}", cell + 1));
+    requested[cell] = requested[cell] || (cell < names.size() && is_named(names[cell])) ||
+                      columns.contains(fmt::format("{}", cell + 1));
   }
   return requested;
 }
@@ -1001,7 +1008,8 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     const UnitOptions of_times = with_date_order(options.units, head.columns.time, times, head.columns.doubts);
     head.units = units_of_keys(of_times, head.columns, times[0]);
   });
-  if (!columns.has(Role::position) && !columns.samples && !columns.times_only) require_text(rest[0], head, names, numeric);
+  if (!columns.has(Role::position) && !columns.samples && !columns.times_only)
+    require_text(rest[0], head, names, numeric);
   return head;
 }
 
