@@ -58,8 +58,8 @@ TEST(Rotations, of_three_angles_get_a_channel_more) {
   const double root = std::sqrt(0.5);
   expect_near(wider.keys.positions, {root, 0, 0, root, 7, 0, 0, 0, 1, 8});
   ASSERT_EQ(wider.decimals.size(), 22U);
-  EXPECT_EQ(wider.decimals[11], "7");
-  EXPECT_EQ(wider.decimals[12], "1");
+  EXPECT_EQ(wider.decimals[10], "7");
+  EXPECT_EQ(wider.decimals[11], "1");
   EXPECT_EQ(wider.rotations.numbers[0], (spline::RotationNumbers<double>{0, 0, 90}));
   EXPECT_EQ(wider.rotations.decimals[2], "90");
 }
