@@ -13,7 +13,7 @@ leaves its input in the folder same_bytes.failed. Exit 1: something differs.
 
 The first program may be version 0.4, whose default ends are half instead of one-sided. --ends-of-0.4 one-sided gives it
 --ends one-sided where neither the command nor the input names a preset or ends, and leaves out what this changes
-besides: fits, --identify, and rules in words. --ends-of-0.4 gte gives the others --preset gte there instead.
+besides: fits, --identify, --meta, and rules in words. --ends-of-0.4 gte gives the others --preset gte there instead.
 
 For an old and a new build of the program:
   tests/same_bytes.py --runs 5000 --golden OLD/tcbsample build/release/tcbsample
@@ -294,7 +294,7 @@ def run(program, arguments, folder, stdin=None):
 
 
 NAMES_RULES = {"--preset", "--ends", "--closed", "--period"}
-TELLS_RULES = {"--plot", "--meta", "--explain", "svg"}
+TELLS_RULES = {"--plot", "--explain", "svg"}
 RULES_OF_INPUT = re.compile(rb'"(preset|ends|closed)":')
 
 
@@ -303,7 +303,7 @@ def rules_in_common(options, folder, ends_of_old):
     if ends_of_old is None:
         return [], []
     given = set(options)
-    if given & {"--fit", "--identify"} or (given & TELLS_RULES and "--preset" not in given):
+    if given & {"--fit", "--identify", "--meta"} or (given & TELLS_RULES and "--preset" not in given):
         return None
     if NAMES_RULES & given or RULES_OF_INPUT.search((folder / options[-1]).read_bytes()):
         return [], []
