@@ -183,7 +183,7 @@ ComparedParts compared_parts(const CurveSettings& rules, const ComparisonInputs&
     const CurveSpec spec = make_spec(merged(rules, curve.curve_info->settings));
     parts.closed = parts.closed || spec.closed;
     parts.may_be_timed = parts.may_be_timed && has_rules_alone(curve);
-    if (rotations && rules.rotation_curve) parts.rotation_curves = {spec.rules.rotation_rules.curve};
+    if (rotations && rules.rotation_curve) parts.rotation_curves.assign(1, spec.rules.rotation_rules.curve);
   }
   for (const auto& row : spline::rotation_curves) {
     const bool is_tried = rotations && !rules.rotation_curve && is_curve_of(row.id, inputs.kept);
