@@ -27,12 +27,28 @@ double ten_to_the(int exponent) {
   return exponent < 0 ? 1 / power : power;
 }
 
-/// The exponent of the smallest power of ten that is not less than a number, up to rounding.
+/// The exponent of the smallest power of ten that is not less than a number above 0, up to rounding.
 int exponent_above(double size) {
   int exponent = 0;
   for (double rest = size; rest > 1; rest /= 10) ++exponent;
-  for (double rest = size * 10; rest <= 1 && exponent > -307; rest *= 10) --exponent;
+  for (double rest = size * 10; rest <= 1; rest *= 10) --exponent;
   return exponent;
+}
+
+/// The power of ten that is the unit of an axis, so that scales and steps are far from the ends of the range of
+/// doubles.
+int exponent_of_units(double largest) {
+  constexpr int far = 150;
+  return largest > 1e150 ? far : largest > 0 && largest < 1e-150 ? -far : 0;
+}
+
+/// The base of an axis in a title.
+std::string base_text_of(const Rational& whole, int exponent) {
+  constexpr int many = 25;  // zeros, which nobody counts
+  const std::string text = whole_text(whole);
+  if (whole == 0 || std::abs(exponent) <= many) return decimal_text(text, exponent);
+  const std::string digits = text.substr(0, text.find_last_not_of('0') + 1);
+  return fmt::format("{}e{}", digits, exponent + static_cast<int>(text.size() - digits.size()));
 }
 
 /// A whole multiple of a power of ten: with k, M or G for thousands, millions or billions, or in the exponent notation,
@@ -117,21 +133,29 @@ std::string decimal_text(const std::string& whole, int exponent, bool is_short) 
   return (negative ? "-" : "") + digits;
 }
 
-Axis::Axis(const Interval& interval, double margin) {
+double size_of(const Interval& interval) { return std::max(std::abs(interval.low.hi), std::abs(interval.high.hi)); }
+
+Axis::Axis(const Interval& interval, double margin, double besides) {
   const double size = interval.length();
-  const double largest = std::max(std::abs(interval.low.hi), std::abs(interval.high.hi));
+  const double largest = size_of(interval);
+  exponent_ = exponent_of_units(std::max(largest, besides));
+  units_ = ten_to_the(exponent_);
   constexpr double many_digits = 1e4;  // the ratio of number to length from which digits that do not change are omitted
   if (size > 0 && largest >= many_digits * size) {
     const int exponent = exponent_above(size);
     const Rational unit = *parse_rational(fmt::format("1e{}", exponent));
-    const Rational whole = floor(exact_time(interval.low) / unit);
+    Rational whole = floor(exact_time(interval.low) / unit);
+    const bool is_double = std::isfinite(nearest_double(whole * unit));
+    if (!is_double) whole += 1;
     base_ = nearest_time(whole * unit);
-    base_text_ = decimal_text(whole_text(whole), exponent);
+    base_text_ = base_text_of(whole, exponent);
   }
   low_ = from_base(interval.low);
   high_ = from_base(interval.high);
   // A single number is in the middle of an axis.
-  const double half = size > 0 ? margin * size : largest > 0 ? largest / 2 : 1;
+  constexpr double least = 1e-200;  // shorter ones are next to numbers that are much larger
+  const bool is_single = in_units(size) < least;
+  const double half = !is_single ? margin * in_units(size) : largest > 0 ? std::max(in_units(largest) / 2, least) : 1;
   low_ -= half;
   high_ += half;
 }
@@ -141,8 +165,10 @@ Axis::Axis(const Interval& times, TimeScale scale) : Axis(times, 0) {
   if (is_in_words) {
     base_ = Time(std::floor(times.low.hi));
     base_text_.clear();
+    exponent_ = 0;
+    units_ = 1;
   } else if (scale.units_per_second) {
-    units_ = nearest_double(*scale.units_per_second);
+    units_ *= nearest_double(*scale.units_per_second);
     if (!base_text_.empty()) {
       base_ = times.low;
       base_text_ = seconds_text(exact_time(base_) / *scale.units_per_second);
@@ -153,8 +179,9 @@ Axis::Axis(const Interval& times, TimeScale scale) : Axis(times, 0) {
   low_ = from_base(times.low);
   high_ = from_base(times.high);
   if (low_ == high_) {
-    low_ -= 1;
-    high_ += 1;
+    const double half = std::max(1.0, std::abs(low_) / 2);
+    low_ -= half;
+    high_ += half;
   }
   scale_ = std::move(scale);
   if (!is_date(scale_->notation)) return;
@@ -268,13 +295,14 @@ std::vector<Tick> Axis::ticks(double most) const {
   }
   const std::int64_t stride = stride_of(first(), last(), most);
   const double largest = static_cast<double>(std::max(std::abs(first()), std::abs(last()))) * step();
-  const bool plain = largest < 1e6 && largest > 1e-4 && exponent >= -8;
+  const bool plain = largest < 1e6 && largest > 1e-4 && exponent >= -8 && exponent_ == 0;
   std::vector<Tick> ticks;
   for (std::int64_t i = first_multiple(first(), last(), stride); i <= last(); i += stride) {
     const std::int64_t multiple = i * factor;
     const double value = exponent < 0 ? static_cast<double>(multiple) / ten_to_the(-exponent)
                                       : static_cast<double>(multiple) * ten_to_the(exponent);
-    ticks.push_back({value, plain ? decimal_text(std::to_string(multiple), exponent) : short_text(multiple, exponent)});
+    ticks.push_back(
+        {value, plain ? decimal_text(std::to_string(multiple), exponent) : short_text(multiple, exponent + exponent_)});
   }
   return ticks;
 }

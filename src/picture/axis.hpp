@@ -31,9 +31,12 @@ struct TimeScale {
   std::optional<Rational> units_per_second = {};  ///< of times that are shown in seconds
 };
 
+/// The size of the larger end of an interval.
+double size_of(const Interval& interval);
+
 /// A number on an axis with its text.
 struct Tick {
-  double value;  ///< relative to the base
+  double value;  ///< relative to the base, in units of the axis
   std::string text;
 };
 
@@ -41,13 +44,16 @@ struct Tick {
 class Axis {
  public:
   Axis() = default;
-  /// Covers the interval, and `margin` of its length on either side. Requires: a finite length.
-  Axis(const Interval& interval, double margin);
+  /// Covers the interval, and `margin` of its length on either side, in units that suit numbers of the size `besides`
+  /// too. Requires: a finite length.
+  Axis(const Interval& interval, double margin, double besides = 0);
   /// Covers an interval of times. Requires: as above.
   Axis(const Interval& times, TimeScale scale);
 
-  /// A number relative to the base.
-  double from_base(const Time& value) const { return (value - base_).hi / units_; }
+  /// A number relative to the base, in units of the axis.
+  double from_base(const Time& value) const { return in_units((value - base_).hi); }
+  /// A difference of numbers in units of the axis.
+  double in_units(double difference) const { return difference / units_; }
   double low() const { return low_; }
   double length() const { return high_ - low_; }
   /// Changes the length around the middle.
@@ -66,6 +72,7 @@ class Axis {
 
   Time base_{0.0};
   std::string base_text_;
+  int exponent_ = 0;  ///< a unit of the axis is a unit of its texts times this power of ten
   double units_ = 1;  ///< of numbers, in one of the axis
   std::optional<TimeScale> scale_;
   std::string day_;  ///< of all times, where these are dates of one day

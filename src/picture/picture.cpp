@@ -94,7 +94,9 @@ class Arranger {
 
   /// The path, with equal scales. Returns its right end.
   double place_path() {
-    View view{{}, (*scene_.path)[0], (*scene_.path)[1], Axis(extent_.path[0], 0.05), Axis(extent_.path[1], 0.05)};
+    const auto& [right, up] = extent_.path;
+    const double larger = std::max(size_of(right), size_of(up));
+    View view{{}, (*scene_.path)[0], (*scene_.path)[1], Axis(right, 0.05, larger), Axis(up, 0.05, larger)};
     Box& box = view.box;
     const double room = result_.width - 2 * picture_margin;
     const double width = columns_ == 1 ? room * 0.48 : std::min(path_width, room * 0.48);

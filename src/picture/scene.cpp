@@ -19,15 +19,20 @@ namespace {
 using Cubic = spline::Cubic<double>;
 
 /// Includes the largest and the smallest value of a cubic besides those at its ends.
-void include_extremes(Interval& interval, const Cubic& x) {
-  const double third = x.p0 + x.out / 3, two_thirds = x.p1 - x.in / 3;
-  const auto [low, high] = std::minmax(x.p0, x.p1);
+void include_extremes(Interval& interval, const Cubic& given) {
+  const double third = given.p0 + given.out / 3, two_thirds = given.p1 - given.in / 3;
+  const auto [low, high] = std::minmax(given.p0, given.p1);
   if (std::min(third, two_thirds) >= low && std::max(third, two_thirds) <= high) return;  // control points
+  int exponent = 0;  // products of numbers below 1 do not overflow
+  (void)std::frexp(std::max({std::abs(given.p0), std::abs(given.p1), std::abs(given.out), std::abs(given.in)}),
+                   &exponent);
+  const auto scaled = [exponent](double number) { return std::ldexp(number, -exponent); };
+  const Cubic x = spline::cubic<double>(scaled(given.p0), scaled(given.p1), {scaled(given.out)}, {scaled(given.in)});
   const double root = x.c * x.c - 3 * x.d * x.out;
   if (!(root >= 0)) return;
   const double q = -(x.c + (x.c < 0 ? -std::sqrt(root) : std::sqrt(root)));
   for (const double u : {q / (3 * x.d), x.out / q}) {
-    if (u > 0 && u < 1) interval.include(Time(spline::position(x, {u, u - 1})));
+    if (u > 0 && u < 1) interval.include(Time(std::ldexp(spline::position(x, {u, u - 1}), exponent)));
   }
 }
 

@@ -66,7 +66,7 @@ Pixel View::at(const Time& t, std::span<const double> position) const {
 }
 
 Pixel View::direction(std::span<const double> velocity) const {
-  return {x_scale() * (right ? velocity[*right] : 1), -y_scale() * velocity[up]};
+  return {x_scale() * x.in_units(right ? velocity[*right] : 1), -y_scale() * y.in_units(velocity[up])};
 }
 
 PixelSegment View::segment(const spline::Segments<double>& segments, std::size_t i) const {
@@ -80,8 +80,8 @@ PixelSegment View::segment(const spline::Segments<double>& segments, std::size_t
     const auto& horizontal = cubics[*right];
     x0 = left(Time(horizontal.p0));
     x3 = left(Time(horizontal.p1));
-    out = horizontal.out * x_scale();
-    in = horizontal.in * x_scale();
+    out = x.in_units(horizontal.out) * x_scale();
+    in = x.in_units(horizontal.in) * x_scale();
   } else {
     x0 = left(segments.times[i]);
     x3 = left(segments.times[i + 1]);
@@ -90,8 +90,8 @@ PixelSegment View::segment(const spline::Segments<double>& segments, std::size_t
     result.is_graph = true;
   }
   const double y0 = bottom(vertical.p0), y3 = bottom(vertical.p1);
-  result.points = {Pixel{x0, y0}, Pixel{x0 + out / 3, y0 - vertical.out * y_scale() / 3},
-                   Pixel{x3 - in / 3, y3 + vertical.in * y_scale() / 3}, Pixel{x3, y3}};
+  result.points = {Pixel{x0, y0}, Pixel{x0 + out / 3, y0 - y.in_units(vertical.out) * y_scale() / 3},
+                   Pixel{x3 - in / 3, y3 + y.in_units(vertical.in) * y_scale() / 3}, Pixel{x3, y3}};
   return result;
 }
 

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace tcb {
 namespace {
 
@@ -51,6 +53,19 @@ TEST(Axis, equal_digits_are_in_the_title) {
 TEST(Axis, a_single_number_is_in_its_middle) {
   EXPECT_THAT(texts(Axis(interval(5, 5), 0), 6), testing::Contains("5"));
   EXPECT_GT(Axis(interval(0, 0), 0).length(), 0);
+}
+
+TEST(Axis, numbers_at_the_ends_of_the_range_of_doubles_have_ticks) {
+  EXPECT_THAT(texts(Axis(interval(0, 3e-310), 0), 4), ElementsAre("0", "1e-310", "2e-310", "3e-310"));
+  EXPECT_THAT(texts(Axis(interval(0, 1e-323), 0), 3), ElementsAre("0", "5e-324"));  // 1e-323 is 9.88e-324
+  EXPECT_THAT(texts(Axis(interval(0, 1.5e308), 0.06), 3), ElementsAre("0", "1e308"));
+  EXPECT_THAT(texts(Axis(interval(1.7e308, 1.7e308), 0.06), 3), ElementsAre("1e308", "2e308"));
+  const Axis near_one(interval(1e308, 1.0000001e308), 0);
+  EXPECT_EQ(near_one.title("x"), "x − 1e308");
+  EXPECT_THAT(texts(near_one, 3), ElementsAre("0", "5e300", "1e301"));
+  const Axis lowest({Time(-1.7976931348623157e308), Time(-1.7976e308)}, 0);
+  EXPECT_TRUE(std::isfinite(lowest.low()) && std::isfinite(lowest.length()));
+  EXPECT_EQ(Axis(interval(0, 1e-310), 0.05, 1.0).length(), 2e-200);  // beside an axis of length 1
 }
 
 TEST(Axis, whole_numbers_become_decimals) {
