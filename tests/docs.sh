@@ -52,6 +52,17 @@ while [ -f "$scratch/cases/$((number + 1)).command" ]; do
   echo "$file:$(cat "$case.line"): \$ $(cat "$case.command")"
   failed=1
 done
+# In a clone, Git ignores what the commands make, and they change no file.
+if git -C "$folder" rev-parse --git-dir >/dev/null 2>&1; then
+  LC_ALL=C diff -rq --exclude=build --exclude='.*' "$folder" . >"$scratch/differences"
+  sed -n 's|^Only in \(\.[^:]*\): |\1/|p' "$scratch/differences" >"$scratch/made"
+  while IFS= read -r made; do
+    git -C "$folder" check-ignore -q --no-index "$made" && continue
+    echo "$file: its commands make $made, which Git does not ignore"
+    failed=1
+  done <"$scratch/made"
+  ! grep ' differ$' "$scratch/differences" || failed=1
+fi
 echo "$number commands run"
 [ $number -gt 0 ] && exit $failed
 exit 1
