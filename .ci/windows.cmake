@@ -23,6 +23,5 @@ endmacro()
 cmake_language(SET_DEPENDENCY_PROVIDER tcbsample_provide_package SUPPORTED_METHODS FIND_PACKAGE)
 
 # The headers of Windows define many names.
-foreach(name system sha256 base64 converter)
-  set_source_files_properties(src/io/${name}_windows.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-endforeach()
+file(GLOB sources ${CMAKE_SOURCE_DIR}/src/io/*_windows.cpp)
+set_source_files_properties(${sources} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -286,7 +286,7 @@ bool may_begin_other_file(std::string_view beginning) {
   if (beginning.starts_with(compound) || beginning.starts_with(zip)) return beginning.size() < enough_of_container;
   if (beginning.size() > most_blanks) return false;
   const std::string_view text = without_blanks(beginning);
-  const auto is_binary = [&] { return std::ranges::any_of(beginning, [](char c) { return c >= '\0' && c < '\t'; }); };
+  const auto is_binary = [&] { return std::ranges::any_of(beginning, [](unsigned char c) { return c < '\t'; }); };
   return std::ranges::any_of(other_files, [&](const OtherFile& row) {
     const Signature& signature = row.signature;
     if (signature.at > 0) return beginning.size() < signature.at + signature.bytes.size() && is_binary();
