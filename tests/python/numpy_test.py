@@ -18,6 +18,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import warnings
 
 sys.path.insert(0, sys.argv.pop())
@@ -316,7 +317,9 @@ class PairsTest(unittest.TestCase):
 class ProductsTest(unittest.TestCase):
     def test_the_whole_length(self):
         curve = tcbsample.Curve([[0, 0, 0], [1, 3, 4]])
-        self.assertEqual(float(curve.length()), 5)
+        with unittest.mock.patch("subprocess.Popen", wraps=subprocess.Popen) as runs:
+            self.assertEqual([float(curve.length()), float(curve.length())], [5, 5])
+        self.assertEqual(runs.call_count, 1)
 
     def test_limits(self):
         keys = [[0, 0], [1, 3]]  # at a constant speed of 3 with the ends of chords
@@ -542,6 +545,50 @@ class Curves(unittest.TestCase):
         self.assertTrue(np.isnan(curve(float("nan"))).all())
         for time in (-1e-9, 5, 10**400):
             self.assertRaises((tcbsample.Error, OverflowError), curve, time)
+
+    def test_keys_in_memory_are_those_of_their_text(self):
+        rng = np.random.default_rng(7)
+        for _ in range(30):
+            keys, _ = self.keys(rng)
+            if rng.integers(2):
+                keys["x"] = np.round(keys["x"])
+            if rng.integers(2):
+                keys["t"] = np.cumsum(rng.integers(1, 9, len(keys["t"])))
+            text = ",".join(keys) + "\n" + "".join(",".join(map(repr, row)) + "\n" for row in zip(*(v.tolist() for v in keys.values())))
+            with unittest.mock.patch("tcbsample._program.encode", side_effect=AssertionError):  # the text is not made
+                own = tcbsample.Curve(keys)
+            read = tcbsample.Curve(text.encode())
+            places = rng.uniform(own.times[0], own.times[-1], 50)
+            self.assertEqual((own.names, own.times.tolist()), (read.names, read.times.tolist()))
+            self.assertEqual(own(places).tobytes(), read(places).tobytes())
+            self.assertEqual(own.length(places).tobytes(), read.length(places).tobytes())
+
+    def test_messages_about_keys_in_memory_are_those_of_their_text(self):
+        def messages(function, keys):
+            with warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                try:
+                    function(keys)
+                except tcbsample.Error as error:
+                    caught.append(error)
+            return [(type(one), str(getattr(one, "message", one)), getattr(one, "row", None)) for one in caught]
+
+        index, one = np.arange(3.0), np.ones(3)
+        for keys in ({"index": index, "t": index, "x": one}, {"t": index, "x": one, "skew": index, "n": one},
+                     {"t": one, "x": index}, np.column_stack([one, index])):  # fmt: skip
+            made = messages(tcbsample.Curve, keys)
+            self.assertEqual(made, messages(lambda keys: tcbsample.resample(keys, emit="bezier"), keys))
+        self.assertEqual(made[-1][2], 1)  # the row of the repeated time
+
+    def test_few_and_many_times_have_the_same_bits(self):
+        rng = np.random.default_rng(3)
+        keys = np.column_stack([np.arange(1000.0), rng.uniform(-1, 1, (1000, 2))])
+        few, many = tcbsample.Curve(keys), tcbsample.Curve(keys)
+        times = np.sort(rng.uniform(0, 999, 5000))
+        rows = many(times)
+        for i in range(0, 5000, 100):  # more and more of all times
+            self.assertEqual(few(times[i : i + 7]).tobytes(), rows[i : i + 7].tobytes())
+        self.assertEqual(few(times[5].item()).tobytes(), rows[5].tobytes())
 
     def test_positions_are_those_of_the_program(self):
         rng = np.random.default_rng(6)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import decimal
+import functools
 import itertools
 import os
 import re
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 
 from ._options import Options
-from ._program import Error, run_of, source_of
+from ._program import Error, HasMessages, run_of, source_of
 from ._rows import dates_of, durations_of, rows_of
 from ._tables import Table, array_of, decimal_seconds, is_missing, shown
 
@@ -32,6 +33,11 @@ _TIME = re.compile(r"-?\d+(:\d\d|-\d\d-\d\dT)")
 _DERIVATIVES = ("position", "velocity", "acceleration", "jerk")
 
 
+def _parts(left: Any, middle: Any, right: Any) -> Any:
+    """Of each part of pieces, in turn."""
+    return np.stack([left, middle, right], axis=1).reshape(3 * len(left), *left.shape[1:])
+
+
 class _Pieces:
     """Cubics one after another, each by its ends and its middle, so that a place is evaluated from the nearest.
 
@@ -43,41 +49,48 @@ class _Pieces:
     def __init__(self, starts: Any, ends: Any, durations: Any, bezier: Any) -> None:
         self.starts, self.ends, self.durations = starts, ends, durations
         self.bezier = bezier
-        points = bezier.astype(np.longdouble).swapaxes(0, 1)
-
-        def parts(left: Any, middle: Any, right: Any) -> Any:
-            return np.stack([left, middle, right], axis=1).reshape(3 * len(left), *left.shape[1:])
-
-        def powers(b0: Any, b1: Any, b2: Any, b3: Any) -> list[Any]:
-            return [b0, 3 * (b1 - b0), 3 * ((b2 - b1) - (b1 - b0)), (b3 - b0) - 3 * (b2 - b1)]
-
         # Of part p of piece i at 3 i + p: where it begins, the time that distances count from, the length that they are
-        # divided by, the duration (both negative from the right end), and the coefficients of powers of the quotient.
+        # divided by, and the duration (both negative from the right end).
         is_float = starts.dtype.kind == "f"
         lengths = durations if is_float else (ends - starts).astype(np.float64)
         quarters = np.maximum(lengths / 4, abs(np.spacing(starts)) if is_float else 1).astype(starts.dtype)
         middles = starts + (lengths / 2).astype(starts.dtype)
-        self._breaks = parts(starts, starts + quarters, np.maximum(starts + quarters, ends - quarters))
-        self._bases = parts(starts, middles, ends)
-        self._lengths = parts(lengths, lengths, -lengths)
-        self._scales = parts(durations, durations, -durations)
-        u = ((middles - starts.astype(np.longdouble)) / lengths)[:, None]
-        a, b, c, d = left = powers(*points)
-        middle = [a + u * (b + u * (c + u * d)), b + u * (2 * c + u * (3 * d)), c + u * (3 * d), d]
-        right = powers(*points[::-1])
-        self.powers = [parts(*three).astype(np.float64) for three in zip(left, middle, right)]
+        self._middles = ((middles - starts.astype(np.longdouble)) / lengths)[:, None]
+        self._breaks = _parts(starts, starts + quarters, np.maximum(starts + quarters, ends - quarters))
+        self._bases = _parts(starts, middles, ends)
+        self._lengths = _parts(lengths, lengths, -lengths)
+        self._scales = _parts(durations, durations, -durations)
         self._columns: dict[int, list[Array]] = {}  # by the order of the derivative: coefficients of the powers of u
         self._numbers: dict[tuple[int, int], tuple[float, float, list[list[float]]]] = {}  # by the order and the part
-        self._break_list: list[float] = self._breaks.tolist()
+        self._asked = 0  # times, until now
         self.first, self.last = starts[0].item(), ends[-1].item()
 
-    def _coefficients(self, order: int) -> list[Array]:
+    @functools.cached_property
+    def _break_list(self) -> list[float]:
+        return self._breaks.tolist()  # type: ignore[no-any-return]
+
+    def powers(self, pieces: slice = slice(None)) -> list[Array]:
+        """Of each part of some pieces, the coefficients of powers of the quotient, (3 n, c) for each power."""
+        points = self.bezier[pieces].astype(np.longdouble).swapaxes(0, 1)
+
+        def at_end(b0: Any, b1: Any, b2: Any, b3: Any) -> list[Any]:
+            return [b0, 3 * (b1 - b0), 3 * ((b2 - b1) - (b1 - b0)), (b3 - b0) - 3 * (b2 - b1)]
+
+        u = self._middles[pieces]
+        a, b, c, d = left = at_end(*points)
+        middle = [a + u * (b + u * (c + u * d)), b + u * (2 * c + u * (3 * d)), c + u * (3 * d), d]
+        return [_parts(*three).astype(np.float64) for three in zip(left, middle, at_end(*points[::-1]))]
+
+    def _coefficients(self, order: int, pieces: slice = slice(None)) -> list[Array]:
         """Those of u^3 down to u^0 of a derivative by u, (c, 3 n) each, which is contiguous for a channel."""
+        factors = ((1.0, 1.0, 1.0, 1.0), (1.0, 2.0, 3.0), (2.0, 6.0), (6.0,))[order]
+        columns: list[Array] = [np.ascontiguousarray(p.T) * f for f, p in zip(factors, self.powers(pieces)[order:])]
+        columns += [np.zeros_like(columns[0])] * order
+        return columns[::-1]
+
+    def _all_coefficients(self, order: int) -> list[Array]:
         if order not in self._columns:
-            factors = ((1.0, 1.0, 1.0, 1.0), (1.0, 2.0, 3.0), (2.0, 6.0), (6.0,))[order]
-            columns: list[Array] = [np.ascontiguousarray(p.T) * f for f, p in zip(factors, self.powers[order:])]
-            columns += [np.zeros_like(columns[0])] * order
-            self._columns[order] = columns[::-1]
+            self._columns[order] = self._coefficients(order)
         return self._columns[order]
 
     def at(self, time: float, order: int) -> Array:
@@ -85,7 +98,8 @@ class _Pieces:
         part = bisect_right(self._break_list, time) - 1
         found = self._numbers.get((order, part))
         if found is None:
-            channels = np.stack([column[:, part] for column in self._coefficients(order)], axis=1).tolist()
+            columns = self._coefficients(order, slice(part // 3, part // 3 + 1))
+            channels = np.stack([column[:, part % 3] for column in columns], axis=1).tolist()
             found = float(self._bases[part]), float(self._scales[part]), channels
             self._numbers[order, part] = found
         base, scale, channels = found
@@ -114,8 +128,13 @@ class _Pieces:
 
     def evaluate(self, times: Array, order: int) -> Array:
         """A derivative of order 0 to 3 at each time, (times, channels). Requires: first <= times <= last."""
+        self._asked += len(times)
+        if 0 < len(times) <= self._asked < len(self.starts) / 4 and order not in self._columns:  # some pieces are enough
+            some = np.unique(self.starts.searchsorted(times, "right") - 1)
+            pieces = _Pieces(self.starts[some], self.ends[some], self.durations[some], self.bezier[some])
+            return pieces.evaluate(times, order)
         result = np.empty((len(times), self.bezier.shape[2]))
-        first, *others = self._coefficients(order)[order:]
+        first, *others = self._all_coefficients(order)[order:]
         for run, part in self._runs(times):
             u = (times[run] - self._bases.take(part)) / self._lengths.take(part)
             scale = self._scales.take(part) if order > 0 else None
@@ -203,11 +222,20 @@ class Curve:
         has_durations = table is not None and any(column.dtype.kind == "m" for column in table.columns)
         self.times: np.ndarray[Any, np.dtype[Any]] = durations_of(times) if has_durations else times
 
+    def _printed(self, options: dict[str, Any]) -> tuple[Any, Optional[Table]]:
+        """Rows that the program prints, and the table of the keys, which are sent as an array unless the program has
+        messages about it. Raises Error."""
+        with run_of(self._keys, {**self._options, **options}, as_array=True) as run:
+            table, run.table = run.table, None  # no row has the types of the keys
+            with contextlib.suppress(HasMessages):
+                return rows_of(run, {}), table
+        with run_of(self._keys, {**self._options, **options}) as run:
+            run.table = None
+            return rows_of(run, {}), table
+
     def _rows(self, **sampling: Any) -> tuple[Any, Optional[Table]]:
         """Rows of numbers, and the table of the keys. Raises Error, and TypeError for several curves."""
-        with run_of(self._keys, {**self._options, **sampling}) as run:
-            table, run.table = run.table, None  # no row has the types of the keys
-            rows = rows_of(run, {})
+        rows, table = self._printed(sampling)
         first = dict(zip(rows.dtype.names, rows[0]))
         is_label = {name: isinstance(value, str) and not _TIME.match(value) for name, value in first.items()}
         labels = list(itertools.takewhile(is_label.get, first))  # such as the object and its track
@@ -233,13 +261,15 @@ class Curve:
             duration = round(durations[-1] * (1e9 if starts.dtype.kind == "M" else 1))
             ticks = np.append(starts.view(np.int64), starts[-1:].view(np.int64) + duration)
             times = ticks.view(starts.dtype)
-        bezier = np.stack([np.stack([rows[f"{name}_b{i}"] for name in self.names], axis=1) for i in range(4)], axis=1)
+        bezier = np.empty((len(rows), 4, len(self.names)))
+        for (i, channel), _ in np.ndenumerate(bezier[0]):
+            bezier[:, i, channel] = rows[f"{self.names[channel]}_b{i}"]
         has_all_digits = ticks.dtype.kind == "i" or (
             np.abs(np.diff(ticks.astype(np.longdouble)) - durations) <= 2 * np.spacing(durations)
         ).all()  # else times in a file have more than doubles
         # Derivatives may be (6 / duration)^3 times as large.
         if has_all_digits and np.abs(bezier).max() < 1e306 * (min(1.0, durations.min().item()) / 6) ** 3:
-            self._pieces = _Pieces(ticks[:-1], ticks[1:], durations, bezier.astype(np.float64))
+            self._pieces = _Pieces(ticks[:-1], ticks[1:], durations, bezier)
         return times
 
     def _places(self, t: Any) -> Any:
@@ -267,9 +297,7 @@ class Curve:
         result: Array = np.full((flat.size, columns), np.nan)
         if asked.any():
             words = decimal_seconds(flat[asked]) if flat.dtype.kind == "M" else list(map(repr, flat[asked].tolist()))
-            with run_of(self._keys, {**self._options, "quiet": True, "fields": fields, **more, option: words}) as run:
-                run.table = None  # no row has the types of the keys
-                rows = rows_of(run, {})
+            rows, _ = self._printed({"quiet": True, "fields": fields, **more, option: words})
             result[asked] = np.stack([rows[name] for name in rows.dtype.names[-columns:]], axis=1)
         return result.reshape((*places.shape, columns))
 
@@ -389,7 +417,7 @@ class Curve:
         from scipy.interpolate import PPoly
 
         h = self._pieces.durations[:, None]
-        p = [power[::3] for power in self._pieces.powers]  # of the distance from the start
+        p = [power[::3] for power in self._pieces.powers()]  # of the distance from the start
         coefficients = np.stack([p[3] / h / h / h, p[2] / h / h, p[1] / h, p[0]])
         x = np.append(self._pieces.starts, self._pieces.ends[-1])
         if x.dtype.kind == "i":  # from the first key

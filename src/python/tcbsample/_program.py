@@ -23,7 +23,7 @@ import numpy as np
 
 from ._command_only import COMMAND_ONLY, PRODUCTS
 from ._options import OPTIONS, REMOVED
-from ._tables import Table, date_text, encode, is_table, shown, table, text, with_index_as_time
+from ._tables import Table, date_text, encode, encode_as_array, is_table, shown, table, text, with_index_as_time
 
 
 class Note(UserWarning):
@@ -128,12 +128,27 @@ def in_python(message: str) -> str:
     return re.sub(r'(="[^"]*") (?=\w+=["T])', r"\1, ", message)
 
 
-class Source(NamedTuple):
-    """What is sent to the program of an input that is not a path: its name in messages, and for a table CSV."""
+class HasMessages(Exception):
+    """A run of an array that has messages, which speak of its cells as the text has them."""
 
-    name: str
-    text: bytes
-    table: Optional[Table] = None
+
+class Source:
+    """What is sent to the program of an input that is not a path: its name in messages, and for a table CSV, or a file of
+    NumPy if it may be one."""
+
+    def __init__(self, name: str, text: Optional[bytes], table: Optional[Table] = None) -> None:
+        self.name, self._text, self.table = name, text, table
+
+    @property
+    def text(self) -> bytes:
+        if self._text is None:
+            assert self.table is not None
+            self._text = encode(self.table)
+        return self._text
+
+    @functools.cached_property
+    def array(self) -> Optional[bytes]:
+        return None if self.table is None else encode_as_array(self.table)
 
     def row(self, line: Optional[int]) -> Optional[int]:
         """The row of a line of the CSV, where texts in quotes may have several lines; None for the line of names."""
@@ -167,7 +182,7 @@ def source_of(value: Any, name: str) -> Source:
         return Source(name, value)
     if is_table(value):
         rows = table(value)
-        return Source(name, encode(rows), rows)
+        return Source(name, None, rows)
     data, file = value.read(), getattr(value, "name", None)
     return Source(file if isinstance(file, str) else name, data.encode() if isinstance(data, str) else bytes(data))
 
@@ -184,7 +199,7 @@ def _with_times(source: Source, options: Mapping[str, Any]) -> Source:
     if b"\ntimes: none" not in explained:
         return source
     rows = with_index_as_time(source.table)
-    return Source(source.name, encode(rows), rows)
+    return Source(source.name, None, rows)
 
 
 def _names_time(columns: str) -> bool:
@@ -210,9 +225,12 @@ _TEXT_OPTIONS = ["input_format", "delimiter", "header", "no_header", "comment", 
 
 
 class Run:
-    """A run of the program: its words, its input, and the files made for it, which resources own."""
+    """A run of the program: its words, its input, and the files made for it, which resources own.
 
-    def __init__(self, keys: Any, resources: contextlib.ExitStack) -> None:
+    as_array   sends the keys as a file of NumPy where they may be one, and raises HasMessages for a run that has any
+    """
+
+    def __init__(self, keys: Any, resources: contextlib.ExitStack, as_array: bool = False) -> None:
         self.sources: dict[str, Source] = {}
         self.words: list[str] = []
         self.files: list[str] = []
@@ -226,13 +244,17 @@ class Run:
             source = keys
             self.sources["standard input"] = source
         self.table = source.table
-        if self.table is not None:
+        array = source.array if as_array else None
+        self.is_array = array is not None
+        if self.is_array:
+            self.words = ["--input-format=npy"]
+        elif self.table is not None:
             self.words = ["--input-format=csv", "--comment=none"]
             self.words.append("--no-header" if self.table.names is None else "--header")
         self.resources = resources
         self.folder: Optional[str] = None  # of files made for options
         self.input = self._temporary()
-        self.input.write(source.text)
+        self.input.write(source.text if array is None else array)
 
     def _temporary(self) -> IO[bytes]:
         return self.resources.enter_context(tempfile.TemporaryFile())
@@ -331,6 +353,8 @@ class Run:
         """Raises Error by the exit code; notes are warnings."""
         errors.seek(0)
         messages = errors.read().decode(errors="replace")
+        if self.is_array and (messages or process.returncode != 0):
+            raise HasMessages
         if process.returncode not in ((0, 1) if accepts_difference else (0,)):
             raise self._error(messages, process.returncode)
         for line in messages.splitlines():
@@ -378,11 +402,12 @@ class Run:
 
 
 @contextlib.contextmanager
-def run_of(keys: Any, options: Mapping[str, Any], allowed: Collection[str] = (), name: str = "keys") -> Iterator[Run]:
+def run_of(keys: Any, options: Mapping[str, Any], allowed: Collection[str] = (), name: str = "keys",
+           as_array: bool = False) -> Iterator[Run]:  # fmt: skip
     """A run with options, whose files are removed when the block ends. Raises TypeError and ValueError."""
     with contextlib.ExitStack() as resources:
         if not isinstance(keys, (str, os.PathLike)):
             keys = _with_times(keys if isinstance(keys, Source) else source_of(keys, name), options)
-        run = Run(keys, resources)
+        run = Run(keys, resources, as_array)
         run.add(options, allowed)
         yield run

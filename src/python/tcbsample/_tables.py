@@ -9,6 +9,7 @@ import array
 import datetime
 import decimal
 import fractions
+import io
 import os
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -213,6 +214,9 @@ def table(keys: Any) -> Table:
 # From columns to text.
 
 
+_PLAIN_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
+
+
 def are_floats(column: np.ndarray[Any, Any]) -> bool:
     return bool(column.dtype.kind == "f" and column.dtype.itemsize <= 8)
 
@@ -254,6 +258,28 @@ def encode(table: Table) -> bytes:
     lines = "".join(",".join(row) + "\n" for row in zip(*columns))
     head = "" if table.names is None else ",".join(map(quoted, table.names)) + "\n"
     return (head + lines).encode()
+
+
+def encode_as_array(table: Table) -> Optional[bytes]:
+    """The table as a file of NumPy, from which the program reads the numbers that the text has; None for a table with
+    other cells than numbers, or with names or numbers that may mean something else in the text."""
+    columns = [column.astype(np.float64) if are_floats(column) else column for column in table.columns]
+    for column in columns:
+        if column.dtype.kind not in "fiu" or not (np.abs(column.astype(np.float64)) < 1e15).all():
+            return None
+    if not columns:
+        return None
+    if table.names is None:
+        array = np.column_stack(columns)  # numbers below 1e15 are doubles
+    elif len(set(table.names)) < len(columns) or not all(_PLAIN_NAME.fullmatch(name) for name in table.names):
+        return None
+    else:
+        array = np.empty(len(columns[0]), [(name, column.dtype) for name, column in zip(table.names, columns)])
+        for name, column in zip(table.names, columns):
+            array[name] = column
+    file = io.BytesIO()
+    np.save(file, array)
+    return file.getvalue()
 
 
 # Values of options.
