@@ -31,7 +31,7 @@ def remedies(message, valued):
     """The lists of words that a message offers to add."""
     found = []
     for clause in message.split("; ")[1:]:
-        if not re.search(r"\bgive\b|\bor\b --", clause) or re.search(r"remove it, and|remove \S+ or --", clause):
+        if not re.search(r"\bgive\b|\bor\b --", clause) or re.search(r"^did you mean|remove it, and|remove \S+ or --", clause):
             continue
         end = None
         for match in OPTION.finditer(clause):

@@ -1,6 +1,9 @@
 // Conflicts: options that exclude each other, need another, or have no effect, as one table.
 #include "cli/options.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "error.hpp"
@@ -299,7 +302,8 @@ void require_none(const Conflict& conflict, std::string_view name, const Typed& 
       throw usage_error("{} and {} cannot be combined{}; expected only one; remove the other", option,
                         shown(typed, *other, conflict.when), conflict.reason);
     case needs:
-      throw usage_error("{} needs {}{}; give both, or neither", option, *conflict.others.begin(), conflict.reason);
+      throw usage_error("{} needs {}{}; give {}, or neither", option, fmt::join(conflict.others, " or "),
+                        conflict.reason, conflict.others.size() > 1 ? "one of them as well" : "both");
     case disables:
       throw usage_error("{0} has no effect with {1}{2}; remove {0}", shown(typed, *other, conflict.when), option,
                         conflict.reason);

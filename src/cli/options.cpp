@@ -272,7 +272,7 @@ constexpr OptionRow option_rows[] = {
     {"--preset", "", "NAME", curve_group,
      "The rules of a product for tangents, ends and rotations; --list-presets shows all products",
      "tcb", name,
-     [](Typed& to, Text text) { to.keys.rules.preset = named_row(spline::presets, text).id; },
+     [](Typed& to, Text text) { to.keys.rules.preset = preset_named(text); },
      names_in<spline::presets>},
     {"--tangents", "", "RULE", curve_group,
      "The rule for the tangents at inner keys, instead of the preset's rule",

@@ -86,6 +86,8 @@ class PlaceNumbers {
  private:
   void add_range(std::string_view text) {
     const std::vector<std::string_view> parts = split(text, ':');
+    const auto is_number = [](std::string_view part) { return parse_rational(part) || read_duration(part); };
+    if (parts.size() != 3 || !std::ranges::all_of(parts, is_number)) require_known_date(text);
     if (parts.size() != 3) throw usage_error("{} {}", in_quotes(text), not_a_range);
     const auto part = [&](std::size_t i) { return number(not_a_range, parts[i]); };
     const Rational first = part(0), last = part(1), step = part(2);

@@ -9,8 +9,10 @@
 
 #include "cli/options.hpp"
 #include "cli/values.hpp"
+#include "io/system.hpp"
 #include "text/removed.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 
@@ -230,6 +232,14 @@ bool is_option(const std::string& word) {
   return word.size() > 1 && word[0] == '-' && (word[1] == '-' || is_letter(word[1]));
 }
 
+/// Throws: Error (usage) for a word after an option whose value follows =, if it is neither a file nor an option.
+void require_file(std::string_view option, const std::string& word) {
+  if (word.starts_with('-') || system::status_of(word)) return;
+  throw usage_error(
+      "{} takes its value after =, and there is no file {}; expected {}; write it so, or correct the name of the file",
+      option, in_quotes(word), in_shell(fmt::format("{}={}", option, word)));
+}
+
 /// The words, with the value in the word of each option that may do without one, so that it does not take the name of a
 /// file, and without the = in -n=3. Throws: Error (usage) for an option without value, and for an empty one.
 std::vector<std::string> with_values(std::vector<std::string> words) {
@@ -244,6 +254,7 @@ std::vector<std::string> with_values(std::vector<std::string> words) {
     } else if (next != words.end() && next->empty()) {
       throw value_empty().about(row->name);
     } else if (row->kind == ValueKind::attached) {
+      if (next != words.end()) require_file(row->name, *next);
       *word += fmt::format("={}", row->default_value);
     } else {
       if (next == words.end())

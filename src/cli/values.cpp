@@ -147,8 +147,15 @@ Rational frame_rate(const std::string& text) {
   return known ? *known : positive_ratio(text);
 }
 
+void require_known_date(std::string_view text) {
+  const std::string date = date_in_known_form(text);
+  if (date.empty()) return;
+  throw usage_error("{} is a date in a form that is not read; expected it as {}; write it so", in_quotes(text), date);
+}
+
 TimeValue time_value(std::string_view words, std::string_view text) {
   const std::optional<Rational> seconds = read_duration(text);
+  if (!seconds && !parse_rational(text)) require_known_date(text);
   if (!seconds) return {ratio_or(words, text)};
   if (!within_doubles(*seconds)) throw number_beyond_doubles(text);
   return {*seconds, true};
@@ -451,6 +458,12 @@ std::vector<std::string_view> formats_with(bool (Format::*capability)() const) {
     if ((format.*capability)()) names.push_back(format.name);
   }
   return names;
+}
+
+spline::Preset preset_named(const std::string& text) {
+  if (const std::string_view instead = in_place_of_preset(text); !instead.empty())
+    throw usage_error("{} is not a known name; {}", in_quotes(text), instead);
+  return named_row(spline::presets, text).id;
 }
 
 std::vector<std::string_view> field_names() { return names_of(named_fields()); }

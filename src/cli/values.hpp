@@ -49,6 +49,8 @@ struct TimeValue {
 // option. The errors of those with `words` end with these.
 
 Rational ratio_or(std::string_view words, std::string_view text);
+/// Throws: Error (usage) for a date in a form that is not read.
+void require_known_date(std::string_view text);
 TimeValue time_value(std::string_view words, std::string_view text);
 Rational positive_ratio(const std::string& text);
 /// The rate of NTSC video for which a decimal such as "29.97" stands, else a ratio above 0.
@@ -89,6 +91,7 @@ Extrapolations extrapolation(const std::string& text);
 std::vector<std::size_t> field_list(const std::string& text);
 /// The field with the cubics of pieces in a form.
 std::size_t form_of_pieces(const std::string& text);
+spline::Preset preset_named(const std::string& text);
 const Format* format_with(bool (Format::*capability)() const, const std::string& text);
 
 /// The names of the formats that can be read or written, of the fields, and of the forms of a cubic.

@@ -59,12 +59,12 @@ std::string message_head(std::string_view where, MessageKind kind, bool colored)
 
 std::string error_text(const Error& error, bool colored) {
   const TextPosition& position = error.position();
-  std::string where = position.file.empty() ? "tcbsample" : printable(position.file);
+  std::string where = position.file.empty() ? "tcbsample" : in_message(position.file);
   if (!position.file.empty() && position.line != 0) {
     where += ":" + std::to_string(position.line);
     if (position.column != 0) where += ":" + std::to_string(position.column);
   }
-  std::string text = message_head(where, MessageKind::error, colored) + printable(error.message());
+  std::string text = message_head(where, MessageKind::error, colored) + in_message(error.message());
   for (const Error& other : error.others()) text += "\n" + error_text(other, colored);
   return text;
 }

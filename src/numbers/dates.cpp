@@ -8,7 +8,9 @@
 #include <charconv>
 #include <chrono>
 #include <cstdint>
+#include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "text/suggest.hpp"
 
@@ -24,6 +26,8 @@ bool is_mark(char c) { return c == '.' || c == ','; }
 bool fits(char c, char pattern) {
   return pattern == '0' || pattern == '9' ? is_digit(c) : pattern == '.' ? is_mark(c) : c == pattern;
 }
+
+bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
 
 /// Takes the digits off the beginning of a text.
 std::string_view take_digits(std::string_view& text) {
@@ -106,7 +110,7 @@ std::optional<DateParts> parts_of(std::string_view text) {
     if (parts.mark != 0 && !text.starts_with(parts.mark)) return std::nullopt;
     if (parts.mark != 0) text.remove_prefix(1);
     if (i == 1) {
-      const auto end = std::ranges::find_if(text, [](char c) { return lower(c) < 'a' || lower(c) > 'z'; });
+      const auto end = std::ranges::find_if_not(text, is_letter);
       parts.month_name = text.substr(0, static_cast<std::size_t>(end - text.begin()));
       text.remove_prefix(parts.month_name.size());
     }
@@ -132,6 +136,58 @@ std::optional<DateParts> parts_of(std::string_view text) {
   const bool has_clock = std::ranges::any_of(forms, [&](std::string_view form) { return has_form(parts.clock, form); });
   const bool is_separated = parts.before_clock == 'T' || parts.before_clock == ' ';
   return has_clock && is_separated && (parts.zone.empty() || is_zone(parts.zone)) ? std::optional(parts) : std::nullopt;
+}
+
+/// The parts of what may be a date: year, month, day, hours, minutes, seconds and their fraction, the date in any
+/// order.
+struct LooseDate {
+  std::vector<std::string_view> parts;
+  std::string marks;      ///< the one character after each part but the last
+  std::string_view rest;  ///< what follows
+};
+
+/// Appends digits without marks between them, as in 20240314 and 100000, in parts of these sizes.
+void append_parts(LooseDate& date, std::string_view digits, std::initializer_list<std::size_t> sizes, char mark) {
+  for (const std::size_t size : sizes) {
+    if (digits.empty()) return;
+    date.parts.push_back(digits.substr(0, size));
+    digits.remove_prefix(std::min(size, digits.size()));
+    if (!digits.empty()) date.marks += mark;
+  }
+}
+
+/// Takes a month off the beginning of a text: a name, or digits.
+std::string_view take_month(std::string_view& text) {
+  const std::string_view name =
+      text.substr(0, static_cast<std::size_t>(std::ranges::find_if_not(text, is_letter) - text.begin()));
+  if (month_of(name) == 0) return take_digits(text);
+  text.remove_prefix(name.size());
+  return name;
+}
+
+LooseDate loose_date(std::string_view text) {
+  LooseDate date;
+  for (date.rest = text;;) {
+    const std::string_view digits = date.parts.size() == 1 ? take_month(date.rest) : take_digits(date.rest);
+    if (date.parts.empty() && digits.size() == 8) {
+      append_parts(date, digits, {4, 2, 2}, '-');
+    } else if (date.parts.size() == 3 && (digits.size() == 4 || digits.size() == 6)) {
+      append_parts(date, digits, {2, 2, 2}, ':');
+    } else {
+      date.parts.push_back(digits);
+    }
+    const bool is_zone_next = date.parts.size() > 4 && (date.rest.starts_with('+') || date.rest.starts_with('-'));
+    const bool is_month_next = date.parts.size() == 1 && date.rest.size() > 1 && is_letter(date.rest[1]);
+    if (date.rest.size() < 2 || is_zone_next || !(is_digit(date.rest[1]) || is_month_next)) return date;
+    date.marks += date.rest[0];
+    date.rest.remove_prefix(1);
+  }
+}
+
+/// The text if it is a date that exists, or empty.
+std::string known_form(const std::string& text) {
+  const auto exists = [&](DateOrder order) { return read_date(text, order).has_value(); };
+  return exists(DateOrder::ymd) || exists(DateOrder::dmy) || exists(DateOrder::mdy) ? text : "";
 }
 
 /// The seconds by which the clocks of a zone are ahead of UTC; nothing for one that does not exist.
@@ -218,6 +274,27 @@ std::optional<DateFormat> find_date_format(std::string_view text) {
                     parts->before_clock,
                     std::string(parts->half_of_day),
                     std::string(parts->zone)};
+}
+
+std::string date_in_known_form(std::string_view text) {
+  if (find_date_format(text) || text.find_first_not_of("0123456789") == std::string_view::npos) return "";
+  const LooseDate date = loose_date(text);
+  if (date.parts.size() < 2 || date.parts.size() > 7) return "";
+  const auto part = [&](std::size_t i) { return i < date.parts.size() ? date.parts[i] : "00"; };
+  const std::string mark(1, std::string_view("-/. ").find(date.marks[0]) != std::string::npos ? date.marks[0] : '-');
+  if (date.parts.size() == 2) {
+    const bool is_year_first = part(0).size() == 4;
+    const std::string_view year = is_year_first ? part(0) : part(1), month = is_year_first ? part(1) : part(0);
+    const bool is_month =
+        (mark == "-" || mark == "/") && date.rest.empty() && (year.starts_with("19") || year.starts_with("20"));
+    return is_month ? known_form(fmt::format("{}-{:0>2}-01", year, month)) : "";
+  }
+  std::string form = fmt::format("{}{mark}{}{mark}{}", part(0), part(1), part(2), fmt::arg("mark", mark));
+  if (part(0).size() != 4 && part(2).size() != 4) return "";
+  if (date.parts.size() > 3) form += (date.marks[2] == 'T' ? "T" : " ") + fmt::format("{}:{}", part(3), part(4));
+  if (date.parts.size() > 5) form += fmt::format(":{}", part(5));
+  if (date.parts.size() > 6) form += fmt::format(".{}", part(6));
+  return known_form(form + std::string(date.rest));
 }
 
 std::optional<Rational> read_date(std::string_view text, DateOrder order) {

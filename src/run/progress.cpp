@@ -105,12 +105,12 @@ Report::~Report() {
 
 void Report::note(const std::string& path, const Note& note) {
   if (note.is_important ? !verbosity_.quiet : verbosity_.notes)
-    print(message_head(printable(shown_name(path)), MessageKind::note, verbosity_.color) + printable(note.text));
+    print(message_head(in_message(shown_name(path)), MessageKind::note, verbosity_.color) + in_message(note.text));
 }
 
 void Report::warning(const std::string& path, const Note& note) {
   if (!verbosity_.quiet)
-    print(message_head(printable(path), MessageKind::warning, verbosity_.color) + printable(note.text));
+    print(message_head(in_message(path), MessageKind::warning, verbosity_.color) + in_message(note.text));
 }
 
 void Report::error(const Error& error) { print(error_text(error, verbosity_.color)); }

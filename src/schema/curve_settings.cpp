@@ -12,6 +12,30 @@
 namespace tcb {
 namespace {
 
+/// A product or curve without a preset, in letters alone.
+struct ExpectedPreset {
+  std::string_view name, instead;
+};
+
+/// Source: the reader of curves in Maya's animation engine for games (animEngine.c), Unity's AnimationCurve (its method
+///   SmoothTangents), and Catmull and Rom (1974), whose curve has the same times between all keys.
+constexpr ExpectedPreset expected_presets[] = {
+    {"maya",
+     "its spline tangents are those of tension, continuity and bias 0 with the tangent rule interval; remove it, and "
+     "give "
+     "--tangents interval"},
+    {"unity",
+     "its smooth tangents are those of tension, continuity and bias 0 with the preset tcb, the default; remove it"},
+    {"blender",
+     "its keys have handles and no rule; where these are a third of a segment long, their slopes are velocities; "
+     "remove "
+     "it, and give them in columns such as x_vin and x_vout"},
+    {"catmullrom",
+     "tension, continuity and bias 0 are this curve, with the tangent rule uniform, or finite-difference where times "
+     "are "
+     "uneven; remove it, and give --tangents uniform or finite-difference"},
+};
+
 /// The row of a table with this name.
 template <class Table>
 const auto& named(const Table& table, std::string_view name) {
@@ -45,7 +69,18 @@ EndSetting end_in(std::string_view text) {
 
 }  // namespace
 
-spline::Preset preset_in(std::string_view text) { return named(spline::presets, text).id; }
+std::string_view in_place_of_preset(std::string_view name) {
+  std::string letters;
+  for (const char c : in_lower_case(name)) letters += c >= 'a' && c <= 'z' ? std::string(1, c) : "";
+  const auto* const found = std::ranges::find(expected_presets, letters, &ExpectedPreset::name);
+  return found == std::end(expected_presets) ? "" : found->instead;
+}
+
+spline::Preset preset_in(std::string_view text) {
+  if (const std::string_view instead = in_place_of_preset(text); !instead.empty())
+    throw usage_error("unknown name {}; {}", in_quotes(text), instead);
+  return named(spline::presets, text).id;
+}
 
 spline::TangentRule tangents_in(std::string_view text) { return named(spline::tangent_rules<double>, text).id; }
 

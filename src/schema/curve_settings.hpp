@@ -128,6 +128,9 @@ struct CurveSettings {
 
 /// The value of a setting in a text. Throws: Error (usage), which the caller makes one about the option or the member.
 spline::Preset preset_in(std::string_view text);
+
+/// What serves in place of a preset that people expect under this name, and that there is not; or "".
+std::string_view in_place_of_preset(std::string_view name);
 spline::TangentRule tangents_in(std::string_view text);
 EndsSetting ends_in(std::string_view text);              ///< RULE or RULE,RULE
 PeriodSetting period_in(std::string_view text);          ///< a decimal, a ratio or a duration

@@ -1,6 +1,8 @@
 // Roles: what a column of a record means, the names of roles, and requests for columns with a role.
 #include "schema/roles.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "error.hpp"
@@ -23,6 +25,21 @@ constexpr std::array affixes{
     Affix{"bias_", Role::channel_bias, true},       Affix{"_v", Role::velocity, false},
     Affix{"_vin", Role::velocity_in, false},        Affix{"_vout", Role::velocity_out, false},
 };
+
+/// The value of the option for which a list of columns without roles, such as time,x,y, probably stands: those with the
+/// name of a role have it, and the others are the position. An example for any other text.
+std::string example_of_roles(std::string_view text) {
+  std::string roles, position;
+  for (const std::string_view name : split(text, ',')) {
+    if (name.empty() || name.find('=') != std::string::npos) return "time=frame,position=px:py";
+    if (const std::optional<Role> role = find_role(name); role && *role != Role::position) {
+      roles += fmt::format("{}={},", role_name(*role), name);
+    } else {
+      position += fmt::format("{}{}", position.empty() ? "" : ":", name);
+    }
+  }
+  return position.empty() ? "time=frame,position=px:py" : roles + "position=" + position;
+}
 
 }  // namespace
 
@@ -73,8 +90,8 @@ std::vector<RoleRequest> parse_roles(std::string_view text) {
       throw usage_error(
           "{} is not a role with its columns; expected time=NAME, position=NAME:NAME…, tension=, continuity=, bias=, "
           "tension_NAME=, continuity_NAME=, bias_NAME=, NAME_v=, NAME_vin=, NAME_vout=, ease_in=, ease_out=, group=, "
-          "carry=, ignore=, nanoseconds= or clock=; for example --columns time=frame,position=px:py",
-          in_quotes(part));
+          "carry=, ignore=, nanoseconds= or clock=; for example --columns {}",
+          in_quotes(part), in_shell(example_of_roles(text)));
     }
     const auto columns = split(part.substr(equals + 1), ':');
     requests.push_back({known ? *known : of_channel->role, {columns.begin(), columns.end()}});

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -63,6 +64,15 @@ ShownText shown_text(std::string_view text, std::size_t most_bytes, bool escapes
   return shown;
 }
 
+/// The first and the last bytes of valid UTF-8, without parts of characters, around "…".
+std::string without_middle(std::string_view text, std::size_t first, std::size_t last) {
+  const auto is_inside = [](char c) { return (code(c) & 0xC0U) == 0x80U; };
+  std::size_t end = first, begin = text.size() - last;
+  while (end > 0 && is_inside(text[end])) --end;
+  while (begin < text.size() && is_inside(text[begin])) ++begin;
+  return fmt::format("{}…{}", text.substr(0, end), text.substr(begin));
+}
+
 /// The number of bytes that begin a character; those after its first are 10xxxxxx. Eight bytes of ASCII at a time.
 std::uint64_t count_characters(std::string_view text) {
   std::uint64_t count = text.size();
@@ -108,6 +118,20 @@ std::string in_quotes(std::string_view text) {
 }
 
 std::string printable(std::string_view text) { return shown_text(text, text.size(), true).text; }
+
+std::string in_message(std::string_view text) {
+  constexpr std::size_t longest = 16'000, longest_word = 100;
+  const std::string all = printable(text);
+  if (all.size() <= longest) return all;
+  std::string shown;
+  for (std::size_t at = 0; at < all.size();) {
+    const std::size_t end = std::min(all.find(' ', at), all.size() - 1) + 1;
+    const std::string_view word = std::string_view(all).substr(at, end - at);
+    shown += word.size() > longest_word ? without_middle(word, 40, 20) : std::string(word);
+    at = end;
+  }
+  return shown.size() > longest ? without_middle(shown, 1'000, 500) : shown;
+}
 
 std::string in_one_line(std::string_view text) { return shown_text(text, text.size(), false).text; }
 

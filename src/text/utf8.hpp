@@ -59,6 +59,10 @@ std::string in_quotes(std::string_view text);
 /// of files and columns may have, as \xNN.
 std::string printable(std::string_view text);
 
+/// A message, or the place before it, as standard error shows it: printable, and where it is longer than 16 KB, with
+/// each long word cut, as a name of a column may have any length.
+std::string in_message(std::string_view text);
+
 /// Text as a file holds it in one line: with the bytes of control characters as \xNN; invalid bytes remain.
 std::string in_one_line(std::string_view text);
 

@@ -18,6 +18,7 @@
 #include "io/encoding.hpp"
 #include "numbers/dates.hpp"
 #include "numbers/parse_number.hpp"
+#include "read/csv/splitter.hpp"
 #include "read/csv/tokenizer.hpp"
 #include "schema/doubts.hpp"
 #include "schema/usual_names.hpp"
@@ -521,6 +522,10 @@ void require_clear_header(const HeadRecords& first, const DelimitedHead& head, c
   const auto number = std::ranges::find_if(record.cells, is_number);
   if (number == record.cells.end()) return;
   const auto text = std::ranges::find_if_not(record.cells, [&](const auto& cell) { return may_be_value(cell, head); });
+  if (const std::string date = date_in_known_form(*text); !date.empty()) {
+    const auto column = fmt::format("column {}", text - record.cells.begin() + 1);
+    throw date_not_read(column, *text, date).at({"", record.line, 1});
+  }
   Chunk data = first.chunks[record.chunk];
   data.text.erase(0, record.offset);
   const std::string columns = numbers_beside_text(cells_of({&data, 1}, head.dialect), head);
@@ -537,6 +542,17 @@ void require_clear_header(const HeadRecords& first, const DelimitedHead& head, c
       .at({"", record.line, 1});
 }
 
+/// A delimiter as the value of an option in a shell.
+std::string delimiter_as_value(char c) {
+  switch (c) {
+    case ',': return "comma";
+    case ';': return "semicolon";
+    case '\t': return "tab";
+    case '|': return "pipe";
+    default: return c < ' ' ? fmt::format("$'\\x{:02X}'", static_cast<unsigned>(c)) : fmt::format("'{}'", c);
+  }
+}
+
 /// Throws: Error (data) where each record is one cell, with the same number of some other character that may delimit.
 void require_delimiter(const HeadRecords& first, const Dialect& dialect) {
   const auto is_single = [](const auto& record) { return record.cells.size() == 1; };
@@ -546,14 +562,26 @@ void require_delimiter(const HeadRecords& first, const Dialect& dialect) {
     const auto cells = count(first.records[0]);
     if (cells == 0 || std::ranges::any_of(first.records, [&](const auto& record) { return count(record) != cells; }))
       continue;
-    const std::string argument = c == '|'  ? "pipe"
-                                 : c < ' ' ? fmt::format("$'\\x{:02X}'", static_cast<unsigned>(c))
-                                           : fmt::format("'{}'", c);
     throw data_error(
         "the rows have no delimiter {}, but each has {}; expected cells between delimiters; give --delimiter {}",
-        in_quotes({&dialect.delimiter, 1}), in_quotes({&c, 1}), argument)
+        in_quotes({&dialect.delimiter, 1}), in_quotes({&c, 1}), delimiter_as_value(c))
         .at({"", first.records[0].line, 1});
   }
+}
+
+/// Throws: Error (data) for a header of one name, in which the delimiter does not occur, but another one does.
+void require_delimiter_in_header(const HeadRecords& first, const Dialect& dialect) {
+  const HeadRecords::Record& header = first.records[0];
+  const std::string text = header.cells[0] + "\n";
+  const char other = delimiter_of(text, '.').value_or(' ');
+  const bool is_other = other != ' ' && other != dialect.delimiter && text.find(other) != std::string::npos;
+  const std::string_view given = std::string_view(first.chunks[header.chunk].text).substr(header.offset);
+  if (header.cells.size() > 1 || !is_other || given.starts_with('"')) return;
+  throw data_error(
+      "the header {} has no delimiter {}, but {}; expected names between delimiters; give --delimiter {}, or quote the "
+      "name if it is one",
+      in_quotes(header.cells[0]), in_quotes({&dialect.delimiter, 1}), in_quotes({&other, 1}), delimiter_as_value(other))
+      .at({"", header.line, 1});
 }
 
 /// Throws: Error (data) for an input of one line.
@@ -937,6 +965,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   if (!options.delimited.header && !columns.samples) unread = repeated_words(first, head);
   const bool is_named = unread.empty() && is_header(first.records[0], head, columns.samples);
   const bool header = options.delimited.header.value_or(is_named);
+  if (header && !head.is_of_format) require_delimiter_in_header(first, dialect);
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
   TextPosition position{"", first.records[0].line, 0};  // of the names

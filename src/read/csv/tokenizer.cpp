@@ -10,6 +10,7 @@
 #include <cstring>
 #include <optional>
 
+#include "numbers/dates.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -257,6 +258,14 @@ std::string sed_that_removes_unit(std::string_view cell, std::string_view number
 
 }  // namespace
 
+Error date_not_read(std::string_view column, std::string_view cell, std::string_view known) {
+  return data_error(
+      "{}: {} is a date in a form that is not read; expected it as {}; write the dates so, as to_datetime of pandas "
+      "does "
+      "with the argument format",
+      column, in_quotes(cell), known);
+}
+
 Error why_not_number(std::string_view column, std::string_view cell, const NumberMarks& marks) {
   if (looks_numeric(cell) || (marks.decimal != '.' && looks_numeric(with_point(cell)))) {
     const bool has_point = marks.decimal != '.' && cell.find('.') != std::string_view::npos;
@@ -291,6 +300,7 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
         "and write south and west as negative numbers",
         column, in_quotes(cell));
   }
+  if (const std::string known = date_in_known_form(cell); !known.empty()) return date_not_read(column, cell, known);
   const std::string_view number = without_unit_of_number(cell);
   if (number.size() < cell.size() && !Decimals(marks).number(number) && marks_of(number)) {
     const std::optional<NumberMarks> other = marks_of(number);

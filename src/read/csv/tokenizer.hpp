@@ -98,6 +98,9 @@ bool has_thousands_separators(std::string_view text);
 /// A cell without the sign of a currency before it, as in $5.
 std::string_view without_currency(std::string_view cell);
 
+/// A date in a form that is not read, which `known` is as date_in_known_form() returns it.
+Error date_not_read(std::string_view column, std::string_view cell, std::string_view known);
+
 /// Why a cell of a column is not a number, which was expected. `marks` are those of the input.
 /// Requires: it is not a sign of a missing number.
 Error why_not_number(std::string_view column, std::string_view cell, const NumberMarks& marks);

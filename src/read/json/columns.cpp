@@ -21,6 +21,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "numbers/dates.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
 #include "schema/doubts.hpp"
@@ -361,6 +362,10 @@ class FirstKey {
     if (is_quoted && is_missing_sign(text, signs_)) return role != Role::position;
     if (is_quoted && parse_number(text)) return true;
     if (role == Role::position && !looks_numeric(text)) return false;
+    if (const std::string date = role == Role::time ? date_in_known_form(text) : ""; !date.empty()) {
+      throw at_value(member, data_error("{} is a date in a form that is not read; expected it as {}; write it so",
+                                        in_quotes(text), date));
+    }
     throw at_value(member, data_error("{} is not a number; expected a number; correct it, or give --columns {}",
                                       in_quotes(text), in_shell("ignore=" + member.name)));
   }

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "numbers/dates.hpp"
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
 #include "read/key_builder.hpp"
@@ -188,7 +189,11 @@ class KeyReader {
       return miss(column, text == "null" && !is_quoted ? "null" : in_quotes(text), value);
     if (kind == Kind::number || (is_quoted && parse_number(text))) return store(column, text, value);
     const bool is_other_time = is_time && (find_notation(text) || !keys_.has_times_as_numbers());
-    if (!is_other_time) {
+    const std::string date = is_time ? date_in_known_form(text) : "";
+    if (!date.empty()) {
+      add_value_fault(value, data_error("{} is a date in a form that is not read; expected it as {}; write it so",
+                                        in_quotes(text), date));
+    } else if (!is_other_time) {
       add_value_fault(
           value,
           is_time ? data_error(
