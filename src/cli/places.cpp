@@ -67,6 +67,7 @@ class PlaceNumbers {
       places_.list.push_back(*seconds_in_words(units_, item));
       ++words_;
     } else if (item.find(':') == std::string_view::npos) {
+      require_known_date(item);
       places_.list.push_back(number(not_a_list_of_numbers, item));
     } else {
       if (notation && item.find('.') == std::string_view::npos) places_.range = item;

@@ -148,14 +148,13 @@ Rational frame_rate(const std::string& text) {
 }
 
 void require_known_date(std::string_view text) {
-  const std::string date = date_in_known_form(text);
+  const std::string date = parse_rational(text) ? "" : date_in_known_form(text);
   if (date.empty()) return;
   throw usage_error("{} is a date in a form that is not read; expected it as {}; write it so", in_quotes(text), date);
 }
 
 TimeValue time_value(std::string_view words, std::string_view text) {
   const std::optional<Rational> seconds = read_duration(text);
-  if (!seconds && !parse_rational(text)) require_known_date(text);
   if (!seconds) return {ratio_or(words, text)};
   if (!within_doubles(*seconds)) throw number_beyond_doubles(text);
   return {*seconds, true};
@@ -163,7 +162,10 @@ TimeValue time_value(std::string_view words, std::string_view text) {
 
 std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_view text) {
   const std::optional<TimeNotation> notation = find_notation(text);
-  if (!notation) return std::nullopt;
+  if (!notation) {
+    require_known_date(text);
+    return std::nullopt;
+  }
   if (counts_frames(*notation) && !units.frame_rate) {
     throw usage_error("{} is timecode, and no frame rate is given; expected one; give --input-fps", in_quotes(text));
   }

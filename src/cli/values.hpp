@@ -49,7 +49,7 @@ struct TimeValue {
 // option. The errors of those with `words` end with these.
 
 Rational ratio_or(std::string_view words, std::string_view text);
-/// Throws: Error (usage) for a date in a form that is not read.
+/// Throws: Error (usage) for a date in a form that is not read; not for a ratio, such as 1024/12.
 void require_known_date(std::string_view text);
 TimeValue time_value(std::string_view words, std::string_view text);
 Rational positive_ratio(const std::string& text);
