@@ -12,12 +12,12 @@ command -v wine >/dev/null || {
   exit 77
 }
 
-# Symbolic links, named pipes and /dev/fd; names and arguments that are no text; names that differ in their cases;
-# permissions; terminals; messages of the C library; Zstandard; the time at which rows appear; and, which wine lacks,
-# the identity of a redirected file and the locks of programs for Linux.
+# Symbolic links, named pipes and /dev/fd; names and arguments that are no text, or that Windows does not allow; names
+# that differ in their cases; permissions; terminals; messages of the C library; Zstandard; the time at which rows
+# appear; and, which wine lacks, the identity of a redirected file and the locks of programs for Linux.
 left_out='batch/bad-files-do-not-stop-others batch/killed-and-continued batch/links-in-the-output-folder
 batch/lists-of-files cli/first-run errors/other-formats input/compressed input/encodings output/endings
-output/keeps-permissions output/meta output/over-other-inputs output/rows-appear-while-keys-come
+output/keeps-permissions output/meta output/meta-command output/over-other-inputs output/rows-appear-while-keys-come
 output/standard-streams'
 
 made=$(mktemp -d)
