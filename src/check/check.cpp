@@ -129,7 +129,8 @@ std::vector<Time> expected_places(const SampleOptions& expected, const Compariso
   const CurveRequest request{.samples = expected.of({curve.group, curve.curve_info, {}}, schema),
                              .rules = comparison.keys.rules,
                              .fields = fields,
-                             .threads = inputs.threads};
+                             .threads = inputs.threads,
+                             .zero = inputs.zero};
   CurvePipeline pipeline(request, schema, inputs.kept.traits, *curve.curve_info, curve.part);
   const CurveSamples samples = pipeline.samples(curve.keys());
   std::vector<Time> places;
@@ -199,8 +200,11 @@ void check_coverage(const Pair& pair, const Comparison& comparison, const Compar
 void check_pair(const Pair& pair, const Comparison& comparison, const ComparisonInputs& inputs, Checker& checker,
                 Check& result, const std::function<void(const CheckedPair&)>& observe) {
   const MatchedColumns& columns = inputs.columns;
-  CurveRequest request{
-      .samples = {}, .rules = comparison.keys.rules, .fields = columns.fields, .threads = inputs.threads};
+  CurveRequest request{.samples = {},
+                       .rules = comparison.keys.rules,
+                       .fields = columns.fields,
+                       .threads = inputs.threads,
+                       .zero = inputs.zero};
   request.samples.from_left = comparison.from_left;
   request.samples.mode = columns.by_length ? Mode::arc_at : Mode::at;
   const spline::Side side = request.samples.side();

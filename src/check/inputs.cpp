@@ -19,6 +19,7 @@
 #include "numbers/decimal_time.hpp"
 #include "read/input.hpp"
 #include "read/input_options.hpp"
+#include "run/curve_pipeline.hpp"
 #include "stream/source.hpp"
 #include "tcb/spline/angle.hpp"
 #include "text/suggest.hpp"
@@ -205,26 +206,6 @@ MatchedColumns match_by_order(const SampleTable& table, const Schema& keys, cons
   return result;
 }
 
-/// The time from which those of the samples count.
-std::optional<Rational> time_zero_of(const std::optional<TimeZero>& zero, const KeptInput& kept) {
-  if (!zero || zero->time) return zero ? zero->time : std::nullopt;
-  const bool has_key = !kept.curves.empty() && !kept.curves.front().blocks.empty();
-  if (!has_key || !kept.schema.time.is_given) return std::nullopt;
-  return exact_time(kept.curves.front().blocks.front().keys.times.front());
-}
-
-/// Adds a time to those of all samples, exactly where that is a decimal.
-void add_to_times(SampleTable& table, const Rational& zero) {
-  for (SampleRows& rows : table.curves) {
-    for (Time& time : rows.times) {
-      if (std::isnan(time.hi)) continue;
-      const Rational sum = exact_time(time) + zero;
-      const Time decimal = nearest_time(sum, digits_of_time);
-      time = exact_time(decimal) == sum ? decimal : nearest_time(sum);
-    }
-  }
-}
-
 }  // namespace
 
 SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes, const Schema& keys,
@@ -297,13 +278,21 @@ Source<KeyBlock> KeptKeys::keys() const {
   };
 }
 
-KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes) {
+KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes, std::optional<CountedFrom>& zero) {
   InputOptions options = comparison.keys.input;
   options.threads = comparison.threads.count();
   const Input input = open_input(comparison.keys_file, std::move(bytes), options);
   KeptInput kept{input.schema, input.keys.traits, {}};
   Curves curves(input.schema, input.keys, comparison.keys.curves, false);
-  while (const std::optional<InputCurve> curve = curves.next()) {
+  const auto frames = named_times({}, {}, input.schema.time);
+  while (std::optional<InputCurve> curve = curves.next()) {
+    if (comparison.time_zero) {
+      if (!zero)
+        zero = {comparison.time_zero->time ? *comparison.time_zero->time : first_time(curve->keys, frames).value_or(0)};
+      zero->has_keys = true;
+      require_times(*zero, input.schema.time);
+      count_from(*curve, zero->time, frames);
+    }
     KeptKeys& one = kept.curves.emplace_back(KeptKeys{curve->group, curve->curve_info, {}});
     while (std::optional<KeyBlock> block = curve->keys()) one.blocks.push_back(std::move(*block));
     if (curve->part)
@@ -322,11 +311,11 @@ ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std
   const auto bytes_of = [progress](const std::string& path) {
     return progress == nullptr ? read_file(path) : progress->observe_bytes(read_file(path));
   };
-  inputs.kept = in_file(inputs.keys, [&] { return keep_input(comparison, bytes_of(comparison.keys_file)); });
+  inputs.kept =
+      in_file(inputs.keys, [&] { return keep_input(comparison, bytes_of(comparison.keys_file), inputs.zero); });
   in_file(inputs.file, [&] {
     const auto before_time = columns_before_time(chosen, inputs.kept.schema);
     inputs.table = read_samples(comparison, bytes_of(comparison.file), inputs.kept.schema, before_time);
-    if (const auto zero = time_zero_of(comparison.time_zero, inputs.kept)) add_to_times(inputs.table, *zero);
     inputs.columns = match_columns(inputs.table, inputs.kept.schema, chosen);
   });
   return inputs;

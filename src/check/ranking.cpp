@@ -51,7 +51,8 @@ class Comparer {
     const CurveRequest request{.samples = request_,
                                .rules = settings_of(convention, rules_, parts_),
                                .fields = inputs_.columns.fields,
-                               .threads = inputs_.threads};
+                               .threads = inputs_.threads,
+                               .zero = inputs_.zero};
     CurvePipeline pipeline(request, inputs_.kept.schema, inputs_.kept.traits, *curve.curve_info);
     const TcbOrder& order = orders_[convention.order].order;
     if (order.is_plain()) return pipeline.kept(curve.keys());

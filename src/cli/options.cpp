@@ -205,6 +205,7 @@ constexpr OptionRow option_rows[] = {
        units.frame_rate = frame_rate(text);
        if (*units.frame_rate > most_frames_per_second)
          throw usage_error("{} is too large a rate; expected at most 1000000000 frames per second", in_quotes(text));
+       (void)step_of_rate(*units.frame_rate, text);
        if (broadcast_rate(text)) units.rate_as_decimal = text;
      }},
     {"--date-order", "", "ORDER", input_group,

@@ -41,7 +41,7 @@ namespace {
 class FittedKeys final : public BatchOutput {
  public:
   FittedKeys(const FitJob& job, Report& report, const std::string& path)
-      : job_(job), report_(report), writer_(job.rows, path) {}
+      : job_(job), report_(report), writer_(job.rows, path), zero_(given_zero(job.rows)) {}
 
   /// The stages of a fit, with their observers. Returns the number of keys.
   std::uint64_t add(const InputFile& file, unsigned threads) override {
@@ -86,6 +86,12 @@ class FittedKeys final : public BatchOutput {
             format.name);
       }
       curve->keys = writer_.recorder().observe_keys(std::move(curve->keys));
+      if (job_.rows.time_zero) {
+        const auto frames = named_times(notation_of_times(job_.rows, schema.time), job_.rows.frame_rate, schema.time);
+        if (!zero_) zero_ = {first_time(curve->keys, frames).value_or(0), true};
+        require_times(*zero_, schema.time);
+        count_from(*curve, zero_->time, frames);
+      }
       Samples read = recorded_samples(*curve, schema, job_.keys.rules, job_.options);
       progress.expect_rows(expected += static_cast<double>(read.times.size()));
       return read;
@@ -109,7 +115,6 @@ class FittedKeys final : public BatchOutput {
     FitReport report;
     while (const std::optional<FittedRows> rows = fits()) {
       writer_.begin_curve(rows->group);
-      if (!rows->table.cells.empty()) writer_.set_first_time(rows->table.cells.front());
       writer_.write([&, done = false]() mutable -> std::optional<std::string> {
         if (std::exchange(done, true)) return std::nullopt;
         return writer_.print(rows->table, true);
@@ -123,6 +128,7 @@ class FittedKeys final : public BatchOutput {
   const FitJob& job_;
   Report& report_;
   Writer writer_;
+  std::optional<CountedFrom> zero_;  ///< from which times count; nothing: not known yet
 };
 
 /// The samples of a recording beside its curve. A computed quaternion is negated where that is nearer to the sample, as

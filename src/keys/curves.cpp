@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "error.hpp"
-#include "keys/order.hpp"
 #include "schema/usual_names.hpp"
 #include "text/utf8.hpp"
 
@@ -151,6 +150,18 @@ Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
     }
     refuse(faults, are_all);
   };
+}
+
+CurvePart counted_from(const CurvePart& part, const Rational& zero, const std::optional<FrameTimes>& frames) {
+  return {part.number, less(part.origin, zero, frames), [next = part.next, zero, frames] {
+            const std::optional<Time> time = next();
+            return time ? std::optional(less(*time, zero, frames)) : std::nullopt;
+          }};
+}
+
+void count_from(InputCurve& curve, const Rational& zero, const std::optional<FrameTimes>& frames) {
+  curve.keys = less(std::move(curve.keys), zero, frames);
+  if (curve.part) curve.part = counted_from(*curve.part, zero, frames);
 }
 
 ObservedChannels::ObservedChannels(const Schema& schema, bool may_miss)

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "keys/order.hpp"
 #include "schema/input_keys.hpp"
 #include "schema/rotation_options.hpp"
 #include "schema/schema.hpp"
@@ -83,6 +84,10 @@ struct InputCurve {
   Source<KeyBlock> keys;
   std::optional<CurvePart> part = {};  ///< where gaps divide curves
 };
+
+/// Times of a curve that count from another one than 0, exactly. `frames`: where they are frames.
+void count_from(InputCurve& curve, const Rational& zero, const std::optional<FrameTimes>& frames);
+CurvePart counted_from(const CurvePart& part, const Rational& zero, const std::optional<FrameTimes>& frames);
 
 /// The curves of an input, in order of first appearance. It outlives the sources of their keys.
 class Curves {

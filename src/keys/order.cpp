@@ -372,6 +372,62 @@ Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, c
   return with_time_digits(mapped(std::move(blocks), add_days));
 }
 
+namespace {
+
+/// The exact time of a key of a block: that which is written, if texts are kept.
+Rational exact_time_of(const KeyBlock& block, std::size_t key, const std::optional<FrameTimes>& frames) {
+  const std::size_t per_key = block.empty() ? 0 : block.decimals.size() / block.size();
+  if (per_key > 0) {
+    if (const auto written = parse_rational(block.decimals[key * per_key + NumberOfKey::time])) return *written;
+  }
+  const auto frame = frames ? frames->exact(block.keys.times[key]) : std::nullopt;
+  return frame ? *frame : exact_time(block.keys.times[key]);
+}
+
+Time time_nearest_to(const Rational& exact) {
+  const Time decimal = nearest_time(exact, digits_of_time);
+  return !std::isfinite(decimal.hi) || exact_time(decimal) == exact ? decimal : nearest_time(exact);
+}
+
+}  // namespace
+
+std::optional<Rational> first_time(Source<KeyBlock>& keys, const std::optional<FrameTimes>& frames) {
+  std::optional<KeyBlock> block = keys();
+  while (block && block->empty()) block = keys();
+  if (!block) return std::nullopt;
+  const auto time = block->keys.times.empty() ? std::nullopt : std::optional(exact_time_of(*block, 0, frames));
+  keys = preceded_by(std::move(*block), std::move(keys));
+  return time;
+}
+
+Time less(const Time& time, const Rational& zero, const std::optional<FrameTimes>& frames) {
+  const auto frame = frames ? frames->exact(time) : std::nullopt;
+  return time_nearest_to((frame ? *frame : exact_time(time)) - zero);
+}
+
+Source<KeyBlock> less(Source<KeyBlock> keys, const Rational& zero, const std::optional<FrameTimes>& frames) {
+  return with_time_digits(
+      mapped(std::move(keys), [zero, frames, before = std::optional<Time>()](KeyBlock block) mutable {
+        WrittenTimes written(block.size());
+        for (std::size_t key = 0; key < block.keys.times.size(); ++key) {
+          Time& time = block.keys.times[key];
+          const Rational exact = exact_time_of(block, key, frames) - zero;
+          const Time counted = time_nearest_to(exact);
+          if (!std::isfinite(counted.hi) || (before && !(*before < counted))) {
+            throw data_error(
+                "time {} is too far from --time-zero; expected a difference below 1.8e308, and other than that of the "
+                "key before; give a time that is nearer",
+                time_text(time))
+                .at(block.text_position(key));
+          }
+          before = time = counted;
+          written[key] = exact;
+        }
+        if (!block.decimals.empty()) set_written_times(block, written);
+        return block;
+      }));
+}
+
 Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks) {
   return mapped(std::move(blocks), [many = false](KeyBlock block) mutable {
     std::vector<Time>& times = block.keys.times;

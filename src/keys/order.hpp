@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "numbers/frame_times.hpp"
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
@@ -41,6 +42,22 @@ struct CurveLabels {
 /// The keys with times of one kind. Up to the block with the first time of more than 17 digits, times are doubles or
 /// whole numbers; from there on each is its decimal.
 Source<KeyBlock> with_time_digits(Source<KeyBlock> blocks);
+
+/// From which time times count.
+struct CountedFrom {
+  Rational time;
+  bool is_of_key = false;  ///< it is the time of a key, before a change of times
+  bool has_keys = false;   ///< the keys count from it already
+};
+
+/// The exact time of the first key of a curve, whose keys stay; nothing without times. `frames`: where they are frames.
+std::optional<Rational> first_time(Source<KeyBlock>& keys, const std::optional<FrameTimes>& frames);
+
+/// A time less `zero`, exactly where that is a decimal of 31 digits, and otherwise the nearest double.
+Time less(const Time& time, const Rational& zero, const std::optional<FrameTimes>& frames);
+
+/// The keys of a curve with such times. Throws: Error (data) for times too far from zero to be told apart.
+Source<KeyBlock> less(Source<KeyBlock> keys, const Rational& zero, const std::optional<FrameTimes>& frames);
 
 /// The keys of times of day, to which a day is added where they go back by more than half of it. Counts these in
 /// `midnights`, which outlives the source. Times in other notations stay. `rate`: of the frames of timecode. Requires:

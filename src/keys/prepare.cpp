@@ -38,6 +38,13 @@ void require_ease(const spline::Ease<double>& ease, std::uint64_t line) {
   }
 }
 
+Error not_retimed(const Time& time, const Retiming& retiming) {
+  return data_error(
+      "the time {}, with times multiplied by {}, is beyond the range of doubles, or not after the one before it; "
+      "expected a factor that leaves times apart and below 1.8e308; give another limit",
+      time.hi, nearest_double(retiming.factor));
+}
+
 using spline::DoubleDouble;
 
 /// The steps that take one block after another.
@@ -105,9 +112,16 @@ class Steps {
   }
 
   /// Other times, and velocities that fit.
-  void retime(KeyBlock& block, const Retiming& retiming) const {
+  void retime(KeyBlock& block, const Retiming& retiming) {
     const double number = nearest_double(retiming.factor);
-    for (Time& time : block.keys.times) time = retimed(time, retiming, needs_.frames);
+    for (std::size_t i = 0; i < block.keys.times.size(); ++i) {
+      Time& time = block.keys.times[i];
+      const Time changed = retimed(time, retiming, needs_.frames);
+      if (before_retimed_ && !(*before_retimed_ < changed)) {
+        throw not_retimed(time, retiming).at({"", block.line(i), 0});
+      }
+      before_retimed_ = time = changed;
+    }
     for (auto& [in, out] : block.keys.velocities) {
       in /= number;
       out /= number;
@@ -187,7 +201,8 @@ class Steps {
   };
 
   KeyPreparation needs_;
-  DoubleDouble time_;           ///< made from distances
+  DoubleDouble time_;  ///< made from distances
+  std::optional<Time> before_retimed_;
   std::vector<double> before_;  ///< the position of the key before, and its line; empty at the first one
   std::uint64_t line_ = 0;
   std::vector<KeyInChannel> before_in_;  ///< the last key in each channel
@@ -256,7 +271,9 @@ SignedKeys with_signs(Source<KeyBlock> blocks, std::vector<AngleColumn> angles) 
 Time retimed(const Time& time, const Retiming& retiming, const std::optional<FrameTimes>& frames) {
   const auto frame = frames ? frames->exact(time) : std::nullopt;
   const Rational exact = frame.value_or(Rational(time.hi) + Rational(time.lo));
-  return nearest_time(retiming.origin + (exact - retiming.origin) * retiming.factor);
+  const Time changed = nearest_time(retiming.origin + (exact - retiming.origin) * retiming.factor);
+  if (!std::isfinite(changed.hi)) throw not_retimed(time, retiming);
+  return changed;
 }
 
 Source<KeyBlock> prepared(Source<KeyBlock> blocks, const KeyPreparation& needs) {

@@ -79,13 +79,26 @@ FrameTimes FrameTimes::decimals() {
   return times;
 }
 
-FrameTimes::FrameTimes(const Rational& rate, const Rational& start) : start_(start) {
-  near_start_.hi = nearest_double(start);
-  near_start_.lo = nearest_double(start - Rational(near_start_.hi));
+FrameTimes::FrameTimes(const Rational& rate, const Rational& start) {
+  set_start(start);
   const Rational parts = rate * parts_of_frame;
   if (numerator(parts) > most_ticks || denominator(parts) > most_ticks) return;
   ticks_ = nearest_double(numerator(parts));
   seconds_ = nearest_double(denominator(parts));
+}
+
+FrameTimes FrameTimes::less(const Rational& zero) const {
+  FrameTimes times = *this;
+  if (ticks_ == 0) return times;
+  const Rational part = Rational(seconds_) / Rational(ticks_), start = start_ - zero;
+  times.set_start(start - floor(start / part) * part);  // near 0, so that nothing cancels
+  return times;
+}
+
+void FrameTimes::set_start(const Rational& start) {
+  start_ = start;
+  near_start_.hi = nearest_double(start);
+  near_start_.lo = nearest_double(start - Rational(near_start_.hi));
 }
 
 /// The time of a part of a frame since the start.

@@ -24,6 +24,9 @@ class FrameTimes {
 
   bool are_decimals() const { return are_decimals_; }
 
+  /// These times, less `zero`.
+  FrameTimes less(const Rational& zero) const;
+
   /// These times with a new origin, so that the digits of elapsed() do not depend on how far from 0 they are.
   FrameTimes from(const Time& origin) const;
 
@@ -39,6 +42,7 @@ class FrameTimes {
  private:
   FrameTimes() = default;
 
+  void set_start(const Rational& start);
   std::optional<double> number(const Time& time) const;
   Time since_start(double number) const;
 

@@ -51,18 +51,6 @@ CurveSpec spec_of(const CurveSettings& settings, CurveSettings of_input, const S
   return spec;
 }
 
-/// The times that the texts of rows name: where these are times in words, frames, or counted from another time than 0;
-/// nothing: they are numbers.
-std::optional<FrameTimes> named_times(const CurveRequest& request, const TimeSchema& time) {
-  if (!time.is_given) return std::nullopt;
-  const TimeNotation notation = request.time_notation.value_or(time.notation);
-  if (is_date(notation) || notation == TimeNotation::clock || request.counts_from_zero) return FrameTimes::decimals();
-  if (time.frame_rate) return FrameTimes(*time.frame_rate, time.start);
-  const bool shows_frames = counts_frames(notation) && request.frame_rate && time.unit != TimeUnit::frames;
-  if (!shows_frames) return std::nullopt;
-  return FrameTimes(*request.frame_rate / (time.unit ? units_per_second(*time.unit) : Rational(1)));
-}
-
 /// `fields`: those of the rows. `may_miss`: keys may lack positions. `exact`: numbers are computed exactly.
 CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size_t> fields, const CurveSpec& spec,
                        bool may_miss, bool exact) {
@@ -147,6 +135,29 @@ std::string in_words(const CurveNeeds& needs) {
   return words;
 }
 
+std::optional<CountedFrom> given_zero(const WriterOptions& rows) {
+  if (!rows.time_zero || !rows.time_zero->time) return std::nullopt;
+  return CountedFrom{*rows.time_zero->time};
+}
+
+void require_times(const CountedFrom& zero, const TimeSchema& time) {
+  if (time.is_given || zero.time == 0) return;
+  throw usage_error(
+      "the times are made by the program; expected times of keys; name their column with --columns time=NAME")
+      .about("--time-zero");
+}
+
+std::optional<FrameTimes> named_times(std::optional<TimeNotation> shown, const std::optional<Rational>& rate,
+                                      const TimeSchema& time) {
+  if (!time.is_given) return std::nullopt;
+  const TimeNotation notation = shown.value_or(time.notation);
+  if (is_date(notation) || notation == TimeNotation::clock) return FrameTimes::decimals();
+  if (time.frame_rate) return FrameTimes(*time.frame_rate, time.start);
+  const bool shows_frames = counts_frames(notation) && rate && time.unit != TimeUnit::frames;
+  if (!shows_frames) return std::nullopt;
+  return FrameTimes(*rate / (time.unit ? units_per_second(*time.unit) : Rational(1)));
+}
+
 CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, const KeyTraits& traits,
                              const CurveInfo& curve_info, std::optional<CurvePart> part)
     : request_(request.samples),
@@ -178,7 +189,7 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     request_.convert_seconds(units_per_second(*unit));
     if (spec_.is_period_in_seconds) *spec_.period *= units_per_second(*unit);
   }
-  request_.frames = spec_.frames = named_times(request, schema.time);
+  request_.frames = spec_.frames = named_times(request.time_notation, request.frame_rate, schema.time);
   const auto take_frame = [this](Rational& time) {  // whose printed time it is
     if (const auto frame = request_.frames->exact(nearest_time(time))) time = *frame;
   };
@@ -188,6 +199,7 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
     }
     std::ranges::for_each(request_.places, take_frame);
   }
+  if (request.zero) count_from(*request.zero, schema.time);
   if (spec_.retiming) {
     preparation_.frames = std::exchange(spec_.frames, std::nullopt);
     request_.frames.reset();
@@ -221,16 +233,41 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
   if (part_) request_.origin = request_.exact(part_->origin);
 }
 
+/// Times count from another one than 0, those of the request too. With a retiming so do the changed times.
+void CurvePipeline::count_from(const CountedFrom& zero, const TimeSchema& time) {
+  require_times(zero, time);
+  if (!time.is_given) return;
+  request_.zero = zero.time;
+  if (spec_.retiming) {
+    Rational& origin = spec_.retiming->origin;
+    if (zero.is_of_key) request_.zero = origin + (zero.time - origin) * spec_.retiming->factor;
+    origin -= request_.zero;
+    preparation_.retiming = spec_.retiming;
+  }
+  given_frames_ = spec_.frames;
+  if (spec_.frames) request_.frames = spec_.frames = given_frames_->less(request_.zero);
+  if (!by_length(request_.mode)) {
+    for (auto* const bound : {&request_.from, &request_.to}) {
+      if (*bound) **bound -= request_.zero;
+    }
+    for (Rational& place : request_.places) place -= request_.zero;
+  }
+  if (zero.has_keys) return;
+  zero_ = request_.zero;
+  if (part_) part_ = counted_from(*part_, *zero_, given_frames_);
+}
+
 /// The keys with times, checked. `least`: how many, unless a single key is enough. Sets the signs of angles.
 Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) {
+  if (zero_) blocks = less(std::move(blocks), *zero_, given_frames_);
   SignedKeys keys = with_signs(std::move(blocks), spec_.angles);
   spec_.angles = preparation_.turns.angles = std::move(keys.angles);
   preparation_.least = needs_.single_key ? 1 : least;
   return tcb::prepared(std::move(keys.blocks), preparation_);
 }
 
-CurveSamples CurveSamples::none(const Time& first_key) {
-  return {.blocks = []() -> std::optional<SampleBlock> { return std::nullopt; }, .first_key = first_key};
+CurveSamples CurveSamples::none() {
+  return {.blocks = []() -> std::optional<SampleBlock> { return std::nullopt; }};
 }
 
 /// A curve whose keys are all read. Frames are counted from its first key.
@@ -274,7 +311,7 @@ CurveSamples CurvePipeline::samples(Source<KeyBlock> blocks) {
 
 CurveSamples CurvePipeline::samples(StreamedCurve curve, const ExactKeys* exact) {
   if (part_ && request_.mode == Mode::at && !take_places_of_part(curve.extent)) {
-    return CurveSamples::none(curve.extent.first);
+    return CurveSamples::none();
   }
   if (exact != nullptr && golden_->decimal && time_exponent() == 0) set_key_times(curve, *exact);
   return needs_.random_access ? samples_at_places(curve, exact) : samples_on_grid(std::move(curve), exact);
@@ -293,7 +330,7 @@ bool CurvePipeline::take_places_of_part(const Extent& extent) {
   for (const Rational& place : request_.places) {
     if (!next || place <= last || spec_.extrapolations.after != Extrapolation::error) continue;
     throw usage_error("time {} is in the gap from {} to {}; give a time on the curve, or --extrapolate hold",
-                      text(place), text(last), time_text(*next))
+                      text(place + request_.zero), text(last + request_.zero), text(exact_time(*next) + request_.zero))
         .about("--at");
   }
   return !request_.places.empty();
@@ -313,7 +350,7 @@ CurveSamples CurvePipeline::samples_as_read(Source<KeyBlock> blocks) {
   Source<SegmentBlock> segments =
       segment_blocks(std::move(keys), spec_.rules, {needs_.lengths, false, threads_, spec_.frames});
   segments = observed(std::move(segments), [estimate](const SegmentBlock& block) { estimate->add(block); });
-  CurveSamples samples = samples_in_order(std::move(segments), make_sampler(request_, extent), extent.first);
+  CurveSamples samples = samples_in_order(std::move(segments), make_sampler(request_, extent));
   samples.expected_rows = [estimate] { return estimate->rows(); };
   return samples;
 }
@@ -332,7 +369,7 @@ CurveSamples CurvePipeline::samples_on_grid(StreamedCurve curve, const ExactKeys
   const RowEstimate estimate(request_, extent, curve.keys.size() - (spec_.closed ? 0 : 1));
   facts.step = estimate.step();
   const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
-  CurveSamples samples = samples_in_order(std::move(segments), sampler, extent.first);
+  CurveSamples samples = samples_in_order(std::move(segments), sampler);
   samples.expected_rows = [rows = estimate.rows()] { return rows; };
   samples.facts = facts;
   if (exact != nullptr) samples.evaluate = exact_rows(*exact, curve, sampler);
@@ -340,8 +377,7 @@ CurveSamples CurvePipeline::samples_on_grid(StreamedCurve curve, const ExactKeys
 }
 
 /// A sampler places samples segment after segment.
-CurveSamples CurvePipeline::samples_in_order(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
-                                             const Time& first_key) const {
+CurveSamples CurvePipeline::samples_in_order(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler) const {
   const auto limited = std::make_shared<std::size_t>(0);
   if (spec_.rules.no_overshoot) {
     segments = observed(std::move(segments),
@@ -349,7 +385,6 @@ CurveSamples CurvePipeline::samples_in_order(Source<SegmentBlock> segments, std:
   }
   return {.blocks = place(std::move(segments), sampler, spec_.channels(), request_.side()),
           .evaluate = fast_rows(sampler),
-          .first_key = first_key,
           .in_order = true,
           .limited_tangents = [limited] { return *limited; },
           .remainder = [sampler] { return sampler->remainder(); }};
@@ -359,9 +394,10 @@ CurveSamples CurvePipeline::samples_in_order(Source<SegmentBlock> segments, std:
 CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const ExactKeys* exact) const {
   const Extent& extent = curve.extent;
   if (spec_.extrapolations.extend_curve() && may_leave_curve(request_) && !request_.origin) {
-    const Rational first = exact_time(extent.first), last = exact_time(*extent.last);
+    const Rational& zero = request_.zero;
+    const Rational first = exact_time(extent.first) + zero, last = exact_time(*extent.last) + zero;
     for (const auto& [option, time] : {std::pair("--from", request_.from), std::pair("--to", request_.to)}) {
-      if (time) require_extended_to(option, *time, spec_.extrapolations, first, last);
+      if (time) require_extended_to(option, *time + zero, spec_.extrapolations, first, last);
     }
   }
   const auto kept =
@@ -374,7 +410,6 @@ CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const 
   FoundRows found = find_rows(kept, std::move(places), request_.mode == Mode::arc_at, request_.side());
   return {.blocks = std::move(found.blocks),
           .evaluate = exact == nullptr ? fast_rows(found.locator) : exact_rows(*exact, curve, found.locator),
-          .first_key = extent.first,
           .facts = facts,
           .expected_rows = [rows] { return static_cast<double>(rows); },
           .limited_tangents = [kept] { return kept->curve().limited_tangents(); }};

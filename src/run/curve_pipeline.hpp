@@ -41,7 +41,7 @@ struct CurveRequest {
   unsigned threads = 1;
   std::optional<TimeNotation> time_notation = {};  ///< in which rows show times; nothing: that of the input
   std::optional<Rational> frame_rate = {};         ///< of the rows' frames
-  bool counts_from_zero = false;                   ///< a time is subtracted from those of rows
+  std::optional<CountedFrom> zero = {};            ///< which is subtracted from the times of keys, and of `samples`
 };
 
 /// What a request needs of a curve before its first row.
@@ -68,7 +68,6 @@ struct SampleFacts {
 struct CurveSamples {
   Source<SampleBlock> blocks;
   Evaluate evaluate = {};
-  Time first_key = {};    ///< its time
   bool in_order = false;  ///< they are placed segment after segment
   SampleFacts facts = {};
   std::function<double()> expected_rows = [] { return 0.0; };                     ///< about how many there will be
@@ -76,7 +75,7 @@ struct CurveSamples {
   /// How far the end of the range is from the last row, once all blocks were taken; nothing if it is a row.
   std::function<std::optional<Rational>()> remainder = [] { return std::nullopt; };
 
-  static CurveSamples none(const Time& first_key = {});
+  static CurveSamples none();
 };
 
 class CurvePipeline {
@@ -115,9 +114,9 @@ class CurvePipeline {
   StreamedCurve read(Source<KeyBlock> blocks);
   CurveSamples samples_as_read(Source<KeyBlock> blocks);
   CurveSamples samples_on_grid(StreamedCurve curve, const ExactKeys* exact) const;
-  CurveSamples samples_in_order(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler,
-                                const Time& first_key) const;
+  CurveSamples samples_in_order(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler) const;
   CurveSamples samples_at_places(const StreamedCurve& curve, const ExactKeys* exact) const;
+  void count_from(const CountedFrom& zero, const TimeSchema& time);
   bool take_places_of_part(const Extent& extent);
   void set_key_times(const StreamedCurve& curve, const ExactKeys& exact);
   Rational exact_end(const ExactKeys& exact, const StreamedCurve& curve) const;
@@ -130,9 +129,22 @@ class CurvePipeline {
   CurveNeeds needs_;
   unsigned threads_;
   KeyPreparation preparation_;
+  std::optional<Rational> zero_;            ///< which is subtracted from the times of keys
+  std::optional<FrameTimes> given_frames_;  ///< of their times before that
   std::optional<CurvePart> part_;
 };
 
 std::string in_words(const CurveNeeds& needs);
+
+/// From which the times of rows count; nothing: it is not given, or is that of the first key.
+std::optional<CountedFrom> given_zero(const WriterOptions& rows);
+
+/// Throws: Error (usage) where times count from another one than 0, and keys have none.
+void require_times(const CountedFrom& zero, const TimeSchema& time);
+
+/// The times that the texts of rows name: where these are times in words or frames; nothing: they are numbers. `shown`:
+/// the notation of rows, if it is not that of the input; `rate`: of their frames.
+std::optional<FrameTimes> named_times(std::optional<TimeNotation> shown, const std::optional<Rational>& rate,
+                                      const TimeSchema& time);
 
 }  // namespace tcb

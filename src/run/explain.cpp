@@ -375,7 +375,9 @@ void explain(const std::string& path, const ExplainJob& job, Output& output) {
   append(lines, input_facts(input));
   const auto print_lines = [&] {
     if (job.format->is_json) return output.write(as_object(lines));
-    for (const auto& [name, value] : lines) output.write(fmt::format("{}: {}\n", name, printable(value)));
+    for (const auto& [name, value] : lines) {
+      output.write(fmt::format("{}: {}\n", printable(name), printable(value)));
+    }
   };
   try {
     append(lines, facts_of_curves(input, job, is_live(path)));

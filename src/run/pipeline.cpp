@@ -27,14 +27,17 @@ namespace {
 /// One file on its way into an output.
 class FileRun {
  public:
-  FileRun(const InputFile& file, unsigned threads, const ResampleJob& job, Report& report, Writer& writer)
+  /// `zero`: from which times count; set by the first key, unless it is known.
+  FileRun(const InputFile& file, unsigned threads, const ResampleJob& job, Report& report, Writer& writer,
+          std::optional<CountedFrom>& zero)
       : path_(file.path),
         live_(is_live(path_)),
         threads_(job.threads.for_reading(threads, live_)),
         job_(job),
         progress_(report.begin_file(path_, file.size)),
         notes_(report, path_),
-        writer_(writer) {}
+        writer_(writer),
+        zero_(zero) {}
 
   /// The stages of the flow, with their observers. Returns the number of rows.
   std::uint64_t run() {
@@ -47,14 +50,18 @@ class FileRun {
     notes_.add_input(input, job_.keys, job_.samples.request, job_.rows.fields);
     Curves curves(input.schema, input.keys, job_.keys.curves, live_);  // group, order, split into curves
     std::uint64_t rows = 0;
-    while (const std::optional<InputCurve> curve = curves.next()) {
+    while (std::optional<InputCurve> curve = curves.next()) {
+      if (job_.rows.time_zero && !zero_) {
+        const auto frames =
+            named_times(notation_of_times(job_.rows, input.schema.time), job_.rows.frame_rate, input.schema.time);
+        zero_ = {first_time(curve->keys, frames).value_or(0), true};
+      }
       begin(input, *curve);
       const auto labels = labels_of(input);
       Source<KeyBlock> keys = provenance.observe_keys(curve->keys);
       if (labels != nullptr) keys = Labels::observe(labels, std::move(keys));
       CurveSamples samples = pipeline_->samples(std::move(keys));  // segments, measure, place
-      writer_.set_first_time(samples.first_key);
-      if (curve->part && !has_rows(samples)) {  // the range does not meet it
+      if (curve->part && !has_rows(samples)) {                     // the range does not meet it
         provenance.end_curve();
         continue;
       }
@@ -81,7 +88,7 @@ class FileRun {
                                  threads_,
                                  notation_of_times(job_.rows, input.schema.time),
                                  job_.rows.frame_rate,
-                                 job_.rows.time_zero.has_value()};
+                                 zero_};
       pipeline_.emplace(request, input.schema, input.keys.traits, *curve.curve_info, curve.part);
     }
     if (curve_info_ == nullptr) {
@@ -153,6 +160,7 @@ class FileRun {
   const std::shared_ptr<FileProgress> progress_;
   FileNotes notes_;
   Writer& writer_;
+  std::optional<CountedFrom>& zero_;
   std::shared_ptr<const CurveInfo> curve_info_;  ///< of the curve before
   std::optional<CurvePipeline> pipeline_;
 };
@@ -161,10 +169,10 @@ class FileRun {
 class Rows final : public BatchOutput {
  public:
   Rows(const ResampleJob& job, Report& report, const std::string& path)
-      : job_(job), report_(report), writer_(job.rows, path) {}
+      : job_(job), report_(report), writer_(job.rows, path), zero_(given_zero(job.rows)) {}
 
   std::uint64_t add(const InputFile& file, unsigned threads) override {
-    return FileRun(file, threads, job_, report_, writer_).run();
+    return FileRun(file, threads, job_, report_, writer_, zero_).run();
   }
   void commit() override { writer_.commit(); }
 
@@ -172,6 +180,7 @@ class Rows final : public BatchOutput {
   const ResampleJob& job_;
   Report& report_;
   Writer writer_;
+  std::optional<CountedFrom> zero_;
 };
 
 }  // namespace

@@ -68,7 +68,8 @@ std::vector<Rational> exact_times(const SamplingRequest& request, const KeptCurv
   const Rational first = request.exact(extent.first), last = request.exact(*extent.last);
   if (request.mode == Mode::at) {
     for (std::size_t i = 0; request.key_times && i < request.places.size(); ++i) {
-      require_extended_to("--at", request.places[i], curve.extrapolations(), first, last);
+      require_extended_to("--at", request.places[i] + request.zero, curve.extrapolations(), first + request.zero,
+                          last + request.zero);
     }
     return request.places;
   }
@@ -89,7 +90,8 @@ class AtPlaces : public Locator {
         by_length_(by_length),
         curve_(curve),
         first_(curve->extent().first),
-        last_(*curve->extent().last) {}
+        last_(*curve->extent().last),
+        zero_(std::move(places.zero)) {}
 
   std::uint64_t size() const { return places_.size(); }
 
@@ -103,7 +105,8 @@ class AtPlaces : public Locator {
       return curve_->curve().find_length(place, side);
     }
     if (place < first_ || place > last_) {
-      require_extended_to("--at", exact_time(place), curve_->extrapolations(), exact_time(first_), exact_time(last_));
+      const auto given = [this](const Time& time) { return exact_time(time) + zero_; };
+      require_extended_to("--at", given(place), curve_->extrapolations(), given(first_), given(last_));
     }
     return curve_->curve().find_time(outside(place).t, side);
   }
@@ -146,6 +149,7 @@ class AtPlaces : public Locator {
   bool by_length_;
   std::shared_ptr<const KeptCurve> curve_;
   Time first_, last_;
+  Rational zero_;
 };
 
 }  // namespace
@@ -158,7 +162,7 @@ void require_extended_to(std::string_view option, const Rational& time, const Ex
 
 RowPlaces row_places(const SamplingRequest& request, const KeptCurve& curve, bool exact) {
   const Extent& extent = curve.extent();
-  RowPlaces result;
+  RowPlaces result{.zero = request.zero};
   if (exact) result.exact = exact_times(request, curve);
   const auto set_rounded = [&](const std::vector<Rational>& places, int digits) {
     std::ranges::transform(places, std::back_inserter(result.places),

@@ -22,6 +22,7 @@ struct RowPlaces {
   std::vector<Time> places;
   std::vector<Rational> exact = {};                        ///< the same, if they do not follow from the rows; or none
   std::optional<std::uint64_t> least_rows = std::nullopt;  ///< of any polyline within a distance
+  Rational zero = 0;                                       ///< as in the request
 };
 
 // tolerance.cpp

@@ -72,6 +72,8 @@ struct SamplingRequest {
   std::uint64_t max_rows = 1'000'000'000;
   std::optional<FrameTimes> frames = {};  ///< where the times of the keys are frames in seconds
 
+  Rational zero = 0;  ///< which was subtracted from times, for messages
+
   /// Of a part of a curve that gaps divide: rows at steps are on the grid of this time, the first one of the curve, and
   /// a range that leaves the part is no error.
   std::optional<Rational> origin = {};

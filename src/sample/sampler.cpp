@@ -94,12 +94,13 @@ class OnGrid : public Sampler {
     const Rational& from = spacing_.grid.start();
     const auto bound = [&](const Time& end) { return by_length_ ? exact_time(end) : request_.exact(end); };
     const RangeEnds ends = by_length_ ? RangeEnds::of_length : RangeEnds::of_keys;
-    if (segment.number == 0) require_not_before("--from", from, ends, bound(on.start));
+    const Rational zero = by_length_ ? Rational(0) : request_.zero;
+    if (segment.number == 0) require_not_before("--from", from + zero, ends, bound(on.start) + zero);
     if (!segment.last) return;
-    require_not_after("--from", from, ends, bound(on.end));
+    require_not_after("--from", from + zero, ends, bound(on.end) + zero);
     if (!request_.to) return;
     const Rational to = request_.key_times ? *request_.to : request_.exact(end(decimals(segment)));
-    require_not_after("--to", to, ends, bound(on.end));
+    require_not_after("--to", to + zero, ends, bound(on.end) + zero);
   }
 
   /// How many rows of the grid lie on this segment or before it. A row at the segment's end belongs to it if it is the
@@ -259,8 +260,10 @@ class PieceSampler : public Sampler {
   void require_bounds(const CurveSegment& segment) const {
     const auto require = [&](std::string_view option, const std::optional<Rational>& given) {
       if (!given) return;
-      if (segment.number == 0) require_not_before(option, *given, RangeEnds::of_pieces, request_.exact(segment.start));
-      if (segment.last) require_not_after(option, *given, RangeEnds::of_pieces, request_.exact(segment.end));
+      const Rational time = *given + request_.zero;
+      const auto bound = [&](const Time& end) { return request_.exact(end) + request_.zero; };
+      if (segment.number == 0) require_not_before(option, time, RangeEnds::of_pieces, bound(segment.start));
+      if (segment.last) require_not_after(option, time, RangeEnds::of_pieces, bound(segment.end));
     };
     require("--from", request_.from);
     require("--to", request_.to);

@@ -14,6 +14,7 @@
 
 #include "numbers/rational.hpp"
 #include "sample/table.hpp"
+#include "write/layout.hpp"
 #include "write/output_format.hpp"
 
 namespace tcb {
@@ -49,7 +50,7 @@ class CameraPath : public RowKeeper {
     const auto size = [&](const char* name) { return all[name].is_number() ? all[name].get<double>() : 0.0; };
     const double height = size("render_height");
     aspect_ = height > 0 ? size("render_width") / height : 1;
-    members_ = all.dump();
+    members_ = for_pages(all.dump());
   }
 
   void complete(Layout& layout) const override {

@@ -41,6 +41,7 @@
 #include "tcb/spline/rotation_notation.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
+#include "write/layout.hpp"
 #include "write/output_format.hpp"
 
 namespace tcb {
@@ -297,7 +298,7 @@ class GltfScene : public RowKeeper {
               {"nodes", nodes},
               {"animations", Json::array({animation})}};
     buffer.describe(file);
-    return file.dump() + "\n";
+    return for_pages(file.dump()) + "\n";
   }
 
  private:

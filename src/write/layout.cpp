@@ -124,23 +124,30 @@ Layout npy_layout(const std::vector<OutputColumn>& columns, const TextMarks&, bo
   return layout;
 }
 
-std::string json_text(std::string_view text) {
-  std::string quoted = "\"";
-  for (std::size_t i = 0; i < text.size(); ++i) {
+std::string for_pages(std::string_view json) {
+  std::string escaped;
+  for (std::size_t i = 0; i < json.size(); ++i) {
     constexpr std::string_view line_separator = "\xE2\x80\xA8", paragraph_separator = "\xE2\x80\xA9";
-    const std::string_view three = text.substr(i, line_separator.size());
+    const std::string_view three = json.substr(i, line_separator.size());
     if (three == line_separator || three == paragraph_separator) {  // which end a line of JavaScript
-      quoted += three == line_separator ? "\\u2028" : "\\u2029";
+      escaped += three == line_separator ? "\\u2028" : "\\u2029";
       i += three.size() - 1;
       continue;
     }
-    const char c = text[i];
-    const bool ends_script = c == '/' && i > 0 && text[i - 1] == '<';  // in a page of HTML
-    if (c == '"' || c == '\\' || ends_script) quoted += '\\';
+    if (json[i] == '/' && i > 0 && json[i - 1] == '<') escaped += '\\';  // it would end a script in a page of HTML
+    escaped += json[i];
+  }
+  return escaped;
+}
+
+std::string json_text(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
     const auto code = static_cast<unsigned char>(c);
     quoted += code < 0x20 ? fmt::format("\\u{:04x}", code) : std::string(1, c);
   }
-  return quoted + '"';
+  return for_pages(quoted + '"');
 }
 
 std::string json_list(const std::vector<std::string>& texts) {

@@ -32,6 +32,8 @@ void append_rows(std::string& out, const Layout& layout, const std::vector<Outpu
                  const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first);
 
 std::string json_text(std::string_view text);
+/// JSON of a library, whose texts are those of json_text() where they could end a script in a page.
+std::string for_pages(std::string_view json);
 std::string json_list(const std::vector<std::string>& texts);
 
 /// Rows of delimited text, below the names if there is a header.

@@ -272,42 +272,12 @@ Table Writer::ordered(const Table& table) const {
   return result;
 }
 
-void Writer::set_first_time(const Time& first) {
-  if (!options_.time_zero || zero_) return;
-  zero_ = options_.time_zero->time.value_or(exact_time(first));
-  const Time zero = nearest_time(*zero_, digits_of_time);
-  if (exact_time(zero) == *zero_) decimal_zero_ = exact_decimal_of(zero);
-}
-
-/// A time of a golden row is its text. Decimals stay decimals.
-Table Writer::from_zero(Table rows) const {
-  const auto shifted = [this](const Time& time, const std::string& text) {
-    const auto decimal = decimal_zero_ && text.empty() ? exact_decimal_of(time) : std::nullopt;
-    if (const auto difference = decimal ? exact_difference(*decimal, *decimal_zero_) : std::nullopt) return *difference;
-    const Rational exact = parse_rational(text).value_or(exact_time(time)) - *zero_;
-    const Time rounded = nearest_time(exact, digits_of_time);
-    return !std::isfinite(rounded.hi) || exact_time(rounded) == exact ? rounded : nearest_time(exact);
-  };
-  for (std::size_t i = 0; i < rows.cells.size(); ++i) {
-    if (columns_.numbers[i % columns_.numbers.size()].kind != CellKind::time) continue;
-    const std::string text = rows.texts.empty() ? "" : std::exchange(rows.texts[i], "");
-    const Time time = std::exchange(rows.cells[i], shifted(rows.cells[i], text));
-    if (!std::isfinite(rows.cells[i].hi)) {
-      throw data_error(
-          "time {} is too far from --time-zero; expected a difference below 1.8e308; give a time that is nearer",
-          time_text(time));
-    }
-  }
-  return rows;
-}
-
 void Writer::append(std::string& out, const Layout& layout, const Table& table, bool first) const {
   std::optional<Table> changed;
   if (!order_.empty()) {
     if (keeper_ != nullptr) keeper_->observe(table, cells_);
     changed = ordered(table);
   }
-  if (zero_) changed = from_zero(changed ? *std::move(changed) : table);
   const Table& rows = changed ? *changed : table;
   append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), first && !any_rows_);
 }

@@ -57,9 +57,6 @@ class Writer {
   /// Begins the rows of the next curve of the file.
   void begin_curve(std::vector<std::string> group, const std::optional<EulerTrack>& euler = {});
 
-  /// Takes note of the first key of the next curve, for times that count from that of the output.
-  void set_first_time(const Time& first);
-
   /// The text of some rows; from any thread until the next begin_curve().
   std::string print(const Table& table, bool first) const;
 
@@ -96,8 +93,6 @@ class Writer {
 
   /// The table with the cells of each row in the order of the columns.
   Table ordered(const Table& table) const;
-  /// The rows with times that count from zero_.
-  Table from_zero(Table rows) const;
   /// Appends the text of the rows of a table.
   void append(std::string& out, const Layout& layout, const Table& table, bool first) const;
 
@@ -110,14 +105,12 @@ class Writer {
   TimeNotation notation_ = TimeNotation::seconds;
   DateFormat dates_;
   TextMarks marks_;
-  Rational unit_ = 1;                             ///< of the times, in seconds, where they are printed in another one
-  bool whole_times_ = false;                      ///< they are rounded to whole numbers
-  std::optional<Rational> zero_;                  ///< from which they count
-  std::optional<LongDecimal> decimal_zero_ = {};  ///< the same, where it is a decimal of a time
-  bool nested_ = false;                           ///< each curve is an object with its rows
-  Layout all_;                                    ///< with the texts of all columns before their cells
-  Layout rows_;                                   ///< of rows of the current curve, without their labels
-  bool any_rows_ = false;                         ///< in the current list
+  Rational unit_ = 1;         ///< of the times, in seconds, where they are printed in another one
+  bool whole_times_ = false;  ///< they are rounded to whole numbers
+  bool nested_ = false;       ///< each curve is an object with its rows
+  Layout all_;                ///< with the texts of all columns before their cells
+  Layout rows_;               ///< of rows of the current curve, without their labels
+  bool any_rows_ = false;     ///< in the current list
   ProvenanceRecorder recorder_;
   std::optional<std::vector<std::string>> group_;  ///< of the curve before
   std::string file_;                               ///< the current one, as a text of a key
