@@ -161,8 +161,11 @@ def make(folder):
         write(folder / "presets" / preset, expect(expect_positions, curves))
     for rule in tangents:
         curves = [Curve(keys, tangents=rule, ends=end) for end in ends for keys in ("pair", "plane")]
+        if rule == "linear":  # whose ends are chords
+            curves = [Curve(keys, tangents=rule) for keys in ("pair", "plane")]
         curves += [Curve(keys, tangents=rule) for keys in ("closed", "ring")]
         write(folder / "tangents" / rule, expect(expect_positions, curves))
+    tangents.remove("linear")  # which has one speed on each line, and turns by slerp
     curves = [Curve("ease", preset=preset) for preset in ("3dsmax", "nel", "cryengine")]
     write(folder / "ease", expect(expect_positions, curves))
     curves = [Curve(keys, tangents=rule, ends="half")

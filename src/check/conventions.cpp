@@ -74,11 +74,14 @@ bool has_rules_alone(const KeptKeys& curve) {
   });
 }
 
-/// A convention with each curve of rotations that is tried. Without positions, slerp is one convention alone.
+/// A convention with each curve of rotations that is tried. Without positions, slerp is one convention alone. With
+/// linear tangents, squad and casteljau are slerp.
 void add_with_curves(std::vector<Convention>& all, Convention convention, const ComparedParts& parts) {
   if (parts.rotation_curves.empty()) all.push_back(convention);
   for (const spline::RotationCurve curve : parts.rotation_curves) {
     const bool has_tangents = parts.positions || curve != spline::RotationCurve::slerp;
+    const bool is_arc = curve == spline::RotationCurve::squad || curve == spline::RotationCurve::casteljau;
+    if (convention.is_linear() && is_arc && parts.rotation_curves.size() > 1) continue;
     convention.rotation_curve = curve;
     if (has_tangents || std::ranges::count(all, curve, &Convention::rotation_curve) == 0) all.push_back(convention);
   }
@@ -197,6 +200,7 @@ std::vector<Convention> conventions(std::size_t orders, const ComparedParts& par
   for (std::size_t order = 0; order < orders; ++order) {
     for (const bool equal_speed : {false, true}) {
       for (const auto& tangents : tangent_rules<double>) {
+        if (tangents.id == spline::TangentRule::linear) continue;
         for (std::size_t ends = 0; ends < (parts.closed ? 1 : end_rules<double>.size()); ++ends) {
           const auto& rule = end_rules<double>[ends];
           if (rule.takes_velocity) continue;
@@ -205,6 +209,7 @@ std::vector<Convention> conventions(std::size_t orders, const ComparedParts& par
       }
     }
   }
+  add_with_curves(all, {.tangents = spline::TangentRule::linear}, parts);
   add_presets(all, orders, parts);
   add_timings(all, orders, parts);
   return all;
@@ -212,6 +217,7 @@ std::vector<Convention> conventions(std::size_t orders, const ComparedParts& par
 
 std::vector<Convention> with_mixed_ends(const Convention& convention) {
   std::vector<Convention> all;
+  if (convention.is_linear()) return all;
   for (const auto& start : end_rules<double>) {
     for (const auto& end : end_rules<double>) {
       const bool given = start.takes_velocity || end.takes_velocity;
@@ -224,14 +230,15 @@ std::vector<Convention> with_mixed_ends(const Convention& convention) {
   return all;
 }
 
-std::string ends_of(const Convention& convention) {
+std::optional<std::string> ends_of(const Convention& convention, const ComparedParts& parts) {
+  if (parts.closed || convention.is_linear()) return std::nullopt;
   const std::string start(name_of(convention.start)), end(name_of(convention.end));
   return start == end ? start : start + "," + end;
 }
 
 CurveSettings settings_of(const Convention& convention, CurveSettings others, const ComparedParts& parts) {
   others.tangents = convention.tangents;
-  if (!parts.closed) others.ends = {{{convention.start}, {convention.end}}, {"--ends"}};
+  if (!parts.closed && !convention.is_linear()) others.ends = {{{convention.start}, {convention.end}}, {"--ends"}};
   others.equal_speed = convention.equal_speed;
   others.timing = convention.timing;
   if (convention.rotation_curve) others.rotation_curve = convention.rotation_curve;

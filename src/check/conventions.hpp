@@ -43,6 +43,9 @@ struct Convention {
   std::optional<spline::RotationCurve> rotation_curve = {};  ///< nothing: no rotations are compared
   std::optional<spline::Preset> rotation_preset = {};        ///< whose rules rotations have, if not those of positions
   spline::Timing timing = spline::Timing::even;
+
+  /// Straight lines, which have neither ends nor speeds nor tension, continuity and bias.
+  bool is_linear() const { return tangents == spline::TangentRule::linear; }
 };
 
 struct ComparedParts {
@@ -59,14 +62,14 @@ ComparedParts compared_parts(const CurveSettings& rules, const ComparisonInputs&
 /// the rules of positions, or those of a preset.
 std::vector<Convention> conventions(std::size_t orders, const ComparedParts& parts);
 
-/// The convention with all pairs of different rules for the two ends.
+/// The convention with all pairs of different rules for the two ends, if these matter.
 std::vector<Convention> with_mixed_ends(const Convention& convention);
 
 /// The settings of a convention. Requires: `others` have no rules.
 CurveSettings settings_of(const Convention& convention, CurveSettings others, const ComparedParts& parts);
 
-/// RULE or RULE,RULE.
-std::string ends_of(const Convention& convention);
+/// RULE or RULE,RULE; nothing: the curve has no ends, or their rule does not matter.
+std::optional<std::string> ends_of(const Convention& convention, const ComparedParts& parts);
 
 /// Names of the presets that are this convention, in what is compared.
 std::vector<std::string> presets_of(const Convention& convention, const ComparedParts& parts);

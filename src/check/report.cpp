@@ -109,7 +109,7 @@ std::string title(const Identification& found, const Candidate& candidate) {
   const Convention& convention = candidate.convention;
   const TcbOrder& order = order_of(found, candidate).order;
   std::string text = fmt::format("tangents {}", name_of(convention.tangents));
-  if (!found.parts.closed) text += ", ends " + ends_of(convention);
+  if (const auto ends = ends_of(convention, found.parts)) text += ", ends " + *ends;
   if (convention.equal_speed) text += ", equal speed";
   if (convention.timing != spline::Timing::even) text += fmt::format(", timing {}", name_of(convention.timing));
   if (convention.rotation_curve) text += fmt::format(", rotation curve {}", name_of(*convention.rotation_curve));
@@ -155,12 +155,13 @@ std::string row_json(const Identification& found, const Candidate& candidate, bo
   if (preset) others += fmt::format("\"rotations_as\":{},", json_text(name_of(*preset)));
   if (convention.timing != spline::Timing::even)
     others += fmt::format("\"timing\":{},", json_text(name_of(convention.timing)));
+  const std::optional<std::string> ends = ends_of(convention, found.parts);
   return fmt::format(
       "{{\"fits\":{},\"tangents\":{},\"ends\":{},\"equal_speed\":{},{}\"order\":{},\"presets\":{},\"largest\":{},"
       "\"rows_off\":{}}}",
-      fits, json_text(name_of(convention.tangents)), found.parts.closed ? "null" : json_text(ends_of(convention)),
-      convention.equal_speed, others, json_text(order_of(found, candidate).order.name()),
-      json_list(presets_of(convention, found.parts)), number_json(candidate.largest), candidate.rows_off);
+      fits, json_text(name_of(convention.tangents)), ends ? json_text(*ends) : "null", convention.equal_speed, others,
+      json_text(order_of(found, candidate).order.name()), json_list(presets_of(convention, found.parts)),
+      number_json(candidate.largest), candidate.rows_off);
 }
 
 }  // namespace

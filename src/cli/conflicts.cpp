@@ -8,6 +8,7 @@
 
 #include "error.hpp"
 #include "numbers/print_number.hpp"
+#include "sample/curve_spec.hpp"
 #include "sample/table.hpp"
 #include "schema/format.hpp"
 
@@ -163,6 +164,12 @@ constexpr Conflict conflicts[] = {
      ", as both give rows their times",
      [](const Typed& typed) { return typed.keys.rules.parameter && typed.keys.rules.parameter->exponent != 0; }},
     {{"--angles"}, needs, {"--rotation", "--rotation-output"}, ", which tells where angles are"},
+
+    {{"--tangents"},
+     disables,
+     {"--tcb", "--tcb-scale", "--ends", "--equal-speed", "--no-overshoot"},
+     ", which draws straight lines between keys",
+     [](const Typed& typed) { return is_linear(typed.keys.rules); }},
 
     {{"--metric"}, has_no_effect, {}, ", as no length or speed is requested", needs_no_metric},
 

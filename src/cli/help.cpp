@@ -323,6 +323,7 @@ std::string short_help_text() {
          "      --fields FIELD,...  choose time,position,velocity,curvature,...\n"
          "      --golden        every number is the exact result, rounded once\n"
          "      --preset NAME   follow the rules of a product; see --list-presets\n"
+         "      --tangents linear   straight lines between keys\n"
          "      --closed        back to the first key; --no-overshoot: between the keys\n"
          "      --fit D         few new keys with tension and bias, within D of all\n"
          "      --check FILE    compare FILE with the curve; --identify FILE: its rules\n"

@@ -276,7 +276,7 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.keys.rules.preset = preset_named(text); },
      names_in<spline::presets>},
     {"--tangents", "", "RULE", curve_group,
-     "The rule for the tangents at inner keys, instead of the preset's rule",
+     "The rule for the tangents at inner keys, instead of the preset's rule; linear draws straight lines between keys",
      "", name,
      [](Typed& to, Text text) { to.keys.rules.tangents = named_row(spline::tangent_rules<double>, text).id; },
      names_in<spline::tangent_rules<double>>},

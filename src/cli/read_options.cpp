@@ -132,6 +132,7 @@ constexpr GuessedOption guessed_options[] = {
     {"dt", "--step"},
     {"arclength", "--arc-step"},
     {"unit", "--time-unit"},
+    {"linear", "--tangents linear"},
     {"loop", "--closed or --extrapolate repeat"},
     {"speed", "--fields speed or --limits=speed=..."},
     {"precision", "--digits or --fixed"},

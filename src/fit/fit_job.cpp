@@ -54,10 +54,10 @@ class FittedKeys final : public BatchOutput {
     InputOptions options = job_.keys.input;
     options.threads = job_.threads.for_reading(threads, live);
     const Input input = open_input(file.path, bytes, options);  // split, parse
-    for (const Note& note : notes_of_columns(input.schema, job_.options)) notes.add(note);
     notes.add_input(input, job_.keys);
     Curves curves(input.schema, input.keys, job_.keys.curves, live);  // group, order, split into recordings
     const Schema keys = keys_of_fit(input, job_.keys.rules, job_.options);
+    for (const Note& note : notes_of_columns(input.schema, job_.options)) notes.add(note);
     writer_.begin(keys, live, preset_in_words(CurveSpec()), shown_name(file.path));
     const FitReport report = write(fitted_rows(samples(input.schema, curves, *progress), *progress, options.threads));
     if (report.keys > 0) {

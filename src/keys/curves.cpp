@@ -7,11 +7,13 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "error.hpp"
 #include "schema/usual_names.hpp"
+#include "tcb/spline/rules.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -267,6 +269,32 @@ std::vector<std::string> ObservedChannels::without_ends() const {
   return names;
 }
 
+void ObservedTcbs::add(const KeyBlock& block, const CurveSettings& settings, bool begins) {
+  const Keys& keys = block.keys;
+  const auto carries = [](const spline::Tcb<double>& tcb) {
+    return tcb.tension != 0 || tcb.continuity != 0 || tcb.bias != 0;
+  };
+  const auto any_of = [&](std::size_t first, std::size_t last) {  // of the keys between them
+    if (keys.tcbs.empty()) return carries(keys.common_tcb);
+    const std::size_t per_key = keys.tcbs_per_key();
+    return std::ranges::any_of(std::span(keys.tcbs).subspan(first * per_key, (last - first) * per_key), carries);
+  };
+  const std::size_t size = block.size();  // also where keys have no times
+  const bool is_linear = settings.tangents == spline::TangentRule::linear;
+  const bool is_closed = settings.period || (settings.closed && settings.closed->value);
+  const bool has_usual_ends = !settings.preset && !settings.ends && !is_closed && !is_linear;
+  if (begins) {
+    at_ends_ = at_ends_ || is_last_ || (has_usual_ends && any_of(0, 1));
+    has_named_ends_ = has_named_ends_ || settings.ends;
+  }
+  is_last_ = has_usual_ends && any_of(size - 1, size);
+  const bool is_new = !any_ || (is_linear && !any_linear_);
+  if (is_new && any_of(0, size)) {
+    any_ = true;
+    any_linear_ = any_linear_ || is_linear;
+  }
+}
+
 Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
     : channels_(schema, keys.traits.may_miss),
       blocks_(observed(arranged(observed(keys.blocks, [this](const KeyBlock& block) { count_breaks(block); }), schema,
@@ -293,7 +321,7 @@ void Curves::count_breaks(const KeyBlock& block) {
 
 std::optional<InputCurve> Curves::next() {
   if (!first_ && !may_break_) return std::nullopt;
-  while (!first_ && next_keys()) {  // the rest of the curve before
+  while (!first_ && observed_keys()) {  // the rest of the curve before
   }
   const bool any = fill();
   if (!any && !first_) return std::nullopt;
@@ -309,7 +337,7 @@ std::optional<InputCurve> Curves::next() {
     origin_ = block_->keys.times[at_];
   }
   last_.reset();
-  InputCurve curve{group(), curve_info_, [this] { return next_keys(); }};
+  InputCurve curve{group(), curve_info_, [this] { return observed_keys(); }};
   if (max_gap_) curve.part = {part_, origin_, [this] { return next_part(); }};
   return curve;
 }
@@ -330,6 +358,13 @@ std::optional<KeyBlock> Curves::next_keys() {
     return whole;
   }
   return block_->range(std::exchange(at_, end), end);
+}
+
+std::optional<KeyBlock> Curves::observed_keys() {
+  const bool begins = started_;
+  std::optional<KeyBlock> block = next_keys();
+  if (block) tcbs_.add(*block, curve_info_->settings, begins);
+  return block;
 }
 
 std::vector<std::string> Curves::group() const {

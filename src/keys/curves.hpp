@@ -70,6 +70,25 @@ class ObservedChannels {
   std::vector<Channel> channels_;
 };
 
+/// Where keys carry tension, continuity or bias other than 0, and which settings of their curves that matters to.
+class ObservedTcbs {
+ public:
+  /// Keys of a curve; `begins`: the first ones of the next curve.
+  void add(const KeyBlock& block, const CurveSettings& settings, bool begins);
+
+  /// Any key does; any of a curve whose input gives it linear tangents.
+  bool any() const { return any_; }
+  bool any_linear() const { return any_linear_; }
+  /// The first or the last key of an open curve does, whose input names neither its ends nor a preset.
+  bool at_ends() const { return at_ends_ || is_last_; }
+  /// The input names the ends of a curve.
+  bool has_named_ends() const { return has_named_ends_; }
+
+ private:
+  bool any_ = false, any_linear_ = false, at_ends_ = false, has_named_ends_ = false;
+  bool is_last_ = false;  ///< the last key of the curve so far makes at_ends_ true
+};
+
 /// A part of a curve that gaps divide, which has a curve of its own.
 struct CurvePart {
   std::size_t number = 0;  ///< of the part, from 0
@@ -103,6 +122,7 @@ class Curves {
 
   std::uint64_t skipped() const { return skipped_; }
   const ObservedChannels& channels() const { return channels_; }
+  const ObservedTcbs& tcbs() const { return tcbs_; }
   /// How often times of day passed midnight so far.
   std::uint64_t midnights() const { return midnights_; }
   /// How many gaps divided curves so far, and the largest one.
@@ -114,6 +134,7 @@ class Curves {
  private:
   void count_breaks(const KeyBlock& block);
   std::optional<KeyBlock> next_keys();
+  std::optional<KeyBlock> observed_keys();
   std::vector<std::string> group() const;
   bool has_gap(std::size_t key) const;
   std::optional<Time> next_part();
@@ -122,6 +143,7 @@ class Curves {
   std::uint64_t midnights_ = 0, breaks_ = 0;
   bool any_read_ = false, is_broken_ = false;  ///< any key was read; a break follows the last one
   ObservedChannels channels_;
+  ObservedTcbs tcbs_;
   Source<KeyBlock> blocks_;
   bool may_break_;
   std::optional<Rational> max_gap_;  ///< in the unit of the times

@@ -245,7 +245,7 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
     const std::string name = title.empty() ? report.keys : fmt::format("{}", fmt::join(title, ", "));
     if (drawing != nullptr) drawing->add(streamed, input.schema, pipeline.spec(), name);
   }
-  notes.end(curves);
+  notes.end(curves, job.keys);
   const auto is_measured = [](const LimitResult& result) { return result.extreme.has_value(); };
   if (!report.results.empty() && std::ranges::none_of(report.results, is_measured)) {
     throw usage_error("no curve is in the range of times; give times on a curve")

@@ -265,7 +265,7 @@ class Picture final : public BatchOutput {
       drawing_.add(curve->group, streamed, samples, short_rules(spec));  // evaluate, draw
       notes.add_samples(samples, job_.samples.request, spec.closed);
     }
-    notes.end(curves);
+    notes.end(curves, job_.keys);
     return rows;
   }
 

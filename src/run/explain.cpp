@@ -356,6 +356,7 @@ Facts facts_of_curves(const Input& input, const ExplainJob& job, bool live) {
   }
   if (curves.skipped() > 0) facts.emplace_back("rows skipped", fmt::format("{}", curves.skipped()));
   if (!needs.empty()) facts.emplace_back("needs", needs);
+  for (const Note& note : notes_of_rules(curves, job.keys)) facts.emplace_back("note", note.text);
   if (!angles.empty()) facts.emplace_back("note", angles_note(angles).text);
   return facts;
 }

@@ -44,12 +44,23 @@ std::vector<std::string> found_by_elimination(const Input& input) {
   return std::ranges::all_of(names, is_usual_channel) ? std::vector<std::string>{} : names;
 }
 
+/// The columns of positions from the least to the largest one, as in "2-4", where they are requested by two numbers
+/// that may be meant as a range; else empty.
+std::string range_of_numbers(const ColumnOptions& requested) {
+  std::vector<std::size_t> numbers;
+  for (const RoleRequest& request : requested.roles) {
+    if (request.role != Role::position) continue;
+    for (const std::string& column : request.columns) numbers.push_back(in_digits<std::size_t>(column).value_or(0));
+  }
+  const bool is_range = numbers.size() == 2 && numbers[0] > 0 && numbers[0] + 1 < numbers[1];
+  return is_range ? fmt::format("{}-{}", numbers[0], numbers[1]) : "";
+}
+
 /// What doubts look at in a request.
 RequestNeeds needs_of(const Input& input, const KeyOptions& options, const SamplingRequest& request,
                       std::span<const std::size_t> chosen) {
   RequestNeeds needs;
-  needs.by_length = by_length(request.mode);
-  needs.lengths = needs.by_length || options.rules.equal_speed ||
+  needs.lengths = by_length(request.mode) || options.rules.equal_speed ||
                   std::ranges::any_of(chosen, [](std::size_t field) { return fields()[field].over_metric; });
   const bool is_of_format = !input.facts.format->has_marks && !input.facts.format->is_json;
   needs.chooses_metric = options.rules.metric || input.keys.curve_info.settings.metric || is_of_format;
@@ -145,8 +156,12 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   }
   if (!input.facts.ignored.empty()) {
     const std::string ignored = listed(input.facts.ignored);
-    add(chosen ? Note{fmt::format("ignored, as --columns chooses others: {}", ignored)}
-               : important("ignored: {}; --columns gives them roles, as in carry=NAME or position=NAME:NAME", ignored));
+    const std::string numbers = range_of_numbers(options.input.columns);
+    add(!chosen ? important("ignored: {}; --columns gives them roles, as in carry=NAME or position=NAME:NAME", ignored)
+        : numbers.empty()
+            ? Note{fmt::format("ignored, as --columns chooses others: {}", ignored)}
+            : important("left out, as --columns chooses others: {}; position={} takes all columns between", ignored,
+                        numbers));
   }
 }
 
@@ -184,6 +199,30 @@ void FileNotes::add_samples(const CurveSamples& samples, const SamplingRequest& 
   if (samples.facts.step && request.end != EndPolicy::drop) {
     add({fmt::format("the step is {}", time_text(*samples.facts.step))});
   }
+}
+
+std::vector<Note> notes_of_rules(const Curves& curves, const KeyOptions& options) {
+  const CurveSettings& rules = options.rules;
+  const ObservedTcbs& tcbs = curves.tcbs();
+  std::vector<Note> notes;
+  std::vector<std::string> unused;
+  const bool has_own_rules = rules.tangents || rules.preset;  // in place of those of the input
+  if (is_linear(rules) ? tcbs.any() : !has_own_rules && tcbs.any_linear())
+    unused.emplace_back("tension, continuity and bias of the keys");
+  if (is_linear(rules) && tcbs.has_named_ends()) unused.emplace_back("the ends that the file names");
+  if (!unused.empty())
+    notes.push_back(important("the tangents are linear: {} have no effect", fmt::join(unused, ", and ")));
+  const bool has_usual_ends = !rules.preset && !rules.ends && !is_linear(rules) && !rules.closed && !rules.period;
+  if (has_usual_ends && !options.input.keys.tcb && tcbs.at_ends()) {
+    notes.push_back(
+        important("keys from --fit of 0.4 need --preset gte, as ends are one-sided now; --ends one-sided says so"));
+  }
+  return notes;
+}
+
+void FileNotes::end(const Curves& curves, const KeyOptions& rules) {
+  for (const Note& note : notes_of_rules(curves, rules)) add(note);
+  end(curves);
 }
 
 void FileNotes::end(const Curves& curves) {

@@ -36,6 +36,8 @@ class FileNotes {
   /// Notes where the samples of a curve end. Requires: they were all taken.
   void add_samples(const CurveSamples& samples, const SamplingRequest& request, bool is_closed);
 
+  /// Notes counts of all curves, and which of their rules may surprise. `rules`: those of the command.
+  void end(const Curves& curves, const KeyOptions& rules);
   /// Notes counts of all curves.
   void end(const Curves& curves);
 
@@ -50,6 +52,9 @@ class FileNotes {
   std::uint64_t rows_ = 0;        ///< within a distance
   std::uint64_t least_rows_ = 0;  ///< of any polylines within it
 };
+
+/// Which numbers of the keys have no effect on these curves, and where their ends are not those of version 0.4.
+std::vector<Note> notes_of_rules(const Curves& curves, const KeyOptions& options);
 
 /// These channels seem to be angles.
 Note angles_note(const std::vector<NamedAngle>& angles);

@@ -73,7 +73,7 @@ class FileRun {
       notes_.add_samples(samples, job_.samples.request, pipeline_->spec().closed);
     }
     provenance.end_input();
-    notes_.end(curves);
+    notes_.end(curves, job_.keys);
     return rows;
   }
 

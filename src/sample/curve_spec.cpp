@@ -12,15 +12,20 @@
 #include "text/utf8.hpp"
 
 namespace tcb {
+
+bool is_linear(const CurveSettings& settings) { return settings.tangents == spline::TangentRule::linear; }
+
 namespace {
 
 /// Sets the rules of rotations: those of the preset, unless rules are given for all channels or for rotations alone.
+/// Straight lines are arcs of rotations.
 void set_rotation_rules(spline::CurveRules<double>& rules, const spline::PresetRow& preset,
                         const CurveSettings& settings) {
   spline::RotationRules& own = rules.rotation_rules;
   own = preset.rotations;
   if (settings.tangents) own.tangents.reset();
   if (settings.ends) own.ends.reset();
+  if (is_linear(settings)) own = {spline::RotationCurve::slerp, {}, {}};
   if (settings.rotation_preset) own = spline::row_of(*settings.rotation_preset).rotations;
   if (settings.rotation_curve) own.curve = *settings.rotation_curve;
 }
@@ -37,6 +42,20 @@ void require_tracks_of_three_js(const CurveSettings& settings) {
       "--parameter {} has other tangents; give --tangents finite-difference --ends chord instead of --preset threejs",
       settings.parameter->name)
       .about("--parameter");
+}
+
+/// Straight lines have no further rules.
+void require_no_rules_beside_lines(const CurveSettings& settings) {
+  if (settings.ends) {
+    throw settings.ends->origin.error(data_error(
+        "the tangents are linear, whose ends are chords; expected no other ends; remove them, or give other tangents"));
+  }
+  if (settings.equal_speed) {
+    throw usage_error(
+        "the tangents of the file are linear, which have one speed on each line; remove it, or give "
+        "other tangents with --tangents")
+        .about("--equal-speed");
+  }
 }
 
 /// Multiplies times, also those of velocities.
@@ -63,8 +82,8 @@ CurveSettings merged(CurveSettings settings, const CurveSettings& of_input) {
   const bool closed_given = settings.closed.has_value() || settings.period.has_value();
   if (!settings.preset) {
     settings.preset = of_input.preset;
+    if (!is_linear(settings)) fill(settings.ends, of_input.ends);  // of other tangents, which a note tells
     fill(settings.tangents, of_input.tangents);
-    fill(settings.ends, of_input.ends);
   }
   fill(settings.extrapolate, of_input.extrapolate);
   fill(settings.metric, of_input.metric);
@@ -90,6 +109,12 @@ CurveSpec make_spec(const CurveSettings& settings) {
         data_error("the curve is open, but has a period; expected a closed curve; close it, or remove the period"));
   spec.closed = settings.period || (settings.closed && settings.closed->value);
   spec.rules.timing = settings.timing.value_or(preset.timing);
+  spline::EndRule usual_ends = preset.ends;
+  if (is_linear(settings)) {
+    require_no_rules_beside_lines(settings);
+    spec.rules.timing = spline::Timing::even;
+    usual_ends = spline::EndRule::chord;
+  }
   if (settings.ends && spec.closed) {
     const SettingOrigin& closed = settings.closed ? settings.closed->origin : settings.period->origin;
     const SettingOrigin& ends = settings.ends->origin;
@@ -99,7 +124,7 @@ CurveSpec make_spec(const CurveSettings& settings) {
         .about(ends.subject)
         .at(ends.position);
   }
-  const EndsSetting ends = settings.ends ? settings.ends->value : EndsSetting{{preset.ends}, {preset.ends}};
+  const EndsSetting ends = settings.ends ? settings.ends->value : EndsSetting{{usual_ends}, {usual_ends}};
   spec.rules.start = {ends.first.rule, ends.first.velocity};
   spec.rules.end = {ends.last.rule, ends.last.velocity};
   spec.rules.equal_speed = settings.equal_speed;

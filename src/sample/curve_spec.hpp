@@ -43,6 +43,9 @@ struct CurveSpec {
 /// line replaces all rules of the input.
 CurveSettings merged(CurveSettings settings, const CurveSettings& of_input);
 
+/// Whether the tangents are those of straight lines between keys.
+bool is_linear(const CurveSettings& settings);
+
 /// The index of a channel by its name, or by its number from 1.
 std::optional<std::size_t> find_channel(const std::string& name, const std::vector<std::string>& channels);
 

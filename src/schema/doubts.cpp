@@ -799,6 +799,14 @@ Found lengths_of_space(const Schema& schema, const RequestNeeds& needs) {
               listed(names_of(schema.channels, space)), listed(others));
 }
 
+/// Channels without names, of which nothing tells whether they are coordinates.
+Found lengths_without_names(const Schema& schema, const RequestNeeds& needs) {
+  const std::size_t channels = plain_channels(schema).size();
+  if (!needs.lengths || needs.chooses_metric || schema.named || channels < 2) return std::nullopt;
+  return note("lengths and speeds measure all {} channels together; --metric 1{} chooses some by their numbers",
+              channels, channels == 2 ? "" : ",2");
+}
+
 Found lengths_of_unlike_things(const Schema& schema, const RequestNeeds& needs) {
   if (!needs.lengths || needs.chooses_metric || !schema.named) return std::nullopt;
   const std::vector<std::size_t> plain = plain_channels(schema);
@@ -811,10 +819,12 @@ Found lengths_of_unlike_things(const Schema& schema, const RequestNeeds& needs) 
               in_quotes(first), in_quotes(schema.channels[*other]));
 }
 
-Found time_by_its_place(const Schema& schema, const RequestNeeds& needs) {
-  // Lists of numbers in JSON are often points.
-  if (!schema.time.is_by_place || (!needs.by_length && schema.marks)) return std::nullopt;
-  return note("the first column is taken as the time; --parameter uniform takes it as a position");
+/// A time of day or a date is no position.
+Found time_by_its_place(const Schema& schema, const RequestNeeds&) {
+  if (!schema.time.is_by_place || schema.time.notation != TimeNotation::seconds) return std::nullopt;
+  return note(
+      "the first column is taken as the time; --columns time=1 says so, and --parameter uniform takes it as a "
+      "position");
 }
 
 /// Times without a unit are taken as seconds.
@@ -912,9 +922,9 @@ Found range_beside_clock(const Schema& schema, const RequestNeeds& needs) {
       whole_text(*read_time(needs.range_like_clock, TimeNotation::clock, 1, DateOrder::ymd)));
 }
 
-constexpr std::array about_requests{lengths_of_degrees,  lengths_of_space,  lengths_of_unlike_things,
-                                    time_by_its_place,   rate_of_frames,    seconds_of_unknown_times,
-                                    step_in_small_units, range_beside_clock};
+constexpr std::array about_requests{lengths_of_degrees,       lengths_of_space,    lengths_without_names,
+                                    lengths_of_unlike_things, time_by_its_place,   rate_of_frames,
+                                    seconds_of_unknown_times, step_in_small_units, range_beside_clock};
 
 /// Appends a note, or throws the error of a doubt.
 void take(std::vector<std::string>& notes, Found found) {

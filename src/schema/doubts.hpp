@@ -64,7 +64,6 @@ std::optional<double> first_time_gap(const FoundColumns& found);
 /// What a request needs of a curve.
 struct RequestNeeds {
   bool lengths = false;                    ///< arc lengths, speeds or curvatures are measured
-  bool by_length = false;                  ///< samples are placed by arc length
   bool chooses_metric = false;             ///< over channels that are named
   std::optional<double> step = {};         ///< between rows, where it is in seconds
   std::optional<double> plain_step = {};   ///< where it is in the unit of the times

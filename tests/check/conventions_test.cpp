@@ -91,7 +91,8 @@ TEST(Conventions, of_rotations_have_a_curve_and_the_rules_that_presets_give_them
 
 TEST(Conventions, may_have_different_rules_at_the_ends) {
   const Convention mixed{TangentRule::interval, EndRule::zero, EndRule::half, false, 0};
-  EXPECT_EQ(ends_of(mixed), "zero,half");
+  EXPECT_EQ(ends_of(mixed, {}), "zero,half");
+  EXPECT_EQ(ends_of(mixed, {.closed = true}), std::nullopt);
   EXPECT_THAT(presets_of(mixed, {}), IsEmpty());
   EXPECT_THAT(presets_of(mixed, {.closed = true}), testing::Contains("vtk")) << "a closed curve has no ends";
   EXPECT_EQ(with_mixed_ends(mixed).size(), 9U * 8);

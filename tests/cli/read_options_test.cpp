@@ -64,6 +64,7 @@ TEST(CommandLine, guessed_options_name_those_that_are_meant) {
             "unknown option --format; did you mean -f for the output, or -i for the input? (--help lists all options)");
   EXPECT_THAT(refusal({"--loop"}), StartsWith("unknown option --loop; did you mean --closed or --extrapolate repeat?"));
   EXPECT_THAT(refusal({"--dt", "1"}), StartsWith("unknown option --dt; did you mean --step?"));
+  EXPECT_THAT(refusal({"--linear"}), StartsWith("unknown option --linear; did you mean --tangents linear?"));
   EXPECT_THAT(refusal({"--bias", "1"}), StartsWith("unknown option --bias; did you mean --tcb?"));
 }
 

@@ -29,6 +29,8 @@ def tangents(rule, d0, d1, h0, h1, t, c, b):
         return scaled(g, f)
     if rule == "synfig":
         return scaled(3 * h0 / (h0 + 2 * h1), 3 * h1 / (h1 + 2 * h0))
+    if rule == "linear":
+        return list(d0), list(d1)
     raise ValueError(rule)
 
 
@@ -63,6 +65,8 @@ class Cubics:
     """
 
     def __init__(self, times, keys, rule, ends, closed=None, velocity=None, norm=None):
+        if rule == "linear":
+            ends, norm = ("chord", "chord"), None
         self.closed = closed is not None
         self.size = n = len(keys)
         self.keys, self.times = keys, times + ([times[0] + closed] if self.closed else [])

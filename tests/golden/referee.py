@@ -241,7 +241,7 @@ def compare(got, want, what):
                 print(f"{what}: {g!r}, expected {w!r}", file=sys.stderr)
 
 
-rules = ["velocity", "uniform", "interval", "interval-c", "finite-difference", "kb1984", "synfig"]
+rules = ["velocity", "uniform", "interval", "interval-c", "finite-difference", "kb1984", "synfig", "linear"]
 end_rules = ["half", "one-sided", "mirror", "chord", "zero", "natural", "natural-tension", "cry", "lightwave", "velocity"]
 local = ["time", "position", "velocity", "acceleration", "jerk", "speed", "tangent", "curvature", "torsion", "u", "segment"]
 exact = lambda x: mpf(x)
@@ -257,7 +257,7 @@ for number in range(curves):
     keys = random_keys(channels, rng.choice([2, 3, 4, 6, 9]), style)
     rule, ends = rng.choice(rules), [rng.choice(end_rules), rng.choice(end_rules)]
     velocity = [rng.uniform(-3, 3) for _ in range(channels)]
-    equal, closed = rng.random() < 0.25, rng.random() < 0.25 and len(keys) > 2
+    equal, closed = rng.random() < 0.25 and rule != "linear", rng.random() < 0.25 and len(keys) > 2
     timed = rng.random() < 0.8
     exponent = None
     options = ["--tangents", rule]
@@ -279,7 +279,7 @@ for number in range(curves):
         keys.append((keys[0][0] + last, keys[0][1], keys[0][2], keys[0][3]))
         period = number_of(keys[-1][0]) - number_of(keys[0][0])
         options.append("--closed")
-    else:
+    elif rule != "linear":
         spelled = [e + ("=" + ":".join(map(text, velocity)) if e == "velocity" else "") for e in ends]
         options += ["--ends", ",".join(spelled)]
     curve = Curve(made(keys[:-1] if closed else keys, number, number_of), rule, ends, period, equal,

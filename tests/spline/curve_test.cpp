@@ -38,6 +38,16 @@ double derivative_at(const Curve<double>& curve, std::size_t order, double t, Si
   return x;
 }
 
+TEST(Curve, linear_tangents_make_straight_lines_whatever_the_other_rules_are) {
+  CurveRules<double> rules = rules_named("linear", "zero");
+  rules.equal_speed = rules.no_overshoot = true;
+  const auto curve = Curve<double>::build(keys_of(example), rules);
+  const std::array times{.25, .5, 2., 3.5, 5., 5.5};
+  const std::array positions{.5, 1., .5, 1., 2., 1.5};  // of t = 0, 1, 3, 4, 6 and P = 0, 2, -1, 3, 1
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_EQ(x_at(*curve, times[i]), positions[i]);
+  for (const double t : times) EXPECT_EQ(derivative_at(*curve, 2, t), 0);
+}
+
 TEST(Curve, open_curves_have_the_tabled_positions) {
   struct Row {
     std::string_view tangents, ends;

@@ -114,6 +114,21 @@ TEST(Rotation, tabled_values) {
   }
 }
 
+TEST(Rotation, linear_tangents_make_every_spherical_curve_a_slerp) {
+  const auto slerp =
+      segments(example_keys<double>(), rules_with<double>(TangentRule::velocity, RotationCurve::slerp, EndRule::half));
+  for (const RotationCurve curve : {RotationCurve::squad, RotationCurve::casteljau}) {
+    const auto linear = segments(example_keys<double>(), rules_with<double>(TangentRule::linear, curve, EndRule::zero));
+    for (std::size_t segment = 0; segment < 4; ++segment) {
+      for (const double u : {0.0, 0.125, 0.4, 0.5, 0.875, 1.0}) {
+        const auto q = linear.rotations_of(segment)[0].at(place<double>(u));
+        const auto r = slerp.rotations_of(segment)[0].at(place<double>(u));
+        EXPECT_NEAR(dot(q, r), 1, 1e-15);
+      }
+    }
+  }
+}
+
 TEST(Rotation, doubles_are_near_many_digits_and_unit) {
   for (const RotationCurveRow& row : rotation_curves) {
     const auto fast =

@@ -26,7 +26,16 @@
 namespace tcb::spline {
 
 /// The tangent rules; tangent_rules has a row for each, in this order.
-enum class TangentRule : std::uint8_t { velocity, uniform, interval, interval_c, finite_difference, kb1984, synfig };
+enum class TangentRule : std::uint8_t {
+  velocity,
+  uniform,
+  interval,
+  interval_c,
+  finite_difference,
+  kb1984,
+  synfig,
+  linear
+};
 
 /// The end rules; end_rules has a row for each, in this order.
 enum class EndRule : std::uint8_t {
@@ -155,6 +164,12 @@ Weights<W> synfig_weights(const InnerKey<W>& key) {
   return scaled_weights(key.f, scale * key.h0 / (halved(key.h0) + key.h1), scale * key.h1 / (halved(key.h1) + key.h0));
 }
 
+/// Straight lines, whatever tension, continuity and bias are.
+template <class W>
+Weights<W> linear_weights(const InnerKey<W>&) {
+  return {W(1), W(0), W(0), W(1)};
+}
+
 /// A tangent rule and its description. Uin = (c D0 + d D1)/2, Uout = (a D0 + b D1)/2.
 template <class S>
 struct TangentRuleRow {
@@ -198,6 +213,10 @@ inline constexpr std::array tangent_rules{
                       kb1984_weights<working_t<S>>},
     TangentRuleRow<S>{TangentRule::synfig, "synfig", "Uin 1.5 h0/(h0/2+h1)", "Uout 1.5 h1/(h1/2+h0)", "Synfig",
                       "to match Synfig", synfig_weights<working_t<S>>},
+    TangentRuleRow<S>{TangentRule::linear, "linear", "D0", "D1", "LINEAR of glTF, polylines",
+                      "for straight lines between keys, each at constant speed: T, C and B do not matter, the tangents "
+                      "at the ends are chords, whatever the end rule is, and rotations turn by slerp",
+                      linear_weights<working_t<S>>},
 };
 
 /// The input of an end rule: the end key. The factors are those of the outer tangent; each is named after the chord

@@ -80,6 +80,8 @@ class Tangents {
     incoming_.assign(keys_.size() * keys_.channels, W(0));
     outgoing_ = incoming_;
     const auto common = factors(keys_.common_tcb);
+    const bool is_linear = rules.tangents == TangentRule::linear;  // which has neither ends nor speeds of its own
+    const EndChoice<S> chord_end{EndRule::chord, {}};
     const bool differ = keys_.has_channel_tcbs();
     const std::size_t alike = differ ? 1 : keys_.channels;  // channels with the same tension, continuity and bias
     for (std::size_t key = 1; key + 1 < keys_.size(); ++key) {
@@ -88,11 +90,11 @@ class Tangents {
         set_interior(key, i, i + alike, keys_.tcbs.empty() ? common : factors(tcb), tcb);
       }
       if constexpr (has_roots<S>) {
-        if (rules.equal_speed) equalize(key);
+        if (rules.equal_speed && !is_linear) equalize(key);
       }
     }
-    if (window.starts) set_end(0, 1, rules.start);
-    if (window.ends) set_end(keys_.size() - 1, keys_.size() - 2, rules.end);
+    if (window.starts) set_end(0, 1, is_linear ? chord_end : rules.start);
+    if (window.ends) set_end(keys_.size() - 1, keys_.size() - 2, is_linear ? chord_end : rules.end);
     if (!keys_.velocities.empty()) set_given();
     if (rules.no_overshoot) limit(window);
   }
