@@ -58,6 +58,11 @@ bool needs_all_channels(const Typed& typed) {
   return typed.has("--equal-speed") || times_of_distances;
 }
 
+bool closes_curve(const Typed& typed) {
+  const CurveSettings& rules = typed.keys.rules;
+  return rules.period || (rules.closed && rules.closed->value);
+}
+
 bool extends_curve(const Typed& typed) {
   return typed.keys.rules.extrapolate && typed.keys.rules.extrapolate->extend_curve();
 }
@@ -154,7 +159,7 @@ constexpr Conflict conflicts[] = {
      [](const Typed& typed) {
        return typed.keys.input.keys.missing == Missing::skip_cell && needs_all_channels(typed);
      }},
-    {{"--max-gap"}, excludes, {"--closed", "--period"}},
+    {{"--max-gap"}, excludes, {"--closed", "--period"}, "", closes_curve},
     {{"--max-gap"}, excludes, {"--identify"}, ", which tries rules on whole curves"},
     {{"--time-unit"}, excludes, {"--input-fps"}},
     {{"--time-start"}, needs, {"--input-fps"}, ", the rate of the rows"},

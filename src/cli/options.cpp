@@ -22,6 +22,7 @@ using enum ValueKind;
 
 constexpr auto fit_key_names = std::to_array<Named<FitKeys>>({{"tcb", FitKeys::tcb}, {"hermite", FitKeys::hermite}});
 constexpr auto retiming_names = std::to_array<Named<bool>>({{"slower", false}, {"fit", true}});
+constexpr auto closing_names = std::to_array<Named<bool>>({{"yes", true}, {"no", false}});
 constexpr auto side_names = std::to_array<Named<bool>>({{"right", false}, {"left", true}});
 
 /// For an option whose value is asked for by has() or value().
@@ -286,9 +287,10 @@ constexpr OptionRow option_rows[] = {
      "", names,
      [](Typed& to, Text text) { to.keys.rules.ends = {ends_in(text), {"--ends"}}; },
      names_in<spline::end_rules<double>>},
-    {"--closed", "", "", curve_group,
-     "The curve continues from the last key to the first",
-     "", flag, [](Typed& to, Text) { to.keys.rules.closed = {true, {"--closed"}}; }},
+    {"--closed", "", "[=no]", curve_group,
+     "The curve continues from the last key to the first; no leaves open a curve that the file closes",
+     "yes", attached,
+     [](Typed& to, Text text) { to.keys.rules.closed = {named_row(closing_names, text).value, {"--closed"}}; }},
     {"--period", "", "P", curve_group,
      "The time that a closed curve takes to return to its first key, such as 4 or 4s; implies --closed",
      "", other, [](Typed& to, Text text) { to.keys.rules.period = {period_in(text), {"--period"}}; }},

@@ -155,6 +155,13 @@ KeyOptions keys_of(const TypedOptions& typed) {
   KeyOptions keys = typed.keys;
   keys.input.has_shown_tcb_scale = shown_tcb_scale(spec.preset).has_value();
   keys.input.columns.timeless = keys.rules.parameter.has_value();
+  const CurveSettings& rules = keys.rules;
+  const bool is_open = rules.closed && !rules.closed->value, has_preset = rules.preset.has_value();
+  keys.input.given = {.closed = rules.closed || rules.period,
+                      .period = is_open || rules.period,
+                      .preset = has_preset,
+                      .tangents = has_preset || rules.tangents,
+                      .ends = has_preset || rules.ends};
   keys.input.keys.keeps_decimals = typed.has("--exact-input");
   const auto positions = std::ranges::find(keys.input.columns.roles, Role::position, &RoleRequest::role);
   if (positions != keys.input.columns.roles.end()) {  // the numbers of requested rotations are positions as well

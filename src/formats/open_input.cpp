@@ -130,7 +130,9 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   if (!options.columns.samples && !options.columns.times_only) {
     input.schema = with_rotations(std::move(input.schema), columns, rotation);
   }
-  input.schema = renamed(with_unit(std::move(input.schema), options.units), options.renamings);
+  UnitOptions units = options.units;
+  if (records.frame_rate) units.frame_rate = records.frame_rate;
+  input.schema = renamed(with_unit(std::move(input.schema), units), options.renamings);
   if (!input.schema.time.unit) input.schema.time.unit = records.time_unit;
   if (!input.schema.time.unit) input.schema.time.epoch_unit = records.units.epoch_unit;
   input.schema.marks = records.marks;

@@ -173,7 +173,8 @@ ObservedChannels::ObservedChannels(const Schema& schema, bool may_miss)
     channel.source = schema.sources.empty() ? i : schema.sources[i];
     channel.name = schema.channels[i];
     channel.is_named_angle = is_usual_angle(channel.name);
-    channel.is_unknown = schema.is_plain(i) && !is_coordinate(channel.name);
+    channel.is_unknown = schema.is_plain(i);
+    channel.is_coordinate = is_coordinate(channel.name);
     channel.may_be_angle =
         schema.is_plain(i) && (channel.is_named_angle || !schema.named || may_be_angle(channel.name));
   }
@@ -247,7 +248,9 @@ std::vector<NamedAngle> ObservedChannels::likely_angles() const {
     const bool is_turn = is_rotation && channel.may_be_angle && std::abs(channel.jump - turn) < turn / 4;
     const bool is_beyond = channel.largest > (is_turn ? 1.5 * turn : most);
     if (!channel.is_named_angle && (is_beyond || (!has_names_ && !degrees))) continue;
-    if (!channel.may_be_angle && !channel.jumps_over_end(degrees)) continue;
+    const bool may_be_angle =
+        channel.may_be_angle || ((degrees || !channel.is_coordinate) && channel.jumps_over_end(degrees));
+    if (!may_be_angle) continue;
     if (channel.jump > (degrees ? 180 : half_turn)) angles.push_back({channel.name, degrees});
   }
   return angles;

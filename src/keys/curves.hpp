@@ -51,7 +51,8 @@ class ObservedChannels {
     std::string name;
     double least = std::numeric_limits<double>::infinity();  ///< of the numbers that are no sign
     double sign = 0;                                         ///< the last one that is; 0: there is none
-    bool is_unknown = false;                                 ///< by its numbers alone it may be an angle
+    bool is_unknown = false;                                 ///< by its numbers alone it may be an angle,
+    bool is_coordinate = false;                              ///< or by numbers that are no small coordinates
     bool may_be_angle = false, is_named_angle = false;       ///< the latter by a name that is one of angles alone
     bool is_positive = true;                                 ///< no number is below 0
     double largest = 0, jump = 0;

@@ -46,6 +46,7 @@ struct Records {
   Columns columns;
   KeyUnits units = {};
   std::optional<TimeUnit> time_unit = {};      ///< of times, by a row of units
+  std::optional<Rational> frame_rate = {};     ///< of times that count frames, as the file has it
   std::optional<TextMarks> marks = {};         ///< of delimited text
   std::optional<GivenRotation> rotation = {};  ///< that columns are by the format
   std::string camera_path = {};                ///< as in Schema

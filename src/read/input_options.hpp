@@ -29,6 +29,12 @@ struct DelimitedOptions {
   friend bool operator==(const DelimitedOptions&, const DelimitedOptions&) = default;
 };
 
+/// The settings of a curve that options give instead of the file.
+struct GivenSettings {
+  bool closed = false, period = false;  ///< how the curve closes, or that it does not
+  bool preset = false, tangents = false, ends = false;
+};
+
 struct InputOptions {
   const Format* format = nullptr;  ///< null: by ending or content
   DelimitedOptions delimited = {};
@@ -38,6 +44,7 @@ struct InputOptions {
       false;  ///< the product of the preset shows a scale of T, C and B, which keys are checked by
   UnitOptions units = {};
   RotationOptions rotation = {};
+  GivenSettings given = {};
   std::vector<Renaming> renamings = {};           ///< of columns in the output
   std::vector<std::string> only = {};             ///< patterns of the tracks to read; empty: all
   std::string records = {};                       ///< the path of the list of keys in JSON; empty: found by its shape

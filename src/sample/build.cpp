@@ -122,14 +122,19 @@ Error curve_error(const spline::BuildError& error, const KeyStore& keys, const s
           "some numbers were skipped by --missing skip-cell, but ease_in and ease_out need a number in every channel; "
           "fill them in, or give --no-ease");
     case closed_too_few_keys: return data_error("a closed curve needs at least two distinct keys; add keys");
-    case period_missing:
+    case period_missing: {  // as long as the last segment, for example
+      const auto time = [&](std::size_t key) { return exact_time(keys.key(key).times[0]); };
+      const std::size_t end = keys.size() - 1;
       return data_error(
-          "the period of the closed curve is unknown; give --period, or add a last row that repeats the first "
-          "position");
+          "the period of the closed curve is unknown, as the last key does not repeat the first; expected one; give "
+          "--period {}, or another one, --closed=no for an open curve, or add a row that repeats the first position",
+          time_text(nearest_time(time(end) - time(0) + (time(end) - time(end - 1)))));
+    }
     case period_not_finite:
     case period_too_short:
-      return data_error("the period ends before the last key, at time {}; give a longer period",
-                        time_text(keys.key(error.key).times[0]));
+      return data_error(
+          "the period ends before the last key, at time {}; give a longer period, or --closed=no for an open curve",
+          time_text(keys.key(error.key).times[0]));
     case period_contradicted:
       return data_error(
                  "this key repeats the position of line {}, so it ends the period, but the given period differs; "

@@ -202,19 +202,23 @@ std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::sp
   }
   std::vector<ColumnOfChannel> found;
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
-    if (!named[cell]) continue;
+    if (!named[cell] || columns.cells[cell].role != Role::ignored) continue;
     if (channels[cell]) {
-      if (columns.cells[cell].role != Role::ignored) continue;
       found.push_back({cell, {named[cell]->role, header[*channels[cell]]}, header[cell], false});
     } else if (!chosen && named[cell]->role != Role::velocity) {
+      constexpr std::size_t most = 12;
       std::vector<std::string> possible;
+      std::vector<std::size_t> all;  // the column may be a channel of its own
       for (std::size_t i = 0; i < header.size(); ++i) {
         if (may_be_channel[i] && !named[i]) possible.push_back(header[i]);
+        if (may_be_channel[i] && !channels[i]) all.push_back(i);
       }
       throw data_error(
-          "column {} names a channel {}, which does not exist; expected one of {}; correct the name, or name the "
-          "channels with --columns position=NAME:NAME",
-          in_quotes(header[cell]), in_quotes(named[cell]->channel), listed(possible));
+          "column {} names a channel {}, which does not exist; expected {}; correct the name, or name the channels "
+          "with --columns {}",
+          in_quotes(header[cell]), in_quotes(named[cell]->channel),
+          possible.empty() ? "a column of that name" : "one of " + listed(possible),
+          all.size() > most ? "position=NAME:NAME" : in_shell(requested_as("position", header, all)));
     }
   }
   return found;
@@ -239,18 +243,6 @@ void assign_channels(Columns& columns, const std::vector<ColumnOfChannel>& found
     columns.cells[cell] = {is_first ? role.role : Role::ignored, *channel};
   }
   if (!found.empty()) require_whole_velocities(columns);
-}
-
-/// The roles that columns have by their names. T, C and B by themselves are parameters only beside the two others.
-std::vector<Role> roles_by_name(std::span<const std::string> header) {
-  constexpr std::array<std::string_view, 3> letters{"T", "C", "B"};
-  const auto is_letter = [&](std::string_view name) { return std::ranges::count(letters, name) > 0; };
-  const bool has_all = std::ranges::all_of(letters, [&](auto name) { return std::ranges::count(header, name) > 0; });
-  std::vector<Role> roles;
-  for (const std::string& name : header) {
-    roles.push_back(is_letter(name) && !has_all ? Role::position : role_of_name(name));
-  }
-  return roles;
 }
 
 /// The cells of a time in two columns.
@@ -321,7 +313,7 @@ std::vector<bool> usual_times(const Columns& columns, std::span<const std::strin
   bool any_numbers = false;
   for (std::size_t cell = 0; cell < header.size(); ++cell) {
     const Role role = columns.cells[cell].role;
-    if (role == Role::time || (role != Role::unused && role_of_name(header[cell]) == Role::time))
+    if (role == Role::time || (role == Role::ignored && role_of_name(header[cell]) == Role::time))
       return std::vector<bool>(header.size());
     texts[cell] = role == Role::ignored && is_usual_time(header[cell]);
     numbers[cell] = texts[cell] && numeric[cell];
@@ -347,7 +339,6 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
                      const std::vector<bool>& usual, bool timeless, bool times_only = false) {
   const bool positions_given = columns.has(Role::position);
   const auto requested = columns.cells;
-  const std::vector<Role> named = roles_by_name(header);
   std::array<bool, role_count> is_requested{};
   for (const Columns::Column& column : requested) is_requested[static_cast<std::size_t>(column.role)] = true;
   const auto is_text = [](const auto& column) {
@@ -360,7 +351,7 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     const bool first = cell == front && !timeless && !columns.has(Role::time);
     const bool is_time = header.empty() ? first : usual[cell];
     columns.has_time_by_place = columns.has_time_by_place || (header.empty() && first);
-    const Role role = is_time ? Role::time : header.empty() ? Role::position : named[cell];
+    const Role role = is_time ? Role::time : header.empty() ? Role::position : role_of_name(header[cell]);
     if (times_only && role != Role::time) continue;
     const bool has_request = is_requested[static_cast<std::size_t>(role)];
     columns.cells[cell].is_text = role == Role::position && !positions_given && !numeric[cell];

@@ -43,7 +43,7 @@ struct CurveOptions {
 
 /// Where a setting comes from: an option, or a member of JSON at a text position.
 struct SettingOrigin {
-  std::string_view subject;  ///< the name of the option or the member
+  std::string subject;  ///< the name of the option or the member
   TextPosition position = {};
 
   /// The exit code of an error about the setting.

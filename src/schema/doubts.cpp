@@ -13,6 +13,7 @@
 
 #include "numbers/dates.hpp"
 #include "numbers/time_notation.hpp"
+#include "schema/parameter_names.hpp"
 #include "schema/units.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
@@ -78,11 +79,20 @@ std::vector<std::size_t> possible_positions(const FoundColumns& found) {
 /// A value of --columns with all columns that may be positions, or how to give it where these are many.
 std::string positions_of(const FoundColumns& found) {
   constexpr std::size_t most = 12;
-  const std::vector<std::size_t> cells = possible_positions(found);
-  return cells.size() <= most ? roles_of(found, "position", cells) : "position=NAME:NAME";
+  std::vector<std::size_t> cells = possible_positions(found);
+  if (cells.size() > most) return "position=NAME:NAME";
+  if (found.array.empty()) return roles_of(found, "position", cells);
+  std::erase_if(cells, [&](std::size_t cell) { return found.columns.cells[cell].role == Role::position; });
+  return in_shell(fmt::format("position={}{}{}", found.array, cells.empty() ? "" : ":",
+                              cells.empty() ? "" : requested_as("", found.names, cells).substr(1)));
 }
 
 constexpr std::array tcb_roles{Role::tension, Role::continuity, Role::bias};
+
+bool is_parameter(Role role) {
+  return std::ranges::count(tcb_roles, role) > 0 || role == Role::channel_tension || role == Role::channel_continuity ||
+         role == Role::channel_bias;
+}
 
 /// What a row of the list says.
 struct Doubt {
@@ -103,21 +113,6 @@ Doubt error(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
 
 // Names that are nearly those of roles.
 
-/// Whether two names differ in one letter that is added or, in long names, changed, or in two that are swapped.
-bool is_near(std::string_view name, std::string_view known) {
-  if (std::max(name.size(), known.size()) - std::min(name.size(), known.size()) > 1) return false;
-  const std::string one = in_lower_case(name), other = in_lower_case(known);
-  const std::size_t shorter = std::min(one.size(), other.size());
-  std::size_t first = 0, last = 0;  // how many letters are the same
-  while (first < shorter && one[first] == other[first]) ++first;
-  while (last < shorter - first && one[one.size() - 1 - last] == other[other.size() - 1 - last]) ++last;
-  const std::string here = one.substr(first, one.size() - first - last);
-  const std::string there = other.substr(first, other.size() - first - last);
-  const auto are = [&](std::size_t a, std::size_t b) { return here.size() == a && there.size() == b; };
-  if (are(1, 0) || are(0, 1)) return (here + there)[0] >= 'a' && (here + there)[0] <= 'z';
-  return (are(1, 1) && known.size() > 4) || (are(2, 2) && here[0] == there[1] && here[1] == there[0]);
-}
-
 /// The role of which this name is a near miss: with a letter dropped, added or changed, or two letters swapped. In
 /// names of four letters a changed letter is no near miss, as it often makes another word, such as tide. Nothing for
 /// others.
@@ -125,7 +120,7 @@ std::optional<Role> near_role(std::string_view name) {
   if (role_of_name(name) != Role::position) return std::nullopt;
   const std::string_view alone = without_unit(name);
   const auto meant = std::ranges::find_if(role_names, [&](const RoleName& known) {
-    const bool counts = known.any_case && known.in_header && known.role != Role::position;
+    const bool counts = known.name.size() > 1 && known.in_header && known.role != Role::position;
     return counts && is_near(alone, known.name);
   });
   return meant == role_names.end() ? std::nullopt : std::optional(meant->role);
@@ -301,25 +296,97 @@ Found pieces_of_curve(const FoundColumns& found) {
 
 Found letters_that_are_data(const FoundColumns& found) {
   if (is_requested(found, Role::position) || found.names.empty()) return std::nullopt;
+  constexpr std::array<std::string_view, 3> known{"T", "C", "B"};
   std::vector<std::string> letters;
-  for (const std::string& channel : found.columns.channels) {
-    if (std::ranges::count(tcb_roles, role_of_name(channel)) > 0) letters.push_back(channel);
-  }
+  std::ranges::copy_if(found.columns.channels, std::back_inserter(letters),
+                       [&](const std::string& name) { return std::ranges::count(known, name) > 0; });
   if (letters.empty()) return std::nullopt;
+  const auto role = tcb_roles[static_cast<std::size_t>(std::ranges::find(known, letters[0]) - known.begin())];
   return note(
       "positions by a single letter: {}; only T, C and B together are tension, continuity and bias; --columns {}={} "
       "gives the role",
-      listed(letters), role_name(role_of_name(letters[0])), letters[0]);
+      listed(letters), role_name(role), letters[0]);
+}
+
+/// The columns that are, or may be, parameters by their names, unless the request says what they are.
+std::vector<ParameterSet> sets_of_parameters(const FoundColumns& found) {
+  std::vector<ParameterSet> sets = parameter_sets(found.names, found.numeric, found.requested);
+  std::erase_if(sets, [&](const ParameterSet& set) {
+    return std::ranges::any_of(found.requested.roles, [&](const RoleRequest& request) {
+      return std::ranges::any_of(set.cells, [&](const auto& cell) {
+        const auto is_it = [&](const std::string& column) {
+          return same_in_any_case(column, found.names[*cell]) || column == fmt::format("{}", *cell + 1);
+        };
+        return cell && std::ranges::any_of(request.columns, is_it);
+      });
+    });
+  });
+  return sets;
+}
+
+/// What undoes the roles of a set, in words.
+std::string as_channels(const FoundColumns& found, const ParameterSet& set) {
+  constexpr std::size_t most = 12;
+  std::vector<std::size_t> cells;
+  for (const auto& cell : set.cells) {
+    if (cell) cells.push_back(*cell);
+  }
+  if (possible_positions(found).size() > most)
+    return fmt::format("{} leaves them out", roles_of(found, "ignore", cells));
+  return fmt::format("{} takes them as channels", positions_of(found));
+}
+
+/// The columns of a set and what they are, as in "columns tens, bias" and "tension, bias".
+std::pair<std::string, std::string> in_words(const FoundColumns& found, const ParameterSet& set) {
+  std::vector<std::string> columns, roles;
+  for (std::size_t i = 0; i < set.cells.size(); ++i) {
+    if (!set.cells[i]) continue;
+    columns.push_back(requested_as(found.names, *set.cells[i]));
+    roles.emplace_back(role_name(tcb_roles[i]));
+  }
+  const std::string of_channel = set.channel.empty() ? "" : " of " + set.channel;
+  return {fmt::format("column{} {}", columns.size() > 1 ? "s" : "", listed(columns)), listed(roles) + of_channel};
+}
+
+Found parameters_by_other_names(const FoundColumns& found) {
+  std::vector<std::string> taken;
+  const ParameterSet* first = nullptr;
+  const std::vector<ParameterSet> sets = sets_of_parameters(found);
+  for (const ParameterSet& set : sets) {
+    const auto is_taken = [&](const auto& cell) { return !cell || is_parameter(found.columns.cells[*cell].role); };
+    if (!set.is_clear() || set.has_whole_names(found.names) || !std::ranges::all_of(set.cells, is_taken)) continue;
+    const auto [columns, roles] = in_words(found, set);
+    taken.push_back(fmt::format("{} {} taken as {}", columns, set.count() > 1 ? "are" : "is", roles));
+    if (set.time) taken.push_back(fmt::format("column {} as the time", requested_as(found.names, *set.time)));
+    if (first == nullptr) first = &set;
+  }
+  if (taken.empty()) return std::nullopt;
+  return note("by their names, {}; --columns {}", fmt::join(taken, ", and "), as_channels(found, *first));
+}
+
+Found parameters_in_short(const FoundColumns& found) {
+  const auto is_tcb = [&](Role role) { return is_requested(found, role); };
+  if (is_requested(found, Role::position) || std::ranges::any_of(tcb_roles, is_tcb)) return std::nullopt;
+  const std::vector<ParameterSet> sets = sets_of_parameters(found);
+  const auto is_clear_for_all = [](const ParameterSet& set) { return set.is_clear() && set.channel.empty(); };
+  const bool are_several = std::ranges::count_if(sets, is_clear_for_all) > 1;
+  for (const ParameterSet& set : sets) {
+    if (!set.is_doubtful() && !(are_several && is_clear_for_all(set))) continue;
+    const auto [columns, roles] = in_words(found, set);
+    return error(
+        "{} may be {}; expected the words tension, continuity and bias, or all three in short; give --columns {} if "
+        "that is so, or --columns {}",
+        columns, roles, in_shell(set.request(found.names)), as_channels(found, set));
+  }
+  return std::nullopt;
 }
 
 /// Columns that are parameters by their names.
-std::vector<std::size_t> parameters_by_name(const FoundColumns& found) {
+std::vector<std::size_t> parameters_of(const FoundColumns& found) {
   std::vector<std::size_t> cells;
   for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
     const Role role = found.columns.cells[cell].role;
-    const bool is_parameter = std::ranges::count(tcb_roles, role) > 0 || role == Role::channel_tension ||
-                              role == Role::channel_continuity || role == Role::channel_bias;
-    if (!is_parameter || is_requested(found, role)) continue;
+    if (!is_parameter(role) || is_requested(found, role)) continue;
     if (std::ranges::count(found.meant, found.names[cell]) == 0) cells.push_back(cell);
   }
   return cells;
@@ -327,9 +394,11 @@ std::vector<std::size_t> parameters_by_name(const FoundColumns& found) {
 
 Found parameters_that_are_data(const FoundColumns& found) {
   if (found.has_tcb_scale) return std::nullopt;
-  const std::vector<std::size_t> cells = parameters_by_name(found);
+  const std::vector<std::size_t> cells = parameters_of(found);
   if (cells.empty() || (cells.size() != 1 && cells.size() != 3)) return std::nullopt;
-  const bool are_letters = std::ranges::all_of(cells, [&](std::size_t cell) { return found.names[cell].size() == 1; });
+  const bool are_letters = std::ranges::any_of(sets_of_parameters(found), [&](const ParameterSet& set) {
+    return std::ranges::count(set.cells, cells[0]) > 0 && set.count(ParameterSet::Kind::letter) == cells.size();
+  });
   std::size_t all = 0, beyond = 0;
   std::optional<std::pair<std::size_t, double>> first;
   for (const std::size_t cell : cells) {
@@ -740,8 +809,10 @@ Found minutes_and_seconds(const FoundColumns& found) {
 constexpr std::array about_columns{pieces_of_curve,
                                    labels_of_curves,
                                    time_in_array,
+                                   parameters_in_short,
                                    near_miss_of_role,
                                    letters_that_are_data,
+                                   parameters_by_other_names,
                                    parameters_that_are_data,
                                    column_numbers_above_rows,
                                    times_as_names,
@@ -1053,13 +1124,15 @@ std::optional<double> first_time_gap(const FoundColumns& found) {
   const std::vector<std::size_t> cells = found.columns.time_cells();
   if (cells.size() != 1 || found.rows.size() < 2 || found.columns.has(Role::nanoseconds)) return std::nullopt;
   double first = nan, last = nan;
+  std::size_t gaps = 0;  // without those between equal times
   for (const auto& row : found.rows) {
     const double time = number_in(found, row, cells[0]);
-    if (!(time == std::floor(time)) || time <= last) return std::nullopt;
-    first = std::isnan(first) ? time : first;
+    if (!(time == std::floor(time)) || time < last) return std::nullopt;
+    if (std::isnan(first)) first = time;
+    if (time > last) ++gaps;
     last = time;
   }
-  return (last - first) / static_cast<double>(found.rows.size() - 1);
+  return gaps == 0 ? std::nullopt : std::optional((last - first) / static_cast<double>(gaps));
 }
 
 std::vector<std::string> doubts_of_request(const Schema& schema, const RequestNeeds& needs) {

@@ -61,7 +61,7 @@ std::optional<ChannelRole> channel_role_of(std::string_view name);
 std::optional<Role> find_role(std::string_view name);
 
 /// The role that a column has by its name; position if the name gives none.
-/// Case does not matter, except that t is time and T, C, B are tension, continuity and bias.
+/// Case does not matter, except that t is the time, and ease_in and ease_out have this spelling alone.
 Role role_of_name(std::string_view name);
 
 struct RoleName {
@@ -78,8 +78,8 @@ inline constexpr std::array role_names{
     RoleName{"tension", Role::tension, true},
     RoleName{"continuity", Role::continuity, true},
     RoleName{"bias", Role::bias, true},
-    RoleName{"ease_in", Role::ease_in, true},
-    RoleName{"ease_out", Role::ease_out, true},
+    RoleName{"ease_in", Role::ease_in, false},
+    RoleName{"ease_out", Role::ease_out, false},
     RoleName{"group", Role::group, true, false},
     RoleName{"carry", Role::carry, true, false},
     RoleName{"ignore", Role::unused, true, false},
@@ -89,19 +89,6 @@ inline constexpr std::array role_names{
     RoleName{"frame", Role::time, true},
     RoleName{"timestamp", Role::time, true},
     RoleName{"seconds", Role::time, true},
-    RoleName{"T", Role::tension, false},
-    RoleName{"C", Role::continuity, false},
-    RoleName{"B", Role::bias, false},
-    RoleName{"ease in", Role::ease_in, true},
-    RoleName{"easein", Role::ease_in, true},
-    RoleName{"ease to", Role::ease_in, true},
-    RoleName{"ease_to", Role::ease_in, true},
-    RoleName{"easeto", Role::ease_in, true},
-    RoleName{"ease out", Role::ease_out, true},
-    RoleName{"easeout", Role::ease_out, true},
-    RoleName{"ease from", Role::ease_out, true},
-    RoleName{"ease_from", Role::ease_out, true},
-    RoleName{"easefrom", Role::ease_out, true},
 };
 
 /// A requested role: its columns by name or by number from 1, and the option that requests it; none where the input

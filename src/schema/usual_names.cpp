@@ -86,18 +86,9 @@ std::string without_last_digits(std::string text) {
   return text;
 }
 
-/// Whether a list of words between blanks has a word.
-bool has(std::string_view words, std::string_view word) {
-  for (std::size_t at = words.find(word); !word.empty() && at < words.size(); at = words.find(word, at + 1)) {
-    const std::size_t end = at + word.size();
-    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;
-  }
-  return false;
-}
-
 const UnitNames* find_unit(std::string_view name, bool also_short = false) {
   const auto found = std::ranges::find_if(unit_names, [&](const UnitNames& row) {
-    return has(row.names, name) || (also_short && has(row.short_ones, name));
+    return lists_word(row.names, name) || (also_short && lists_word(row.short_ones, name));
   });
   return name.empty() || found == unit_names.end() ? nullptr : &*found;
 }
@@ -106,7 +97,7 @@ const UnitNames* find_unit(std::string_view name, bool also_short = false) {
 const UnitNames* unit_at_end(std::string_view name) {
   for (std::size_t size = 1; size < name.size(); ++size) {
     const std::string_view time = name.substr(0, size);
-    if (!has(time_names, time) && !has(frame_names, time)) continue;
+    if (!lists_word(time_names, time) && !lists_word(frame_names, time)) continue;
     if (const UnitNames* const unit = find_unit(name.substr(size), size > 1)) return unit;
   }
   return nullptr;
@@ -122,7 +113,7 @@ std::string_view unit_beside(std::string_view name) {
 
 /// Whether a name is that of a time, or of a time and its unit, such as "timems".
 bool is_time(std::string_view name) {
-  if (has(time_names, name) || has(frame_names, name) || name == "ms" || name == "ns") return true;
+  if (lists_word(time_names, name) || lists_word(frame_names, name) || name == "ms" || name == "ns") return true;
   const bool is_unit = name.size() > 2 && name != "second" && find_unit(name) != nullptr;
   return is_unit || unit_at_end(name) != nullptr;
 }
@@ -174,19 +165,19 @@ std::optional<TimeUnit> unit_of_time(std::string_view name) {
   if (alone.size() < name.size()) {  // in brackets
     found = find_unit(compact(unit_beside(name)), true);
     if (found == nullptr && compact(alone).size() > 1) found = find_unit(compact(alone));  // as in JD(TT)
-  } else if (has(frame_names, whole)) {
+  } else if (lists_word(frame_names, whole)) {
     return TimeUnit::frames;
   } else if (separator != std::string_view::npos && is_time(compact(name.substr(0, separator)))) {  // as in t_s
     found = find_unit(compact(name.substr(separator)));
     if (found == nullptr) found = find_unit(whole);
   } else if (whole.size() > 1) {
-    found = find_unit(whole, has(calendar_names, whole));
+    found = find_unit(whole, lists_word(calendar_names, whole));
   }
-  if (found == nullptr && !has(time_names, whole)) found = unit_at_end(whole);
+  if (found == nullptr && !lists_word(time_names, whole)) found = unit_at_end(whole);
   return found == nullptr ? std::nullopt : found->unit;
 }
 
-bool names_calendar(std::string_view name) { return has(calendar_names, compact(without_unit(name))); }
+bool names_calendar(std::string_view name) { return lists_word(calendar_names, compact(without_unit(name))); }
 
 std::optional<TimePartName> time_part_of(std::string_view name) {
   constexpr std::string_view seconds = "sec secs seconds";
@@ -194,8 +185,8 @@ std::optional<TimePartName> time_part_of(std::string_view name) {
   const std::size_t separator = name.find_last_of("./_ ");
   const std::string last = compact(separator == std::string_view::npos ? name : name.substr(separator + 1));
   const std::string_view stem = separator == std::string_view::npos ? "" : name.substr(0, separator);
-  if (has(seconds, last)) return TimePartName{TimePart::seconds, stem};
-  if (has(nanoseconds, last)) return TimePartName{TimePart::nanoseconds, stem};
+  if (lists_word(seconds, last)) return TimePartName{TimePart::seconds, stem};
+  if (lists_word(nanoseconds, last)) return TimePartName{TimePart::nanoseconds, stem};
   return std::nullopt;
 }
 
@@ -207,7 +198,7 @@ bool is_usual_counter(std::string_view name) {
 bool names_record(std::string_view name) {
   constexpr std::string_view names = "id record rn scan recno sampleno #";
   const bool has_hash = name == "#";
-  return has_hash || has(names, compact(name)) || has("id record scan no", last_word(name, "_-./ "));
+  return has_hash || lists_word(names, compact(name)) || lists_word("id record scan no", last_word(name, "_-./ "));
 }
 
 std::optional<std::pair<std::string, char>> rotation_stem_of(std::string_view name) {
@@ -227,17 +218,17 @@ std::optional<std::pair<std::string, char>> rotation_stem_of(std::string_view na
   return is_rotation ? std::optional(std::pair(stem, last)) : std::nullopt;
 }
 
-bool is_usual_position(std::string_view name) { return has(names_of_positions, compact(name)); }
+bool is_usual_position(std::string_view name) { return lists_word(names_of_positions, compact(name)); }
 
 bool is_usual_label(std::string_view name) {
   const std::string text = compact(name);
-  return has(label_names, text) || has(label_names, last_word(name, "_-./ ")) || text.ends_with("id");
+  return lists_word(label_names, text) || lists_word(label_names, last_word(name, "_-./ ")) || text.ends_with("id");
 }
 
 bool tells_curves_apart(std::string_view name) {
   constexpr std::string_view names =
       "id track trackid object objectid name curve curveid uuid series deviceid vehicleid playerid robotid mmsi icao24";
-  return has(names, compact(name));
+  return lists_word(names, compact(name));
 }
 
 namespace {
@@ -248,7 +239,7 @@ bool ends_with_one(std::string_view names, std::string_view name) {
   for (const std::string_view unit : {"_deg", "_degrees", "_rad", "_radians"}) {
     if (alone.ends_with(unit)) alone.remove_suffix(unit.size());
   }
-  return has(names, compact(alone)) || has(names, last_word(alone, "_-./ "));
+  return lists_word(names, compact(alone)) || lists_word(names, last_word(alone, "_-./ "));
 }
 
 }  // namespace
@@ -270,7 +261,7 @@ bool is_usual_angle(std::string_view name) {
 bool is_of_rotation_vector(std::string_view name) {
   constexpr std::string_view stems = "rvec rotvec rodrigues rotationvector";
   const std::string text = compact(without_unit(name.substr(name.find_last_of("/") + 1)));
-  return !text.empty() && has(stems, std::string_view(text).substr(0, text.size() - 1));
+  return !text.empty() && lists_word(stems, std::string_view(text).substr(0, text.size() - 1));
 }
 
 std::string_view without_brackets(std::string_view text) {
@@ -288,7 +279,7 @@ bool is_unit(std::string_view text) {
       "\u00B5v j kj wh kwh ah mah mg ug \u00B5g ppm ppb mol ohm kohm \u03A9 k\u03A9 us/cm \u00B5s/cm ms/cm mg/l ghz "
       "dbm gpa n/mm2 n/mm\u00B2 \u20AC $ \u00A3 inhg mmhg torr atm yd in/s g/cm3 g/cm\u00B3 m2 m\u00B2 cm2 cm\u00B2 "
       "mm2 mm\u00B2 um2 \u00B5m\u00B2 px2";
-  return has(units, in_lower_case(without_brackets(text)));
+  return lists_word(units, in_lower_case(without_brackets(text)));
 }
 
 bool are_units(std::span<const std::string_view> cells) {
@@ -298,14 +289,14 @@ bool are_units(std::span<const std::string_view> cells) {
   const auto is_empty = [](std::string_view cell) { return cell.empty() || cell == "-" || cell == "none"; };
   const auto fits = [&](std::string_view cell) {
     const std::string_view text = cell.size() > 1 && cell.front() == '"' ? cell.substr(1, cell.size() - 2) : cell;
-    return is_empty(text) || is_unit(text) || is_unit(compact(text)) || has(words, compact(text));
+    return is_empty(text) || is_unit(text) || is_unit(compact(text)) || lists_word(words, compact(text));
   };
   return !std::ranges::all_of(cells, is_empty) && std::ranges::all_of(cells, fits);
 }
 
 bool is_in_degrees(std::string_view name) {
   constexpr std::string_view units = "deg degs degree degrees \u00B0";
-  return has(units, compact(unit_beside(name))) || has(units, last_word(name, "_-. "));
+  return lists_word(units, compact(unit_beside(name))) || lists_word(units, last_word(name, "_-. "));
 }
 
 bool may_be_angle(std::string_view name) {
@@ -315,10 +306,10 @@ bool may_be_angle(std::string_view name) {
   constexpr std::string_view spaces = "rotation rotate rot euler angle orientation";
   if (is_usual_angle(name) || ends_with_one(names, name)) return true;
   constexpr std::string_view units = "deg degree degrees \u00B0 rad radians";
-  if (has(units, compact(unit_beside(name)))) return true;  // as in RA [deg]
-  const std::string whole = compact(without_unit(name));    // as in rotation_z
+  if (lists_word(units, compact(unit_beside(name)))) return true;  // as in RA [deg]
+  const std::string whole = compact(without_unit(name));           // as in rotation_z
   const bool ends_in_axis = whole.size() > 1 && std::string_view("xyz").find(whole.back()) != std::string_view::npos;
-  if (ends_in_axis && has(spaces, std::string_view(whole).substr(0, whole.size() - 1))) return true;
+  if (ends_in_axis && lists_word(spaces, std::string_view(whole).substr(0, whole.size() - 1))) return true;
   const auto ends_with = [&](std::string_view word) {  // as in Hips.Yrotation and arm.rotation.x
     return whole.ends_with(word) ||
            (ends_in_axis && std::string_view(whole).substr(0, whole.size() - 1).ends_with(word));
@@ -333,7 +324,7 @@ bool is_usual_channel(std::string_view name) {
       "distance radius power current voltage signal data";
   const std::string text = without_last_digits(compact(without_unit(name)));
   const bool is_axis = text.size() == 2 && std::string_view("xyzw").find(text[1]) != std::string_view::npos;
-  return text.size() <= 1 || is_axis || has(names, text) || has(names, last_word(name, "_-./ ")) ||
+  return text.size() <= 1 || is_axis || lists_word(names, text) || lists_word(names, last_word(name, "_-./ ")) ||
          is_coordinate(name) || is_usual_position(name) || is_usual_angle(name);
 }
 
@@ -353,8 +344,8 @@ std::string space_of(std::string_view name) {
   constexpr std::string_view on_earth = "lat lon lng long latitude longitude";
   constexpr std::string_view on_maps = "easting northing east north";
   std::string text = compact(without_length_unit(name));
-  if (has(on_earth, text)) return "earth";
-  if (has(on_maps, text)) return "map";
+  if (lists_word(on_earth, text)) return "earth";
+  if (lists_word(on_maps, text)) return "map";
   if (text.size() == 1) return "";
   if (std::string_view("xyzw0123456789").find(text.back()) != std::string_view::npos) {
     text.pop_back();
@@ -392,8 +383,8 @@ bool is_coordinate(std::string_view name) {
   const std::string text = without_last_digits(whole);
   const bool numbered = text.size() < whole.size() && text.size() <= 3 && whole.size() <= text.size() + 3;  // as in p1
   const std::size_t first = name.find_first_of("_-. ");
-  return has(coordinate_names, text) || numbered || has(coordinate_names, last_word(name, "_-. ")) ||
-         (first == 1 && has(coordinate_names, compact(name.substr(0, first))));
+  return lists_word(coordinate_names, text) || numbered || lists_word(coordinate_names, last_word(name, "_-. ")) ||
+         (first == 1 && lists_word(coordinate_names, compact(name.substr(0, first))));
 }
 
 }  // namespace tcb

@@ -85,6 +85,49 @@ std::string did_you_mean(std::string_view name, std::span<const std::string> kno
   return did_you_mean(name, std::vector<std::string_view>(known.begin(), known.end()));
 }
 
+bool is_near(std::string_view name, std::string_view known) {
+  if (std::max(name.size(), known.size()) - std::min(name.size(), known.size()) > 1) return false;
+  const std::string one = in_lower_case(name), other = in_lower_case(known);
+  const std::size_t shorter = std::min(one.size(), other.size());
+  std::size_t first = 0, last = 0;  // how many letters are the same
+  while (first < shorter && one[first] == other[first]) ++first;
+  while (last < shorter - first && one[one.size() - 1 - last] == other[other.size() - 1 - last]) ++last;
+  const std::string here = one.substr(first, one.size() - first - last);
+  const std::string there = other.substr(first, other.size() - first - last);
+  const auto are = [&](std::size_t a, std::size_t b) { return here.size() == a && there.size() == b; };
+  if (are(1, 0) || are(0, 1)) return (here + there)[0] >= 'a' && (here + there)[0] <= 'z';
+  return (are(1, 1) && known.size() > 4) || (are(2, 2) && here[0] == there[1] && here[1] == there[0]);
+}
+
+bool lists_word(std::string_view words, std::string_view word) {
+  for (std::size_t at = words.find(word); !word.empty() && at < words.size(); at = words.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;
+  }
+  return false;
+}
+
+std::vector<std::string> words_of(std::string_view name) {
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  const auto is_letter = [](char c) {
+    return (lower(c) >= 'a' && lower(c) <= 'z') || static_cast<unsigned char>(c) > 127;
+  };
+  std::vector<std::string> words;
+  char before = ' ';
+  for (std::size_t at = 0; at < name.size(); ++at) {
+    const char c = name[at];
+    const char next = at + 1 < name.size() ? name[at + 1] : ' ';
+    const bool is_new = is_capital(c) ? !is_capital(before) || (is_letter(next) && !is_capital(next))
+                                      : is_letter(c) != is_letter(before);
+    const bool follows_word = is_letter(before) || is_digit(before);
+    before = c;
+    if (!is_letter(c) && !is_digit(c)) continue;
+    if (is_new || !follows_word) words.emplace_back();
+    words.back() += lower(c);
+  }
+  return words;
+}
+
 std::string in_shell(std::string_view word) {
   const auto is_plain = [](char c) {
     return (lower(c) >= 'a' && lower(c) <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) > 127 ||

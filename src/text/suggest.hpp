@@ -32,6 +32,16 @@ std::string_view likely_name(std::string_view name, std::span<const std::string_
 std::string did_you_mean(std::string_view name, std::span<const std::string_view> known);
 std::string did_you_mean(std::string_view name, std::span<const std::string> known);
 
+/// Whether two names differ in one letter that is added or, in long names, changed, or in two that are swapped.
+bool is_near(std::string_view name, std::string_view known);
+
+/// Whether a list of words between blanks has a word.
+bool lists_word(std::string_view words, std::string_view word);
+
+/// The words of a name in lower case, such as "tcb" and "t" of "tcb_t", "tcb.T" and "tcbT": between other characters
+/// than letters and digits, and where a capital follows a small letter, or a digit a letter.
+std::vector<std::string> words_of(std::string_view name);
+
 /// Names separated by ", ": all of them, or the first 20 and the number of the others.
 std::string listed(std::span<const std::string> names);
 std::string listed(std::span<const std::string_view> names);

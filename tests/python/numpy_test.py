@@ -403,8 +403,8 @@ class OptionsTest(unittest.TestCase):
             tcbsample.resample(KEYS, segments=5)
         with self.assertRaisesRegex(TypeError, "output: .*returned"):
             tcbsample.resample(KEYS, count=3, output="a.csv")
-        with self.assertRaisesRegex(TypeError, "closed: 7; expected True or False"):
-            tcbsample.resample(KEYS, count=3, closed=7)
+        with self.assertRaisesRegex(TypeError, "sort: 7; expected True or False"):
+            tcbsample.resample(KEYS, count=3, sort=7)
         self.assertEqual(len(tcbsample.resample(KEYS, count=3, closed=np.bool_(False), sort=None, keys=False)), 3)
 
     def test_options_with_names_of_python(self):

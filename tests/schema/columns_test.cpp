@@ -46,7 +46,7 @@ TEST(Columns, two_that_may_be_the_time_are_an_error_with_both_names) {
 }
 
 TEST(Columns, a_header_gives_roles_in_any_order) {
-  const Columns columns = found_columns({"x", "T", "t", "C", "y", "B"});
+  const Columns columns = found_columns({"x", "tension", "t", "continuity", "y", "bias"});
   EXPECT_THAT(roles(columns),
               ElementsAre(Role::position, Role::tension, Role::time, Role::continuity, Role::position, Role::bias));
   EXPECT_THAT(columns.channels, ElementsAre("x", "y"));

@@ -19,13 +19,17 @@ TEST(Roles, names_give_roles_and_case_does_not_matter) {
   EXPECT_EQ(role_of_name("bIAS"), Role::bias);
 }
 
-TEST(Roles, single_letters_differ_by_case) {
+TEST(Roles, of_single_letters_only_t_has_one) {
   EXPECT_EQ(role_of_name("t"), Role::time);
-  EXPECT_EQ(role_of_name("T"), Role::tension);
-  EXPECT_EQ(role_of_name("C"), Role::continuity);
-  EXPECT_EQ(role_of_name("B"), Role::bias);
-  EXPECT_EQ(role_of_name("c"), Role::position);
-  EXPECT_EQ(role_of_name("b"), Role::position);
+  for (const char* name : {"T", "C", "B", "c", "b"}) EXPECT_EQ(role_of_name(name), Role::position) << name;
+}
+
+TEST(Roles, ease_has_one_spelling) {
+  EXPECT_EQ(role_of_name("ease_in"), Role::ease_in);
+  EXPECT_EQ(role_of_name("ease_out"), Role::ease_out);
+  for (const char* name : {"easeIn", "Ease_In", "ease in", "ease_to"}) {
+    EXPECT_EQ(role_of_name(name), Role::position) << name;
+  }
 }
 
 TEST(Roles, every_other_name_is_a_position) {

@@ -422,7 +422,7 @@ class Curve:
         x = np.append(self._pieces.starts, self._pieces.ends[-1])
         if x.dtype.kind == "i":  # from the first key
             x = (x - x[0]) / (1e9 if self.times.dtype.kind == "M" else 1)
-        is_closed = not {"closed", "period"}.isdisjoint(self._options)
+        is_closed = self._options.get("period") is not None or self._options.get("closed") not in (None, False, "no")
         return PPoly(coefficients, x, extrapolate="periodic" if is_closed else False)
 
     @classmethod

@@ -21,6 +21,7 @@
 #include "read/csv/splitter.hpp"
 #include "read/csv/tokenizer.hpp"
 #include "schema/doubts.hpp"
+#include "schema/parameter_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
@@ -476,7 +477,7 @@ void require_keys_in_rows(const std::vector<HeadRecords::Record>& records, const
 
 /// The cells of the first records, without reading further. Requires: `chunks` outlive them.
 HeadRows cells_of(std::span<const Chunk> chunks, const Dialect& dialect) {
-  constexpr std::size_t most = 16;
+  constexpr std::size_t most = 100;
   HeadRows rows;
   try {
     for (const Chunk& chunk : chunks) {
@@ -623,13 +624,23 @@ std::vector<bool> requested_cells(const std::vector<std::string>& names, std::si
 class RolesByCells {
  public:
   RolesByCells(std::vector<std::string>& names, const std::vector<bool>& numeric, const HeadRows& rows,
-               const ColumnOptions& requested, bool has_rate)
+               const ColumnOptions& requested, const std::vector<RoleRequest>& parameters, bool has_rate)
       : names_(names),
         numeric_(numeric),
         rows_(rows),
         requested_(requested),
         requested_cells_(requested_cells(names, numeric.size(), requested)),
-        has_rate_(has_rate) {}
+        is_parameter_(numeric.size()),
+        has_rate_(has_rate) {
+    for (const RoleRequest& request : parameters) {
+      requested_.roles.push_back(request);
+      for (std::size_t cell = 0; cell < names.size(); ++cell) {
+        if (names[cell] != request.columns[0] && fmt::format("{}", cell + 1) != request.columns[0]) continue;
+        requested_cells_[cell] = true;
+        is_parameter_[cell] = request.role != Role::time;
+      }
+    }
+  }
 
   /// The request, with the roles that follow from cells. Throws: Error (data) where an index may be the time.
   ColumnOptions complete() {
@@ -785,6 +796,7 @@ class RolesByCells {
 
   /// Whether another column than the index is the time by its name or a request.
   bool is_time(std::size_t cell) const {
+    if (is_parameter_[cell]) return false;
     const Role role = role_of_name(names_[cell]);
     if (role != Role::position) return role == Role::time;
     return is_usual_time(names_[cell]) && !is_usual_counter(names_[cell]);
@@ -862,6 +874,7 @@ class RolesByCells {
   const HeadRows& rows_;
   ColumnOptions requested_;
   std::vector<bool> requested_cells_;  ///< for each column, whether that has a role of it
+  std::vector<bool> is_parameter_;     ///< tension, continuity or bias by its name
   bool has_rate_;                      ///< the times are frames by an option
   std::vector<std::string> notes_;
 };
@@ -893,10 +906,18 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
     if (!is_requested[cell]) requested.roles.push_back({Role::unused, {fmt::format("{}", cell + 1)}});
   }
   std::vector<std::string> notes;
+  std::vector<RoleRequest> parameters;
+  if (!names.empty() && !head.is_of_format) {
+    std::vector<bool> usable = numeric;
+    for (std::size_t cell = 0; cell < usable.size(); ++cell) usable[cell] = usable[cell] && !is_requested[cell];
+    parameters = parameters_by_name(names, usable, requested);
+  }
   if (!rows.empty() && !head.is_of_format) {
-    RolesByCells by_cells(names, numeric, rows, requested, options.units.frame_rate.has_value());
+    RolesByCells by_cells(names, numeric, rows, requested, parameters, options.units.frame_rate.has_value());
     requested = by_cells.complete();
     notes = by_cells.notes();
+  } else {
+    std::ranges::copy(parameters, std::back_inserter(requested.roles));
   }
   try {
     head.columns = requested.times_only ? find_time_column(names, numeric, requested.roles)

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <functional>
 #include <iterator>
 #include <span>
@@ -26,6 +27,7 @@
 #include "numbers/time_notation.hpp"
 #include "schema/doubts.hpp"
 #include "schema/key_rules.hpp"
+#include "schema/parameter_names.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
@@ -51,6 +53,7 @@ struct FoundMember {
   bool is_of_whole = false;               ///< all numbers around it are columns
   bool is_position = false;               ///< it is an array of positions,
   bool is_rotation = false;               ///< or a quaternion or a number of one
+  bool is_parameter = false;              ///< it is tension, continuity or bias by its name
   std::vector<std::string> columns = {};  ///< the names of its cells, as a table would have them
   std::size_t cell = 0;                   ///< the first of these among all
 
@@ -58,8 +61,11 @@ struct FoundMember {
   bool is_of_positions() const { return is_position || is_rotation; }
 };
 
-/// Whether a member is an array [T,C,B]: of the key, or of one channel as "tcb.x".
-bool holds_tcb(std::string_view name) { return name == "tcb" || name.starts_with("tcb."); }
+/// Whether a name is that of an array [T,C,B], or of [T,B,C].
+bool is_tcb(std::string_view name) { return same_in_any_case(name, "tcb") || same_in_any_case(name, "tbc"); }
+
+/// Whether a member is such an array, of the key or of one channel as "tcb.x", or a number in an object "tcb".
+bool holds_tcb(std::string_view name) { return is_tcb(name) || name.starts_with("tcb."); }
 
 /// Whether the members of an object with this name are members of the key.
 bool is_spread_always(std::string_view name) { return name == "tcb" || name == "rotation"; }
@@ -98,14 +104,14 @@ constexpr std::array velocity_arrays{VelocityArray{"velocity", "_v"}, VelocityAr
                                      VelocityArray{"velocity_out", "_vout"}};
 
 bool has_time_name(const FoundMember& member) {
-  return role_of_name(member.name) == Role::time || is_usual_time(member.name);
+  return !member.is_parameter && (role_of_name(member.name) == Role::time || is_usual_time(member.name));
 }
 
 /// Whether a member may be a position by its place: one number without another role.
 bool is_plain_number(const FoundMember& member) {
   return member.numbers == 1 && !member.array && !member.text && !member.nested && !member.is_rotation &&
-         !has_role(member.name) && !is_usual_time(member.name) && !is_usual_counter(member.name) &&
-         !time_part_of(member.name);
+         !member.is_parameter && !has_role(member.name) && !is_usual_time(member.name) &&
+         !is_usual_counter(member.name) && !time_part_of(member.name);
 }
 
 bool is_object_of_positions(const FoundMember& member) { return member.is_of_whole && member.route[0] == "position"; }
@@ -212,6 +218,7 @@ class FirstKey {
   }
 
   JsonColumns find() {
+    if (!requested_.samples) find_parameters();
     if (!requested_.samples) spread();
     name_columns();
     JsonColumns result;
@@ -237,6 +244,7 @@ class FirstKey {
       require_no_lost_arrays();
       require_no_vectors();
       std::vector<RoleRequest> roles = requests();
+      std::ranges::copy(parameters_by_name(header, may_be_parameters(numeric), requested_), std::back_inserter(roles));
       if (!rows.empty()) add_roles_by_cells(header, rows, roles, notes);
       result.columns = find_columns(header, numeric, roles, requested_.timeless);
       if (result.columns.has(Role::clock))
@@ -506,6 +514,43 @@ class FirstKey {
     }
   }
 
+  /// Finds the members that may be tension, continuity and bias by their names, also those that are deeper in the key.
+  void find_parameters() {
+    std::vector<std::string> names;
+    std::vector<FoundMember*> places;
+    std::deque<std::vector<FoundMember>> deeper;
+    for (FoundMember& member : members_) {
+      const bool is_number = member.numbers == 1 && !member.array && !member.text && !member.nested;
+      if (!is_number && !member.nested) continue;
+      deeper.emplace_back();
+      if (member.nested) add_inside(deeper.back(), member);
+      if (is_number) deeper.back().push_back(member);
+      for (FoundMember& one : deeper.back()) {
+        if (one.text || is_requested(one)) continue;
+        names.push_back(one.name);
+        places.push_back(is_number ? &member : &one);
+      }
+    }
+    for (const ParameterSet& set : parameter_sets(names, std::vector<bool>(names.size(), true), requested_)) {
+      const bool is_open = set.is_doubtful() && set.rest == ParameterSet::Rest::of_keys;
+      for (const auto& cell : set.cells) {
+        if (!cell || (!set.is_clear() && !is_open)) continue;
+        places[*cell]->is_parameter = set.is_clear();
+        if (places[*cell]->route.size() > 1) deeper_parameters_.insert(names[*cell]);
+      }
+    }
+  }
+
+  /// For each column, whether its name may say that it is a parameter: it holds one number, and no option names it.
+  std::vector<bool> may_be_parameters(const std::vector<bool>& numeric) const {
+    std::vector<bool> usable(numeric.size());
+    for (const FoundMember& member : members_) {
+      const bool is_number = member.columns.size() == 1 && !member.array && !is_requested(member);
+      if (is_number) usable[member.cell] = numeric[member.cell];
+    }
+    return usable;
+  }
+
   /// Makes the numbers in objects members of their own: those that are requested, and, where the key has no other
   /// position or no time, those that may be it.
   void spread() {
@@ -518,7 +563,8 @@ class FirstKey {
     const bool has_position_array = has_any([](const FoundMember& m) { return m.name == "position" && m.array; });
     const bool has_position_object = has_any([](const FoundMember& m) { return m.name == "position" && m.nested; });
     const bool has_request = !requested_.roles.empty() || !options_.rotation.requests.empty();
-    if (!has_request && !lacks_position && !lacks_time && !has_position_object) return;
+    const bool has_parameters = !deeper_parameters_.empty();
+    if (!has_request && !lacks_position && !lacks_time && !has_position_object && !has_parameters) return;
     std::vector<FoundMember> kept, deeper;
     for (FoundMember& outer : members_) {
       std::vector<std::string> rest;
@@ -539,7 +585,7 @@ class FirstKey {
                   std::vector<FoundMember>& members, std::vector<std::string>& rest) {
     const bool is_rotation = is_of_rotation(outer) && !has_rotation(outer.name);
     const bool is_nested = (outer.nested || outer.array) && outer.node != JsonCell::missing;
-    if (!is_nested || holds_tcb(outer.name) || is_rotation) return false;
+    if (!is_nested || (holds_tcb(outer.name) && outer.array) || is_rotation) return false;
     const bool is_position = outer.nested && !outer.array && outer.name == "position" &&
                              !requested_.has(Role::position) && !has_position_array && holds_numbers(outer);
     std::vector<FoundMember> inside;
@@ -556,7 +602,8 @@ class FirstKey {
       const bool may_be_time = lacks_time && elements == 0 && is_time;
       const bool is_of_positions = is_position || is_position_array || may_be_position;
       inner.is_rotation = is_in_rotation(inner.name);
-      if (!is_of_positions && !may_be_time && !inner.is_rotation && !is_requested(inner)) {
+      inner.is_parameter = deeper_parameters_.contains(inner.name);
+      if (!is_of_positions && !may_be_time && !inner.is_rotation && !inner.is_parameter && !is_requested(inner)) {
         std::string whole = inner.name.substr(0, inner.name.find('[', outer.name.size()));
         if (rest.empty() || rest.back() != whole) rest.push_back(std::move(whole));
         continue;
@@ -636,7 +683,9 @@ class FirstKey {
         member.columns.assign(member.numbers, member.name);
       } else if (holds_tcb(member.name)) {
         const std::string channel = member.name.size() > 3 ? "_" + member.name.substr(4) : "";
-        for (const Role role : {Role::tension, Role::continuity, Role::bias}) {
+        const bool is_tbc = same_in_any_case(member.name, "tbc");
+        for (const Role role :
+             {Role::tension, is_tbc ? Role::bias : Role::continuity, is_tbc ? Role::continuity : Role::bias}) {
           member.columns.push_back(std::string(role_name(role)) + channel);
         }
       } else if (!member.is_position) {
@@ -673,7 +722,7 @@ class FirstKey {
 
   /// The cells of the first records.
   Rows first_rows(const Member& key, std::size_t columns) const {
-    constexpr std::size_t most = 50;
+    constexpr std::size_t most = 100;
     Rows rows(std::min(records_.size(), most));
     JsonCells cells;
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -788,7 +837,7 @@ class FirstKey {
   /// requested.
   void require_shape(const FoundMember& member) const {
     const bool is_array = holds_tcb(member.name);
-    if (!has_role(member.name) || (is_array == member.array && !member.text)) return;
+    if (!has_role(member.name) || member.is_parameter || (is_array == member.array && !member.text)) return;
     const bool is_named = requested_.has(member.name);
     if (is_named || (!is_array && member.numbers == 1 && !member.array)) return;  // it may be null
     throw at(member, is_array ? data_error("this is not an array; expected [T,C,B]; correct it")
@@ -992,6 +1041,7 @@ class FirstKey {
   std::unordered_set<std::string> texts_;                  ///< members that are requested as texts
   std::unordered_set<std::string> positions_{"position"};  ///< those that may be arrays of positions
   std::unordered_set<std::string> names_;                  ///< of members
+  std::unordered_set<std::string> deeper_parameters_;      ///< paths of numbers in members, which are parameters
   MemoryUse paths_{options_.max_memory};
   std::vector<FoundMember> members_;
   std::vector<std::string> unused_;  ///< members, and what is in others of which a part is used

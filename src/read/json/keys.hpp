@@ -7,7 +7,7 @@
 
 #include "read/json/columns.hpp"
 #include "read/json/tables.hpp"
-#include "schema/curve_settings.hpp"
+#include "read/settings.hpp"
 #include "schema/key_block.hpp"
 
 namespace tcb {
@@ -25,21 +25,17 @@ KeyBlock parse_table(const JsonTable& table, std::size_t first, std::size_t last
 
 /// The members of an object around keys.
 struct JsonCurveInfo {
-  CurveInfo curve_info;
-  std::vector<std::string> channels;  ///< names of the numbers of "position"
-  std::vector<std::string> unused;    ///< members with numbers that are no settings
-  std::string shown_rate;             ///< the number of the first of them that is a frame rate; empty: none
-  std::string path;                   ///< of the object, empty for the outermost one
-  TextPosition position;              ///< where it begins
+  FileSettings settings;
+  std::string path;       ///< of the object, empty for the outermost one
+  TextPosition position;  ///< where it begins
 };
 
-/// Whether a member is a frame rate by its name, and a number.
-bool is_frame_rate(const JsonTape& tape, std::size_t name);
-
 /// Throws: Error (data) at a member that is wrong, or whose name is a near miss.
-JsonCurveInfo read_curve_info(const JsonPart& part);
+JsonCurveInfo read_curve_info(const JsonPart& part, const InputOptions& options);
 
-/// The names of channels in an object whose text ends with the opening bracket of its keys, if it has any.
-std::vector<std::string> channels_before_keys(const Chunk& text);
+/// The settings in the objects from the root to a table, and beside its columns.
+FileSettings settings_around(const JsonTape& tape, const JsonTable& table, const InputOptions& options);
 
+/// The settings in an object whose text ends with the opening bracket of its keys, if it has any.
+FileSettings settings_before_keys(const Chunk& text, const InputOptions& options);
 }  // namespace tcb

@@ -49,9 +49,18 @@ struct Parsed {
 };
 
 /// A pure function. Throws: Error (data) for the members around keys.
-Parsed parse_part(const Task& task) {
-  if (task.part.kind == JsonPart::Kind::object) return {{}, read_curve_info(task.part), task.columns};
+Parsed parse_part(const Task& task, const InputOptions& options) {
+  if (task.part.kind == JsonPart::Kind::object) return {{}, read_curve_info(task.part, options), task.columns};
   return {parse_json(task.part, *task.columns), {}, task.columns};
+}
+
+/// The options with those settings of a file that keys are read by.
+InputOptions with_settings(InputOptions options, const FileSettings& settings) {
+  if (!options.keys.tcb) options.keys.tcb = settings.tcb;
+  if (settings.frame_rate.empty() || options.units.time || options.units.frame_rate) return options;
+  options.units.frame_rate = parse_rational(settings.frame_rate);
+  options.units.are_optional = true;
+  return options;
 }
 
 /// The values on the tape that are in the place of keys, in the first part of a list or of several values.
@@ -105,9 +114,10 @@ Source<Task> tasks(JsonPart first, SharedColumns columns, const std::shared_ptr<
     if (!part) return std::nullopt;
     if (part->kind == JsonPart::Kind::object) return Task{std::move(*part), std::exchange(columns, nullptr)};
     if (columns == nullptr) {
-      const auto channels = channels_before_keys(splitter->before_keys());
+      const FileSettings settings = settings_before_keys(splitter->before_keys(), options);
       const bool are_rows = splitter->shape() == JsonShape::table;
-      columns = std::make_shared<const JsonColumns>(columns_of(*part, are_rows, options, channels));
+      columns = std::make_shared<const JsonColumns>(
+          columns_of(*part, are_rows, with_settings(options, settings), settings.channels));
     }
     return Task{std::move(*part), columns};
   };
@@ -121,8 +131,8 @@ struct Curve {
 };
 
 TextPosition position_of_channels(const JsonCurveInfo& members) {
-  const auto& places = members.curve_info.places;
-  const auto found = std::ranges::find(places, "channels", [](const auto& named) { return named.first; });
+  const auto& places = members.settings.curve_info.places;
+  const auto found = std::ranges::find_if(places, [](const auto& named) { return named.first.ends_with("channels"); });
   return found == places.end() ? members.position : found->second;
 }
 
@@ -134,10 +144,27 @@ std::uint64_t bytes_of(const KeyBlock& block) {
   return numbers * sizeof(double) + block.size() * of_places;
 }
 
+/// Sets the tension, continuity and bias of keys that have none. Throws: Error (data) where some keys have them, and
+/// were read before those of the others were known.
+void set_parameters(Curve& curve, const InputOptions& options) {
+  const std::optional<spline::Tcb<double>>& tcb = curve.members.settings.tcb;
+  for (KeyBlock& block : curve.blocks) {
+    if (!tcb || options.keys.tcb || block.keys.common_tcb == *tcb) continue;
+    if (!block.keys.tcbs.empty()) {
+      throw data_error(
+          "tension, continuity and bias of all keys are behind the keys, of which some have their own; "
+          "expected them before the keys; move them there, or give --tcb {},{},{}",
+          tcb->tension, tcb->continuity, tcb->bias)
+          .at(curve.members.position);
+    }
+    block.keys.common_tcb = *tcb;
+  }
+}
+
 /// Reads to the end of a list of keys and of the object around it; nothing at the end of the input.
 /// Throws: Error (data) for more memory than is allowed, in bytes.
-std::optional<Curve> read_curve(const Source<Parsed>& parts, std::uint64_t max_memory) {
-  MemoryUse memory(max_memory);
+std::optional<Curve> read_curve(const Source<Parsed>& parts, const InputOptions& options) {
+  MemoryUse memory(options.max_memory);
   Curve curve;
   SharedColumns columns;
   while (std::optional<Parsed> part = parts()) {
@@ -146,7 +173,9 @@ std::optional<Curve> read_curve(const Source<Parsed>& parts, std::uint64_t max_m
       curve.members = std::move(*part->members);
       if (columns == nullptr) return curve;
       curve.columns = *columns;
-      at_position(position_of_channels(curve.members), [&] { name_channels(curve.columns, curve.members.channels); });
+      const FileSettings& settings = curve.members.settings;
+      at_position(position_of_channels(curve.members), [&] { name_channels(curve.columns, settings.channels); });
+      set_parameters(curve, options);
       return curve;
     }
     const bool unreadable = part->keys.faults.unreadable;
@@ -175,7 +204,7 @@ void require_same_columns(const Columns& first, const Columns& columns, const st
 /// It is the object around all curves, which comes last. Throws: Error (data) for settings there.
 bool is_around_curves(const Curve& curve) {
   if (!curve.blocks.empty() || !curve.members.path.empty()) return false;
-  const auto& places = curve.members.curve_info.places;
+  const auto& places = curve.members.settings.curve_info.places;
   if (places.empty()) return true;
   throw data_error("this setting is outside the curves; expected it in each curve; move it there")
       .about(places[0].first)
@@ -195,7 +224,7 @@ Error no_keys(const JsonCurveInfo& members) {
 std::deque<KeyBlock> marked(Curve curve) {
   auto first = std::ranges::find_if(curve.blocks, [](const KeyBlock& block) { return !block.empty(); });
   if (first != curve.blocks.end()) {
-    first->curve_info = std::make_shared<const CurveInfo>(std::move(curve.members.curve_info));
+    first->curve_info = std::make_shared<const CurveInfo>(std::move(curve.members.settings.curve_info));
   } else if (curve.blocks.empty()) {
     curve.blocks.emplace_back().faults.errors.push_back(no_keys(curve.members));
   }
@@ -203,13 +232,13 @@ std::deque<KeyBlock> marked(Curve curve) {
 }
 
 /// The keys of all curves, each held until the members around them are known.
-Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first, std::uint64_t max_memory) {
+Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first, const InputOptions& options) {
   const Columns columns = first.columns.columns;
   return [parts = std::move(parts), blocks = each_of(marked(std::move(first))), columns,
-          max_memory]() mutable -> std::optional<KeyBlock> {
+          options]() mutable -> std::optional<KeyBlock> {
     for (;;) {
       if (std::optional<KeyBlock> block = blocks()) return block;
-      std::optional<Curve> curve = read_curve(parts, max_memory);
+      std::optional<Curve> curve = read_curve(parts, options);
       if (!curve || is_around_curves(*curve)) return std::nullopt;
       if (!curve->blocks.empty()) {
         require_same_columns(columns, curve->columns.columns, curve->blocks.back().text_positions.path);
@@ -243,25 +272,55 @@ void require_no_groups(const Columns& columns) {
       "the curves of \"curves\" are separate already; expected keys of several curves in one list; remove --group");
 }
 
+/// Adds what is told of settings, and of members that are none.
+void add_notes(Records& records, const FileSettings& settings) {
+  std::ranges::copy(settings.notes, std::back_inserter(records.columns.doubts));
+  std::ranges::copy(settings.unused, std::back_inserter(records.columns.ignored));
+  if (settings.tcb) records.facts.tcb = settings.tcb;
+}
+
+/// Notes the frame rate of the file: the times are frames at it, or it is not used.
+void take_rate(const FileSettings& settings, const UnitOptions& units, Records& records) {
+  const std::string& rate = settings.frame_rate;
+  if (rate.empty() || units.time || units.frame_rate) return;
+  Columns& columns = records.columns;
+  const bool counts = unit_of_time(columns.time) == TimeUnit::frames || counts_frames(records.units.notation);
+  if (records.units.frame_rate && records.columns.has(Role::time) && counts) {
+    records.frame_rate = records.units.frame_rate;
+    columns.doubts.push_back(
+        fmt::format("the file sets {} to {}, by which the times in column {} are frames; --time-unit frames undoes it",
+                    settings.rate_name, rate, in_quotes(columns.time)));
+    return;
+  }
+  records.facts.shown_rate = rate;
+  if (!columns.time_gap || unit_of_time(columns.time)) {
+    columns.ignored.push_back(settings.rate_name);
+  } else {
+    columns.doubts.push_back(fmt::format("{} is {}, and is not used; --input-fps {} takes the times as frames at it",
+                                         in_quotes(settings.rate_name), rate, rate));
+  }
+}
+
 /// An object with keys, or with curves. Keys are held until the members around them are known.
 Records open_objects(Source<Task> source, JsonShape shape, const InputOptions& options) {
-  Source<Parsed> parts = ordered_map(std::move(source), parse_part, options.threads);
-  std::optional<Curve> curve = read_curve(parts, options.max_memory);
+  const auto parse = [options](const Task& task) { return parse_part(task, options); };
+  Source<Parsed> parts = ordered_map(std::move(source), parse, options.threads);
+  std::optional<Curve> curve = read_curve(parts, options);
   if (!curve) throw no_text();
   if (curve->columns.key.inner.empty()) throw no_keys(curve->members);
   Records records = records_of(curve->columns, shape);
-  records.facts.shown_rate = curve->members.shown_rate;
-  std::vector<std::string>& ignored = records.columns.ignored;
-  ignored.insert(ignored.end(), curve->members.unused.begin(), curve->members.unused.end());
+  FileSettings& settings = curve->members.settings;
+  add_notes(records, settings);
+  take_rate(settings, options.units, records);
   if (shape == JsonShape::object) {
-    records.keys.curve_info = std::move(curve->members.curve_info);
+    records.keys.curve_info = std::move(settings.curve_info);
     records.keys.blocks = each_of(std::move(curve->blocks));
     return records;
   }
   require_no_groups(records.columns);
   records.columns.groups = {"id"};
   records.keys.traits.own_curves = true;
-  records.keys.blocks = keys_of_curves(std::move(parts), std::move(*curve), options.max_memory);
+  records.keys.blocks = keys_of_curves(std::move(parts), std::move(*curve), options);
   return records;
 }
 
@@ -269,8 +328,12 @@ Records open_objects(Source<Task> source, JsonShape shape, const InputOptions& o
 class TableKeys {
  public:
   TableKeys(std::shared_ptr<const WholeJson> text, std::vector<JsonTable> tables, JsonColumns columns,
-            const InputOptions& options)
-      : text_(std::move(text)), tables_(std::move(tables)), columns_(std::move(columns)), options_(options) {}
+            FileSettings settings, const InputOptions& options)
+      : text_(std::move(text)),
+        tables_(std::move(tables)),
+        columns_(std::move(columns)),
+        settings_(std::move(settings)),
+        options_(options) {}
 
   std::optional<KeyBlock> operator()() {
     if (row_ >= tables_[table_].size()) {
@@ -282,7 +345,7 @@ class TableKeys {
     const std::size_t end = std::min(row_ + rows_of_block, table.size());
     KeyBlock block = parse_table(table, row_, end, columns_, lines_);
     if (row_ == 0 && tables_.size() > 1) {
-      CurveInfo info;
+      CurveInfo info = settings_.curve_info;
       info.id = '"' + table.path();
       block.curve_info = std::make_shared<const CurveInfo>(std::move(info));
     }
@@ -294,7 +357,8 @@ class TableKeys {
  private:
   void begin_next() {
     const JsonTable& table = tables_[++table_];
-    JsonColumns columns = find_members(table, options_, {});
+    settings_ = settings_around(text_->tape, table, options_);
+    JsonColumns columns = find_members(table, with_settings(options_, settings_), settings_.channels);
     require_same_columns(columns_.columns, columns.columns, table.path());
     columns_ = std::move(columns);
     row_ = 0;
@@ -307,39 +371,23 @@ class TableKeys {
 
   std::shared_ptr<const WholeJson> text_;
   std::vector<JsonTable> tables_;
-  JsonColumns columns_;  ///< of the current table
+  JsonColumns columns_;    ///< of the current table
+  FileSettings settings_;  ///< around it
   InputOptions options_;
   std::size_t table_ = 0, row_ = 0;
   LineCounter lines_ = begin();
 };
 
-/// Finds the frame rate that a text has beside its keys, and adds a note where their times may be frames.
-void find_rate(const JsonTape& tape, const UnitOptions& units, Records& records) {
-  Columns& columns = records.columns;
-  if (units.time || units.frame_rate || !columns.time_gap) return;
-  for (std::size_t at = 0; at < tape.size() && records.facts.shown_rate.empty(); ++at) {
-    if (!is_frame_rate(tape, at)) continue;
-    const std::string_view name = tape.text(at), rate = tape.written(at + 1);
-    const bool is_column = std::ranges::count(columns.channels, name) + std::ranges::count(columns.ignored, name) > 0;
-    if (is_column) continue;
-    records.facts.shown_rate = rate;
-    if (unit_of_time(columns.time)) continue;
-    columns.doubts.push_back(fmt::format("{} is {}, and is not used; --input-fps {} takes the times as frames at it",
-                                         in_quotes(name), rate, rate));
-  }
-}
-
 Records open_tables(std::shared_ptr<const WholeJson> text, std::vector<JsonTable> tables, const InputOptions& options,
                     JsonShape shape = JsonShape::any) {
-  JsonColumns columns = find_members(tables[0], options, {});
+  FileSettings settings = settings_around(text->tape, tables[0], options);
+  JsonColumns columns = find_members(tables[0], with_settings(options, settings), settings.channels);
   Records records = records_of(columns, shape);
+  add_notes(records, settings);
+  std::ranges::copy(tables[0].others(), std::back_inserter(records.columns.ignored));
+  take_rate(settings, options.units, records);
   if (tables[0].joins_arrays()) {
     records.columns.doubts.emplace_back("the keys are the arrays that are as long as the one of times, a column each");
-  }
-  if (!tables[0].others().empty()) {
-    records.columns.doubts.push_back(fmt::format(
-        "members beside the columns are not used: {}; settings are options, as in --preset NAME or --tcb T,C,B",
-        listed(tables[0].others())));
   }
   if (tables.size() > 1) {
     require_no_groups(records.columns);
@@ -347,8 +395,8 @@ Records open_tables(std::shared_ptr<const WholeJson> text, std::vector<JsonTable
     records.keys.traits.own_curves = true;
   }
   records.facts.records = tables.size() > 1 ? options.records : tables[0].path();
-  find_rate(text->tape, options.units, records);
-  records.keys.blocks = TableKeys(std::move(text), std::move(tables), std::move(columns), options);
+  if (tables.size() == 1) records.keys.curve_info = settings.curve_info;
+  records.keys.blocks = TableKeys(std::move(text), std::move(tables), std::move(columns), std::move(settings), options);
   return records;
 }
 

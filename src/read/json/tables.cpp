@@ -118,6 +118,7 @@ JsonTable::JsonTable(const JsonTape& tape, std::vector<std::uint32_t> values, st
 std::optional<JsonTable> JsonTable::find(const JsonTape& tape, std::size_t value, std::string path, bool is_root,
                                          bool is_timeless) {
   JsonTable table(tape, {}, {}, std::move(path), 0);
+  table.value_ = value;
   if (!table.find_layout(value, is_root, is_timeless)) return std::nullopt;
   table.decide_index();
   return table;
@@ -218,6 +219,7 @@ std::optional<JsonTable> JsonTable::of_arrays(const JsonTape& tape) {
   const auto time = std::ranges::find_if(arrays, is_time);
   if (std::ranges::count_if(arrays, is_time) != 1) return std::nullopt;
   JsonTable table(tape, {}, {}, "", 0);
+  table.is_beside_settings_ = true;
   table.own_names_ = std::make_shared<std::deque<std::string>>();
   table.cells_.resize(table.size_ = tape.count(time->value));
   std::unordered_set<std::string_view> names;
@@ -274,18 +276,9 @@ void JsonTable::read_rows() {
   }
 }
 
-/// Adds a member beside the columns, unless it holds nothing.
-void JsonTable::add_other(std::size_t name) {
-  const auto holds = [&](Kind kind) { return tape_->holds(name + 1, kind); };
-  if (holds(Kind::number) || holds(Kind::string) || holds(Kind::boolean)) others_.emplace_back(tape_->text(name));
-}
-
 void JsonTable::read_split(std::size_t table, std::size_t rows) {
   const JsonTape& tape = *tape_;
-  for (const std::size_t name : tape.inside(table)) {
-    const std::string_view text = tape.text(name);
-    if (name + 1 != rows && text != "columns" && text != "index") add_other(name);
-  }
+  is_beside_settings_ = true;
   for (const std::size_t name : tape.inside(*tape.member(table, "columns"))) {
     names_.emplace_back(tape.kind(name) == Kind::string ? tape.text(name) : tape.written(name));
   }
@@ -311,9 +304,7 @@ void JsonTable::read_schema(std::size_t table) {
         "\"data\" is not a list of rows; expected an object for each row, as pandas writes them; correct it")
         .at(tape.position(data));
   }
-  for (const std::size_t name : tape.inside(table)) {
-    if (name + 1 != data && tape.text(name) != "schema") add_other(name);
-  }
+  is_beside_settings_ = true;
   rows_ = tape.elements(data);
   size_ = rows_.size();
   has_index_member_ = tape.count(rows_[0]) > 0 && tape.text(rows_[0] + 1) == "index";
@@ -326,12 +317,10 @@ void JsonTable::read_schema(std::size_t table) {
 /// An array for each column, as long as the first one.
 void JsonTable::read_lists(std::size_t table) {
   const JsonTape& tape = *tape_;
+  is_beside_settings_ = true;
   for (const std::size_t name : tape.inside(table)) {
     const std::size_t values = name + 1;
-    if (tape.kind(values) != Kind::array) {
-      add_other(name);
-      continue;
-    }
+    if (tape.kind(values) != Kind::array) continue;
     const std::size_t count = tape.count(values);
     if (names_.empty()) cells_.resize(size_ = count);
     names_.emplace_back(tape.text(name));

@@ -57,8 +57,14 @@ class JsonTable {
   bool has_times_in_index() const { return takes_index_; }
   bool joins_arrays() const { return joins_arrays_; }  ///< its columns are in several objects
   bool has_names() const { return has_names_; }        ///< the text names its columns
-  /// The members beside the columns, which are not read.
+  /// Arrays of other lengths than those of its columns.
   const std::vector<std::string>& others() const { return others_; }
+  /// The value on the tape that is the table.
+  std::size_t value() const { return value_; }
+  /// Its members beside the columns may be settings.
+  bool is_beside_settings() const { return is_beside_settings_; }
+  /// Of columns; for objects, those that the first one does not have.
+  const std::vector<std::string>& names() const { return names_; }
 
   /// The number of cells of a record that is a row; 0 of others.
   std::size_t columns() const { return are_rows_ ? names_.size() : 0; }
@@ -79,7 +85,6 @@ class JsonTable {
  private:
   bool find_layout(std::size_t table, bool is_root, bool is_timeless);
   void read_rows();
-  void add_other(std::size_t name);
   void add_columns(std::string_view name, std::size_t values);
   void read_split(std::size_t table, std::size_t rows);
   void read_schema(std::size_t table);
@@ -95,10 +100,12 @@ class JsonTable {
   bool joins_arrays_ = false;      ///< as of_arrays() finds them
   bool takes_index_ = false;       ///< the index is the time
   bool has_index_member_ = false;  ///< the index is the member "index" of objects
+  bool is_beside_settings_ = false;
+  std::size_t value_ = 0;
   std::vector<std::string> others_;
-  std::vector<std::string> names_;    ///< of columns; of objects, those that the first one does not have
-  std::vector<std::uint32_t> rows_;   ///< objects, or arrays
-  std::vector<std::uint32_t> index_;  ///< a name or a value for each record; empty: none
+  std::vector<std::string> names_;                      ///< as in names()
+  std::vector<std::uint32_t> rows_;                     ///< objects, or arrays
+  std::vector<std::uint32_t> index_;                    ///< a name or a value for each record; empty: none
   std::shared_ptr<std::deque<std::string>> own_names_;  ///< of cells, where the text has none for each
   std::vector<JsonCells> cells_;                        ///< of each record of a table of columns; empty: it has rows
 };

@@ -16,27 +16,29 @@ JsonPart part(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-  return error_of([&] { read_curve_info(part(text)); });
+  return error_of([&] { read_curve_info(part(text), {}); });
 }
 
 TEST(JsonSettings, settings_channels_and_id_are_read) {
-  const JsonCurveInfo found = read_curve_info(part(
-      R"({"id":"a","keys":[],"preset":"vtk","ends":["zero","half"],"closed":true,"period":7.5,"channels":["x","y"]})"));
-  EXPECT_EQ(found.curve_info.id, "\"a");
-  EXPECT_EQ(found.curve_info.settings.preset, spline::Preset::vtk);
-  EXPECT_EQ(found.curve_info.settings.ends.value().value.last.rule, spline::EndRule::half);
-  EXPECT_EQ(found.curve_info.settings.closed.value().value, true);
-  EXPECT_EQ(found.curve_info.settings.period.value().value.value, Rational(15, 2));
-  EXPECT_THAT(found.channels, testing::ElementsAre("x", "y"));
-  EXPECT_EQ(read_curve_info(part(R"({"id":7})")).curve_info.id, "7");
-  EXPECT_EQ(read_curve_info(part(R"({"id":null})")).curve_info.id, "");
+  const JsonCurveInfo found = read_curve_info(
+      part(
+          R"({"id":"a","keys":[],"preset":"vtk","ends":["zero","half"],"closed":true,"period":7.5,"channels":["x","y"]})"),
+      {});
+  EXPECT_EQ(found.settings.curve_info.id, "\"a");
+  EXPECT_EQ(found.settings.curve_info.settings.preset, spline::Preset::vtk);
+  EXPECT_EQ(found.settings.curve_info.settings.ends.value().value.last.rule, spline::EndRule::half);
+  EXPECT_EQ(found.settings.curve_info.settings.closed.value().value, true);
+  EXPECT_EQ(found.settings.curve_info.settings.period.value().value.value, Rational(15, 2));
+  EXPECT_THAT(found.settings.channels, testing::ElementsAre("x", "y"));
+  EXPECT_EQ(read_curve_info(part(R"({"id":7})"), {}).settings.curve_info.id, "7");
+  EXPECT_EQ(read_curve_info(part(R"({"id":null})"), {}).settings.curve_info.id, "");
 }
 
 TEST(JsonSettings, other_members_are_ignored_unless_they_are_near_misses) {
   EXPECT_EQ(refusal(R"({"version":[1,{"preset":"x"}],"name":"n"})"), "no error");
   EXPECT_THAT(refusal(R"({"prest":"vtk"})"),
               testing::HasSubstr("curves[2].prest: there is no such setting; did you mean preset?"));
-  EXPECT_THAT(refusal(R"({"close":true})"), testing::HasSubstr("did you mean closed?"));
+  EXPECT_THAT(refusal(R"({"closd":true})"), testing::HasSubstr("did you mean closed?"));
 }
 
 TEST(JsonSettings, errors_have_their_position) {
@@ -48,8 +50,8 @@ TEST(JsonSettings, errors_have_their_position) {
 }
 
 TEST(JsonSettings, channels_before_the_keys_are_read_before_them) {
-  EXPECT_THAT(channels_before_keys({R"({"channels":["x"],"keys":)"}), testing::ElementsAre("x"));
-  EXPECT_THAT(channels_before_keys({R"({"keys":)"}), testing::IsEmpty());
+  EXPECT_THAT(settings_before_keys({R"({"channels":["x"],"keys":[)"}, {}).channels, testing::ElementsAre("x"));
+  EXPECT_THAT(settings_before_keys({R"({"keys":[)"}, {}).channels, testing::IsEmpty());
 }
 
 TEST(JsonSettings, an_option_is_an_error_that_names_it) {

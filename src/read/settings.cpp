@@ -1,0 +1,399 @@
+// Settings of a file: members by their names and values.
+#include "read/settings.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
+
+#include "numbers/parse_number.hpp"
+#include "schema/columns.hpp"
+#include "schema/parameter_names.hpp"
+#include "schema/roles.hpp"
+#include "tcb/spline/rules.hpp"
+#include "text/suggest.hpp"
+#include "text/utf8.hpp"
+
+namespace tcb {
+namespace {
+
+using Kind = FileMember::Kind;
+using Value = FileMember::Value;
+
+// Names of members without case and punctuation.
+
+/// Of booleans that close a curve.
+constexpr std::string_view closing_names =
+    "closed isclosed isclosedcurve closedcurve closedloop closedpath loop isloop loopclosed looped looping cyclic "
+    "iscyclic usecyclic usecyclicu periodic isperiodic close";
+
+/// Of objects among the members of another one that hold settings of it.
+constexpr std::string_view inner_names =
+    "params param parameters default defaults settings options spline curve interpolation tcb tbc";
+
+/// Of what tells a spline, and what its texts contain where it is not that of Kochanek and Bartels.
+constexpr std::string_view spline_names =
+    "type curvetype splinetype interpolation interpolationtype interp spline curve mode kind method";
+constexpr std::array<std::string_view, 12> other_splines{"catmull",     "cardinal", "bezier", "bspline",
+                                                         "nurbs",       "linear",   "step",   "polyline",
+                                                         "centripetal", "chordal",  "akima",  "pchip"};
+
+constexpr std::string_view rate_names = "fps framerate framespersecond";
+
+/// Names of settings in the program's own layout.
+constexpr std::array<std::string_view, 9> own_names{"preset",   "tangents", "ends",   "closed", "period",
+                                                    "channels", "keys",     "curves", "id"};
+
+/// Options that are not settings.
+constexpr std::array options_only{"--equal-speed",    "--parameter",       "--metric", "--extrapolate", "--no-ease",
+                                  "--rotation-curve", "--rotation-output", "--angles", "--normalize"};
+
+std::string compact(std::string_view name) { return fmt::format("{}", fmt::join(words_of(name), "")); }
+
+std::string shown(const FileMember& member) {
+  std::vector<std::string> texts;
+  for (const Value& value : member.values) texts.push_back(value.text);
+  return fmt::format("{}", fmt::join(texts, ","));
+}
+
+/// Whether all values have a kind, and there is one at least.
+bool are_all(const FileMember& member, Kind kind) {
+  const auto has_kind = [&](const Value& value) { return value.kind == kind; };
+  return !member.values.empty() && std::ranges::all_of(member.values, has_kind);
+}
+
+bool is_one(const FileMember& member, Kind kind) { return !member.is_array && are_all(member, kind); }
+
+/// What replaces the preset, and the rules for tangents and ends, of the file.
+std::string undo_of_rules() { return fmt::format("--preset {}", spline::presets[0].name); }
+
+class SettingsReader {
+ public:
+  SettingsReader(std::span<const FileObject> objects, const InputOptions& options)
+      : given_(options.given), has_tcb_(options.keys.tcb), scale_(options.keys.tcb_scale) {
+    for (const FileObject& object : objects) find_other_spline(object);
+    for (const FileObject& object : objects) {
+      object_ = &object;
+      read();
+    }
+    add_notes();
+  }
+
+  FileSettings found;
+
+ private:
+  /// The name of the current object.
+  std::string_view last_name() const {
+    return std::string_view(object_->path).substr(object_->path.find_last_of('.') + 1);
+  }
+  std::string path(std::string_view name) const {
+    return object_->path.empty() ? std::string(name) : fmt::format("{}.{}", object_->path, name);
+  }
+  /// An error at the value of a member, or at its name.
+  Error at(const FileMember& member, const Error& error) const {
+    return error.about(path(member.name)).at(member.value_position);
+  }
+  Error at_name(const FileMember& member, const Error& error) const {
+    return error.about(path(member.name)).at(member.position);
+  }
+
+  void find_other_spline(const FileObject& object) {
+    for (const FileMember& member : object.members) {
+      if (!is_one(member, Kind::text) || !lists_word(spline_names, compact(member.name))) continue;
+      const std::string value = compact(member.values[0].text);
+      const auto is_in_it = [&](std::string_view known) { return value.find(known) != std::string::npos; };
+      if (std::ranges::any_of(other_splines, is_in_it))
+        other_spline_ = fmt::format("{} {}", in_quotes(member.name), in_quotes(member.values[0].text));
+    }
+  }
+
+  void read() {
+    std::unordered_set<std::string_view> names;
+    for (const FileMember& member : object_->members) {
+      if (!names.insert(member.name).second && is_setting(member))
+        throw at_name(member, data_error("the object has this member twice; expected it once; remove one"));
+    }
+    parameters_.clear();
+    read_parameters();
+    for (const FileMember& member : object_->members) {
+      if (std::ranges::count(parameters_, &member) == 0 && !is_one(member, Kind::missing)) read_member(member);
+    }
+  }
+
+  static bool is_setting(const FileMember& member) {
+    const std::string word = compact(member.name);
+    return lists_word(closing_names, word) || std::ranges::count(own_names, word) > 0;
+  }
+
+  // Tension, continuity and bias.
+
+  void read_parameters() {
+    std::vector<std::string> names;
+    std::vector<bool> usable;
+    std::vector<std::pair<const FileMember*, const Value*>> origins;
+    const auto add = [&](std::string name, const FileMember& member, const Value& value) {
+      names.push_back(std::move(name));
+      usable.push_back(value.kind == Kind::number);
+      origins.emplace_back(&member, &value);
+    };
+    const std::string object = compact(last_name()), outer = object == "tcb" || object == "tbc" ? object + "." : "";
+    for (const FileMember& member : object_->members) {
+      const std::string word = compact(member.name);
+      const bool is_array = member.is_array && (word == "tcb" || word == "tbc");
+      if (is_array) require_tcb(member);
+      for (std::size_t i = 0; is_array && i < member.values.size(); ++i) {
+        add(fmt::format("{}[{}]", member.name, i), member, member.values[i]);
+      }
+      if (!is_array && is_parameter(word)) require_number(member);
+      if (is_one(member, Kind::number)) add(outer + member.name, member, member.values[0]);
+    }
+    for (const ParameterSet& set : parameter_sets(names, usable, {.timeless = true})) {
+      const bool is_of_keys = set.rest == ParameterSet::Rest::nothing || set.rest == ParameterSet::Rest::of_keys;
+      if (!set.is_clear() && !(is_of_keys && may_be_parameters(set))) continue;
+      std::vector<std::string> values{"0", "0", "0"};
+      const FileMember* first = nullptr;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!set.cells[i]) continue;
+        const auto& [member, value] = origins[*set.cells[i]];
+        if (first == nullptr) first = member;
+        parameters_.push_back(member);
+        values[i] = value->text;
+      }
+      if (has_tcb_) continue;
+      require_parameters(set, *first, values);
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        if (set.cells[i]) take_parameter(i, path(names[*set.cells[i]]), values[i]);
+      }
+    }
+  }
+
+  static bool is_parameter(std::string_view word) { return lists_word("tension continuity bias tcb tbc", word); }
+
+  /// Whether a set that is not clear may be parameters: also where one name alone is nearly that of one.
+  static bool may_be_parameters(const ParameterSet& set) {
+    return set.is_doubtful() || set.count(ParameterSet::Kind::unclear) == set.count();
+  }
+
+  void require_tcb(const FileMember& member) const {
+    if (has_tcb_ || (member.values.size() == 3 && are_all(member, Kind::number))) return;
+    throw at(member, data_error("this is not an array of three numbers; expected [T,C,B]; correct it, or give --tcb "
+                                "0,0,0 to leave it out"));
+  }
+
+  void require_number(const FileMember& member) const {
+    if (has_tcb_ || is_one(member, Kind::number) || is_one(member, Kind::missing)) return;
+    if (!member.is_array && member.values.empty()) return;  // an object
+    throw at(member, data_error("{} is not a number; expected one; correct it, or give --tcb 0,0,0 to leave it out",
+                                in_quotes(shown(member))));
+  }
+
+  void require_parameters(const ParameterSet& set, const FileMember& first,
+                          const std::vector<std::string>& values) const {
+    const std::string commands =
+        fmt::format("give --tcb {} if it is one, or --tcb 0,0,0 if not", fmt::join(values, ","));
+    if (!other_spline_.empty()) {
+      throw at(first,
+               data_error("the member {} names another spline; expected parameters of one by Kochanek and Bartels; {}",
+                          other_spline_, commands));
+    }
+    if (!set.is_clear()) {
+      throw at(first, data_error("this may be tension, continuity or bias; expected the whole word; {}", commands));
+    }
+    const auto is_beyond = [](const std::string& value) { return std::abs(parse_number(value).value_or(2)) > 1; };
+    if (scale_ == TcbScale::unknown && std::ranges::any_of(values, is_beyond)) {
+      throw at(first, data_error("tension, continuity and bias are usually from -1 to 1; {}", commands));
+    }
+  }
+
+  void take_parameter(std::size_t parameter, std::string path, const std::string& value) {
+    if (!found.tcb) found.tcb.emplace();
+    double number = *parse_number(value);
+    if (scale_ == TcbScale::max3ds) number = nearest_double(from_0_to_50(exact_time(Time(number))));
+    (parameter == 0 ? found.tcb->tension : parameter == 1 ? found.tcb->continuity : found.tcb->bias) = number;
+    shown_parameters_[parameter] = fmt::format("{} to {}", path, value);
+  }
+
+  // Other settings.
+
+  void read_member(const FileMember& member) {
+    const std::string word = compact(member.name);
+    CurveSettings& settings = found.curve_info.settings;
+    if (lists_word(closing_names, word) && (word != "close" || is_one(member, Kind::boolean))) {
+      read_closing(member);
+    } else if (word == "preset") {
+      read_setting(member, given_.preset,
+                   [&](const std::string& value, const auto&) { settings.preset = preset_in(value); });
+    } else if (word == "tangents" && !are_all(member, Kind::number)) {
+      read_setting(member, given_.tangents,
+                   [&](const std::string& value, const auto&) { settings.tangents = tangents_in(value); });
+    } else if (word == "ends") {
+      read_setting(member, given_.ends, [&](const std::string& value, const SettingOrigin& origin) {
+        settings.ends = {ends_in(value), origin};
+      });
+    } else if (word == "period") {
+      read_setting(member, given_.period, [&](const std::string& value, const SettingOrigin& origin) {
+        settings.period = {period_in(value), origin};
+      });
+    } else if (word == "channels" && (object_->is_own || are_all(member, Kind::text))) {
+      read_channels(member);
+    } else if (word == "id" && object_->is_own) {
+      read_id(member);
+    } else {
+      read_other(member, word);
+    }
+  }
+
+  void read_closing(const FileMember& member) {
+    if (given_.closed) return;
+    const std::string value = in_lower_case(shown(member));
+    const bool is_true = lists_word("true yes on 1", value), is_false = lists_word("false no off 0", value);
+    if (member.values.size() != 1 || member.is_array || is_true == is_false) {
+      throw at(member, data_error("found {}; expected true or false; correct it, or give --closed=no",
+                                  in_quotes(member.values.empty() ? "an object" : shown(member))));
+    }
+    found.curve_info.settings.closed = {is_true, add_place(member)};
+    shown_closing_ = is_true ? fmt::format("{} to {}", path(member.name), value) : "";
+  }
+
+  /// Remembers where a setting is.
+  SettingOrigin add_place(const FileMember& member) {
+    const std::string name = path(member.name);
+    found.curve_info.places.emplace_back(name, member.value_position);
+    return {name, member.value_position};
+  }
+
+  /// Sets what a function makes of the text of a member, unless an option is given instead of it.
+  template <class F>
+  void read_setting(const FileMember& member, bool is_given, const F& set) {
+    if (is_given) return;
+    const std::string word = compact(member.name), value = shown(member);
+    const std::string undo = word == "period" ? "--closed=no" : undo_of_rules();
+    const bool may_be_array = word == "ends" && !member.values.empty();
+    if (member.is_array ? !may_be_array : member.values.empty()) {
+      throw at(member, data_error("this is {}; expected one text or number; correct it, or give {}",
+                                  member.is_array ? "an array" : "an object", undo));
+    }
+    const SettingOrigin origin = add_place(member);
+    try {
+      set(value, origin);
+    } catch (const Error& error) {
+      throw Error(Exit::data, fmt::format("{}; or give {}", error.message(), undo))
+          .about(origin.subject)
+          .at(origin.position);
+    }
+    if (word == "period") {
+      shown_closing_ = fmt::format("{} to {}", origin.subject, value);
+    } else {
+      shown_rules_.push_back(fmt::format("{} to {}", origin.subject, value));
+    }
+  }
+
+  void read_channels(const FileMember& member) {
+    if (!member.is_array || !are_all(member, Kind::text)) {
+      throw at(member, data_error("this is not an array of names in quotes; expected one; correct it"));
+    }
+    add_place(member);
+    for (const Value& value : member.values) found.channels.push_back(value.text);
+  }
+
+  void read_id(const FileMember& member) {
+    if (member.values.size() != 1 || member.is_array) {
+      throw at(member, data_error("this is not a text or a number; expected one; correct it"));
+    }
+    const Value& id = member.values[0];
+    found.curve_info.id = id.kind == Kind::text ? '"' + id.text : id.text;
+  }
+
+  /// Numbers of no setting are not used, except those about the rows of an earlier output.
+  void read_other(const FileMember& member, std::string_view word) {
+    if (lists_word(rate_names, word) && is_one(member, Kind::number)) {
+      found.frame_rate = member.values[0].text;
+      found.rate_name = path(member.name);
+      return;
+    }
+    if (!object_->is_own) {
+      require_no_near_setting(member, word);
+    } else if (std::ranges::count(own_names, member.name) == 0) {
+      require_no_own_setting(member);
+    }
+    const bool is_read = member.values.empty() && !member.is_array && lists_word(inner_names, word);
+    const bool has_number = object_->is_own ? member.holds_numbers : are_all(member, Kind::number);
+    if (has_number && !is_read && member.name != "meta") found.unused.push_back(path(member.name));
+  }
+
+  /// Throws: Error (data) for a name that has a meaning only elsewhere, or nearly that of a setting, in the program's
+  /// own layout.
+  void require_no_own_setting(const FileMember& member) const {
+    const auto of_channel = channel_role_of(member.name);
+    const Role role = role_of_name(member.name);
+    if (role == Role::ease_in || role == Role::ease_out || (of_channel && of_channel->role < Role::velocity)) {
+      throw at_name(member, data_error("this member is outside the keys; expected it in each key; move it there"));
+    }
+    std::string option = "--" + member.name;
+    std::ranges::replace(option, '_', '-');
+    const auto known = std::ranges::find(options_only, option);
+    if (known != options_only.end()) {
+      throw at_name(member,
+                    data_error("this is an option, not a setting of a file; expected it on the command line; remove "
+                               "it, and give {}",
+                               *known));
+    }
+    const std::string nearest = nearest_name(member.name, own_names);
+    if (!nearest.empty()) throw at_name(member, data_error("there is no such setting; did you mean {}?", nearest));
+  }
+
+  /// Throws: Error (data) for a name that is nearly that of a setting, with a value of it.
+  void require_no_near_setting(const FileMember& member, std::string_view word) const {
+    const auto is_one_near = [&](Kind kind, std::string_view known) {
+      return is_one(member, kind) && is_near(word, known) && word != "close" && fmt::format("{}s", word) != known;
+    };
+    const bool is_closing = is_one_near(Kind::boolean, "closed") || is_one_near(Kind::boolean, "cyclic");
+    if (is_closing && !given_.closed) {
+      throw at_name(member, data_error("there is no such setting; did you mean closed? give --closed, or --closed=no"));
+    }
+    const bool is_rule = is_one_near(Kind::text, "preset") || is_one_near(Kind::text, "tangents");
+    if (is_rule && !given_.preset) {
+      throw at_name(member,
+                    data_error("there is no such setting; did you mean preset or tangents? correct it, or give {}",
+                               undo_of_rules()));
+    }
+  }
+
+  void add_notes() {
+    std::vector<std::string> parameters(shown_parameters_.begin(), shown_parameters_.end());
+    std::erase(parameters, "");
+    const auto add = [&](const std::vector<std::string>& settings, std::string_view effect, std::string_view undo) {
+      if (settings.empty()) return;
+      found.notes.push_back(fmt::format("the file sets {}{}; {} undoes it", listed(settings), effect, undo));
+    };
+    add(parameters, ", for keys that have none", "--tcb 0,0,0");
+    add(shown_rules_, "", undo_of_rules());
+    if (!shown_closing_.empty()) add(std::vector{shown_closing_}, ", which closes the curve", "--closed=no");
+  }
+
+  const GivenSettings given_;
+  const bool has_tcb_;
+  const TcbScale scale_;
+  const FileObject* object_ = nullptr;              ///< the current one
+  std::string other_spline_;                        ///< a member that names one, and its text
+  std::vector<const FileMember*> parameters_ = {};  ///< of the current object
+  // What is set, and to which value:
+  std::array<std::string, 3> shown_parameters_;
+  std::vector<std::string> shown_rules_;
+  std::string shown_closing_;
+};
+
+}  // namespace
+
+bool may_hold_settings(std::string_view name) { return lists_word(inner_names, compact(name)); }
+
+FileSettings read_settings(std::span<const FileObject> objects, const InputOptions& options) {
+  return std::move(SettingsReader(objects, options).found);
+}
+
+}  // namespace tcb

@@ -1,0 +1,359 @@
+// Names of parameters: the sets of columns that may be tension, continuity and bias.
+#include "schema/parameter_names.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+#include "schema/usual_names.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+using Kind = ParameterSet::Kind;
+using Rest = ParameterSet::Rest;
+
+constexpr std::array<std::string_view, 3> parameter_words{"tension", "continuity", "bias"};
+constexpr std::array parameter_roles{Role::tension, Role::continuity, Role::bias};
+constexpr std::array channel_roles{Role::channel_tension, Role::channel_continuity, Role::channel_bias};
+
+/// The words in German, French, Spanish, Italian and Portuguese.
+constexpr std::array<std::string_view, 3> foreign_words{
+    "spannung tensi\u00F3n tensione tensao tens\u00E3o",
+    "kontinuit\u00E4t kontinuitaet stetigkeit continuit\u00E9 continuite continuidad continuit\u00E0 continuita "
+    "continuidade",
+    "neigung tendenz biais sesgo"};
+
+// What may be beside a parameter in its name.
+constexpr std::string_view words_of_tcb = "tcb tbc kb kochanek bartels";
+constexpr std::string_view words_of_parameters = "param params parameter parameters default defaults";
+constexpr std::string_view words_of_keys =
+    "k kf key keys keyframe keyframes knot knots cp spline curve interpolation interp tangent tangents";
+
+/// What a word says of a parameter.
+struct Meaning {
+  std::size_t parameter;
+  Kind kind;
+  bool needs_others = false;  ///< it has other meanings unless the two other parameters are there
+};
+
+/// Whether the letters of a short name are some of those of a word, in their order, as in tns.
+bool is_skeleton(std::string_view name, std::string_view word) {
+  constexpr std::size_t most = 4;
+  if (name.size() < 2 || name.size() > most || name[0] != word[0]) return false;
+  std::size_t at = 0;
+  return std::ranges::all_of(name, [&](char c) {
+    at = word.find(c, at);
+    return at++ != std::string_view::npos;
+  });
+}
+
+std::optional<Meaning> meaning_of(std::string_view word) {
+  constexpr std::size_t least = 3;
+  for (std::size_t i = 0; i < parameter_words.size(); ++i) {
+    const std::string_view known = parameter_words[i];
+    if (word == known) return Meaning{i, Kind::word};
+    if (word.size() >= least && known.starts_with(word)) return Meaning{i, Kind::beginning};
+    if (word == known.substr(0, 1)) return Meaning{i, Kind::letter};
+    if (lists_word(foreign_words[i], word)) return Meaning{i, Kind::beginning, true};
+    if (is_near(word, known)) return Meaning{i, Kind::unclear};
+    if (is_skeleton(word, known)) return Meaning{i, Kind::unclear, true};
+  }
+  return std::nullopt;
+}
+
+/// Whether a name has no unit, or one without letters as in "tension (0-1)"; others are those of other quantities.
+bool may_be_parameter(std::string_view name) {
+  constexpr std::size_t longest = 64;
+  if (name.empty() || name.size() > longest) return false;
+  std::string_view unit = name.substr(without_unit(name).size());
+  unit = without_brackets(unit.substr(std::min(unit.find_first_not_of(' '), unit.size())));
+  const auto is_letter = [](char c) {
+    return (lower(c) >= 'a' && lower(c) <= 'z') || static_cast<unsigned char>(c) > 127;
+  };
+  return std::ranges::none_of(unit, is_letter) ||
+         lists_word("none unitless dimensionless normalized", in_lower_case(unit));
+}
+
+/// The words of a name without the one that is the parameter: those before and those behind it.
+std::string rest_of(std::span<const std::string> words, std::size_t parameter) {
+  return fmt::format("{}|{}", fmt::join(words.first(parameter), " "), fmt::join(words.subspan(parameter + 1), " "));
+}
+
+Rest meaning_of_rest(std::string_view rest) {
+  if (rest == "|") return Rest::nothing;
+  const std::size_t middle = rest.find('|');
+  const std::string_view before = rest.substr(0, middle);
+  for (const std::string_view word : {before.substr(before.rfind(' ') + 1), rest.substr(middle + 1)}) {
+    if (lists_word(words_of_tcb, word)) return Rest::of_tcb;
+    if (lists_word(words_of_parameters, word)) return Rest::of_parameters;
+    if (lists_word(words_of_keys, word)) return Rest::of_keys;
+  }
+  return Rest::other;
+}
+
+bool is_time_by_name(std::string_view name) {
+  return role_of_name(name) == Role::time || is_usual_time(name) || time_part_of(name);
+}
+
+/// Separates words that are written together, as in xtension and tcbt. Returns whether they may mean something else.
+bool separate(std::vector<std::string>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string word = words[i];
+    if (meaning_of(word)) continue;
+    std::size_t at = 0;
+    for (const std::string_view known : parameter_words) {
+      if (word.ends_with(known)) at = word.size() - known.size();
+      if (word.starts_with(known)) at = known.size();
+    }
+    constexpr std::string_view tcb = "tcb";
+    const bool is_of_tcb = word.starts_with(tcb) && meaning_of(std::string_view(word).substr(tcb.size()));
+    if (is_of_tcb) at = tcb.size();
+    if (at == 0) continue;
+    words[i].resize(at);
+    words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, word.substr(at));
+    return !is_of_tcb;
+  }
+  return false;
+}
+
+/// The columns whose names have the same rest.
+struct Readings {
+  std::string rest;
+  std::array<std::vector<std::pair<std::size_t, Meaning>>, 3> parameters = {};
+  std::array<std::vector<std::size_t>, 4> places = {};  ///< by their number in an array
+  std::string letters = {};                             ///< others in the place of the parameter
+};
+
+class SetFinder {
+ public:
+  SetFinder(std::span<const std::string> names, const std::vector<bool>& usable, const ColumnOptions& requested)
+      : names_(names), has_time_(requested.timeless || requested.has(Role::time)) {
+    for (std::size_t cell = 0; cell < names.size(); ++cell) {
+      if (is_time_by_name(names[cell])) ++times_;
+      if (usable[cell] && may_be_parameter(names[cell])) read(cell);
+    }
+    for (std::size_t cell = 0; cell < names.size() && !readings_.empty(); ++cell) {
+      const bool may_be_channel =
+          usable[cell] && role_of_name(names[cell]) == Role::position && !is_time_by_name(names[cell]);
+      if (may_be_channel) channels_.emplace(fmt::format("{}", fmt::join(words_of(names[cell]), " ")), cell);
+    }
+  }
+
+  std::vector<ParameterSet> find() const {
+    std::vector<ParameterSet> sets;
+    for (const Readings& readings : readings_) {
+      ParameterSet set = set_of(readings);
+      if (set.count() > 0) sets.push_back(std::move(set));
+    }
+    return sets;
+  }
+
+ private:
+  Readings& with_rest(std::string rest) {
+    const auto [place, is_new] = places_.emplace(rest, readings_.size());
+    if (is_new) readings_.push_back({std::move(rest)});
+    return readings_[place->second];
+  }
+
+  void read(std::size_t cell) {
+    std::vector<std::string> words = words_of(names_[cell]);
+    const std::size_t size = words.size();
+    if (size > 1 && (words[size - 2] == "tcb" || words[size - 2] == "tbc")) {
+      const std::size_t axis = std::string_view("xyz").find(words.back());  // of a vector in a cell
+      const auto number = axis < 3 ? std::optional(axis) : in_digits<std::size_t>(words.back());
+      if (number && *number < Readings().places.size()) {
+        return with_rest(rest_of(words, size - 1)).places[*number].push_back(cell);
+      }
+    }
+    words = words_of(without_unit(names_[cell]));
+    const bool may_mean_other = separate(words);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (words[i] == "r" || words[i] == "g" || words[i] == "a") with_rest(rest_of(words, i)).letters += words[i];
+      auto meaning = meaning_of(words[i]);
+      if (!meaning) continue;
+      meaning->needs_others = meaning->needs_others || may_mean_other;
+      with_rest(rest_of(words, i)).parameters[meaning->parameter].emplace_back(cell, *meaning);
+    }
+  }
+
+  ParameterSet set_of(const Readings& readings) const {
+    ParameterSet set;
+    set.rest = meaning_of_rest(readings.rest);
+    if (!take_places(set, readings)) take_words(set, readings);
+    set.time = time_of(set, readings.rest);
+    leave_letters(set);
+    if (!set.is_complete()) set.time.reset();
+    const auto channel = channel_of(readings.rest);
+    if (channel && std::ranges::count(set.cells, *channel) == 0) set.channel = names_[*channel];
+    const auto has_letter = [&](char c) { return readings.letters.find(c) != std::string::npos; };
+    set.may_be_others = has_letter('a') || (has_letter('r') && has_letter('g'));
+    return set;
+  }
+
+  /// Takes the numbers of an array, which count from 0 or from 1; false where there are not all.
+  static bool take_places(ParameterSet& set, const Readings& readings) {
+    constexpr std::array<std::size_t, 3> tcb{0, 1, 2}, tbc{0, 2, 1};
+    const auto& order = readings.rest.ends_with("tbc|") ? tbc : tcb;
+    for (const std::size_t first : {0U, 1U}) {
+      const auto places = std::span(readings.places).subspan(first, order.size());
+      if (!std::ranges::all_of(places, [](const auto& cells) { return cells.size() == 1; })) continue;
+      for (std::size_t i = 0; i < order.size(); ++i) set.cells[order[i]] = places[i][0];
+      set.kinds.fill(Kind::place);
+      return true;
+    }
+    return false;
+  }
+
+  /// Takes the clearest column of each parameter, or none where two are equally clear. Of t and T, and of two that are
+  /// called t, the first is left for the time.
+  void take_words(ParameterSet& set, const Readings& readings) const {
+    const auto& all = readings.parameters;
+    const bool have_all = std::ranges::none_of(all, [](const auto& columns) { return columns.empty(); });
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      bool is_double = false;
+      for (const auto& [cell, meaning] : all[i]) {
+        if (meaning.needs_others && !have_all) continue;
+        const bool is_same = set.cells[i] && meaning.kind == set.kinds[i];
+        const bool is_letter_of_time = is_same && i == 0 && meaning.kind == Kind::letter;
+        if (set.cells[i] && !is_same && meaning.kind > set.kinds[i]) continue;
+        is_double = is_same && !is_letter_of_time;
+        if (is_letter_of_time && is_capital(*set.cells[i]) && !is_capital(cell)) continue;
+        set.cells[i] = cell;
+        set.kinds[i] = meaning.kind;
+      }
+      if (is_double) set.cells[i].reset();
+    }
+  }
+  bool is_capital(std::size_t cell) const { return names_[cell].find('T') != std::string::npos; }
+
+  /// A letter t is the time if nothing else is; and letters count only where all three are there.
+  void leave_letters(ParameterSet& set) const {
+    const auto is_letter = [&](std::size_t i) { return set.cells[i] && set.kinds[i] == Kind::letter; };
+    if (is_letter(0) && !set.time && !has_time_ && times_ == (is_time_by_name(names_[*set.cells[0]]) ? 1U : 0U)) {
+      set.cells[0].reset();
+    }
+    if (set.is_complete() || set.rest == Rest::of_tcb) return;
+    for (std::size_t i = 0; i < set.cells.size(); ++i) {
+      if (is_letter(i)) set.cells[i].reset();
+    }
+  }
+
+  /// The column whose words are these; nothing if there is none that may be a channel.
+  std::optional<std::size_t> channel_of(std::string_view rest) const {
+    const std::size_t middle = rest.find('|');
+    const bool is_one_side = rest.size() > 1 && (middle == 0 || middle + 1 == rest.size());
+    const auto found = channels_.find(std::string(middle == 0 ? rest.substr(1) : rest.substr(0, middle)));
+    return is_one_side && found != channels_.end() ? std::optional(found->second) : std::nullopt;
+  }
+
+  /// The column of times that has the same words in front of its own, where no other column is the time.
+  std::optional<std::size_t> time_of(const ParameterSet& set, std::string_view rest) const {
+    if (has_time_ || times_ > 0 || rest.size() < 2 || !rest.ends_with('|')) return std::nullopt;
+    const std::string front = std::string(rest.substr(0, rest.size() - 1)) + ' ';
+    for (const auto& [words, cell] : channels_) {
+      const bool is_other = std::ranges::count(set.cells, cell) == 0;
+      if (is_other && words.starts_with(front) && is_time_by_name(words.substr(front.size()))) return cell;
+    }
+    return std::nullopt;
+  }
+
+  const std::span<const std::string> names_;
+  const bool has_time_;                                       ///< it is requested, or none is
+  std::size_t times_ = 0;                                     ///< the number of columns that are times by their names
+  std::map<std::string, std::size_t> channels_ = {};          ///< columns that may be positions, by their words
+  std::unordered_map<std::string, std::size_t> places_ = {};  ///< of readings, by their rests
+  std::deque<Readings> readings_ = {};
+};
+
+}  // namespace
+
+std::size_t ParameterSet::count() const {
+  return static_cast<std::size_t>(std::ranges::count_if(cells, [](const auto& cell) { return cell.has_value(); }));
+}
+
+std::size_t ParameterSet::count(Kind kind) const {
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) found += cells[i] && kinds[i] == kind ? 1 : 0;
+  return found;
+}
+
+bool ParameterSet::is_clear() const {
+  if (count(Kind::unclear) > 0) return false;
+  const std::size_t letters = count(Kind::letter);
+  if (rest == Rest::of_tcb || (rest == Rest::of_parameters && letters == 0)) return true;
+  if (!is_complete()) return count(Kind::word) == count() && (rest == Rest::nothing || !channel.empty());
+  return letters == 0 || (letters == count() && !may_be_others);
+}
+
+bool ParameterSet::is_doubtful() const {
+  if (is_clear()) return false;
+  const std::size_t letters = count(Kind::letter);
+  if (letters > 0) return count(Kind::unclear) == 0;  // all three are there
+  if (rest == Rest::nothing) return count(Kind::beginning) > 0 || (count(Kind::unclear) > 0 && count() > 1);
+  return rest == Rest::of_keys || !channel.empty() || count() > 1;
+}
+
+bool ParameterSet::has_whole_names(std::span<const std::string> names) const {
+  if (count(Kind::word) < count()) return false;
+  if (rest == Rest::nothing || rest == Rest::of_tcb || rest == Rest::of_parameters) return true;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i] && !channel.empty() && !same_in_any_case(names[*cells[i]], role_name(role(i)))) return false;
+  }
+  return !channel.empty();
+}
+
+ChannelRole ParameterSet::role(std::size_t parameter) const {
+  return {channel.empty() ? parameter_roles[parameter] : channel_roles[parameter], channel};
+}
+
+std::string ParameterSet::request(std::span<const std::string> names) const {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::string name = channel.empty() ? std::string(role_name(parameter_roles[i])) : role_name(role(i));
+    if (cells[i]) parts.push_back(requested_as(name, names, {&*cells[i], 1}));
+  }
+  if (time) parts.insert(parts.begin(), requested_as("time", names, {&*time, 1}));
+  return fmt::format("{}", fmt::join(parts, ","));
+}
+
+std::vector<ParameterSet> parameter_sets(std::span<const std::string> names, const std::vector<bool>& usable,
+                                         const ColumnOptions& requested) {
+  return SetFinder(names, usable, requested).find();
+}
+
+std::vector<RoleRequest> parameters_by_name(std::span<const std::string> names, const std::vector<bool>& usable,
+                                            const ColumnOptions& requested) {
+  std::vector<ParameterSet> sets = parameter_sets(names, usable, requested);
+  // Letters in doubt are refused later, and are no times.
+  const bool has_positions = requested.has(Role::position);
+  std::erase_if(sets, [&](const ParameterSet& set) {
+    return !set.is_clear() && (has_positions || !set.is_doubtful() || set.count(Kind::letter) == 0);
+  });
+  const auto is_of_all = [](const ParameterSet& set) { return set.channel.empty(); };
+  const bool is_ambiguous = std::ranges::count_if(sets, is_of_all) > 1;
+  std::vector<RoleRequest> requests;
+  const auto add = [&](const ChannelRole& role, std::size_t cell) {
+    requests.push_back({role.role, {requested_as(names, cell)}, "", role.channel, true});
+  };
+  for (const ParameterSet& set : sets) {
+    if (is_of_all(set) ? is_ambiguous : has_positions && !requested.has(set.channel)) continue;
+    if (set.time) add({Role::time, ""}, *set.time);
+    for (std::size_t i = 0; i < set.cells.size(); ++i) {
+      const ChannelRole role = set.role(i);
+      const auto is_same = [&](const RoleRequest& request) {
+        return request.role == role.role && request.channel == role.channel;
+      };
+      if (set.cells[i] && std::ranges::none_of(requested.roles, is_same)) add(role, *set.cells[i]);
+    }
+  }
+  return requests;
+}
+
+}  // namespace tcb
