@@ -27,6 +27,7 @@ namespace {
 
 constexpr std::string_view npy_magic = "\x93NUMPY";
 constexpr char npy_delimiter = '\t';
+constexpr std::size_t most_columns = 1'000'000;
 
 Error array_ends_early() {
   return data_error("the array ends early; expected as many rows as its header has; save it again");
@@ -203,13 +204,25 @@ class NpyHeader {
       expect('(');
       const std::string name = string();
       expect(',');
-      array.columns.push_back(column(name, string()));
-      if (skip(',')) throw not_a_number(name, "an array");
+      const NpyColumn one = column(name, string());
+      const bool is_array = skip(',');
+      is_array ? add_elements(array, one) : array.columns.push_back(one);
       expect(')');
     });
     for (NpyColumn& one : array.columns) {
       one.offset = array.row_size;
       array.row_size += one.size;
+    }
+  }
+
+  /// Adds a column for each element of an array in each row.
+  void add_elements(NpyArray& array, const NpyColumn& of) {
+    const std::vector<std::uint64_t> shape = numbers();
+    if (shape.size() != 1 || shape[0] > most_columns - std::min(most_columns, array.columns.size()))
+      throw not_a_number(of.name, "an array of several dimensions");
+    for (std::uint64_t i = 0; i < shape[0]; ++i) {
+      array.columns.push_back(of);
+      array.columns.back().name = fmt::format("{}[{}]", of.name, i);
     }
   }
 
@@ -235,7 +248,6 @@ class NpyHeader {
   }
 
   static void set_shape(NpyArray& array, const std::vector<std::uint64_t>& shape) {
-    constexpr std::uint64_t most_columns = 1'000'000;
     const std::size_t dimensions = array.is_structured ? 1 : 2;
     const bool is_good = !array.columns.empty() && shape.size() == dimensions &&
                          (array.is_structured || (shape[1] > 0 && shape[1] <= most_columns));

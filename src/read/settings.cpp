@@ -135,13 +135,18 @@ class SettingsReader {
   void read_parameters() {
     std::vector<std::string> names;
     std::vector<bool> usable;
-    std::vector<std::pair<const FileMember*, const Value*>> origins;
-    const auto add = [&](std::string name, const FileMember& member, const Value& value) {
-      names.push_back(std::move(name));
-      usable.push_back(value.kind == Kind::number);
-      origins.emplace_back(&member, &value);
+    struct Origin {
+      const FileMember& member;
+      const Value& value;
+      std::string path;
     };
+    std::vector<Origin> origins;
     const std::string object = compact(last_name()), outer = object == "tcb" || object == "tbc" ? object + "." : "";
+    const auto add = [&](const std::string& name, const FileMember& member, const Value& value) {
+      names.push_back(outer + name);
+      usable.push_back(value.kind == Kind::number);
+      origins.push_back({member, value, path(name)});
+    };
     for (const FileMember& member : object_->members) {
       const std::string word = compact(member.name);
       const bool is_array = member.is_array && (word == "tcb" || word == "tbc");
@@ -150,34 +155,29 @@ class SettingsReader {
         add(fmt::format("{}[{}]", member.name, i), member, member.values[i]);
       }
       if (!is_array && is_parameter(word)) require_number(member);
-      if (is_one(member, Kind::number)) add(outer + member.name, member, member.values[0]);
+      if (is_one(member, Kind::number)) add(member.name, member, member.values[0]);
     }
     for (const ParameterSet& set : parameter_sets(names, usable, {.timeless = true})) {
       const bool is_of_keys = set.rest == ParameterSet::Rest::nothing || set.rest == ParameterSet::Rest::of_keys;
-      if (!set.is_clear() && !(is_of_keys && may_be_parameters(set))) continue;
+      if (!set.is_clear() && !(is_of_keys && set.is_doubtful())) continue;
       std::vector<std::string> values{"0", "0", "0"};
       const FileMember* first = nullptr;
       for (std::size_t i = 0; i < values.size(); ++i) {
         if (!set.cells[i]) continue;
-        const auto& [member, value] = origins[*set.cells[i]];
-        if (first == nullptr) first = member;
-        parameters_.push_back(member);
-        values[i] = value->text;
+        const Origin& origin = origins[*set.cells[i]];
+        if (first == nullptr) first = &origin.member;
+        parameters_.push_back(&origin.member);
+        values[i] = origin.value.text;
       }
       if (has_tcb_) continue;
       require_parameters(set, *first, values);
       for (std::size_t i = 0; i < values.size(); ++i) {
-        if (set.cells[i]) take_parameter(i, path(names[*set.cells[i]]), values[i]);
+        if (set.cells[i]) take_parameter(i, origins[*set.cells[i]].path, values[i]);
       }
     }
   }
 
   static bool is_parameter(std::string_view word) { return lists_word("tension continuity bias tcb tbc", word); }
-
-  /// Whether a set that is not clear may be parameters: also where one name alone is nearly that of one.
-  static bool may_be_parameters(const ParameterSet& set) {
-    return set.is_doubtful() || set.count(ParameterSet::Kind::unclear) == set.count();
-  }
 
   void require_tcb(const FileMember& member) const {
     if (has_tcb_ || (member.values.size() == 3 && are_all(member, Kind::number))) return;
@@ -250,11 +250,12 @@ class SettingsReader {
 
   void read_closing(const FileMember& member) {
     if (given_.closed) return;
-    const std::string value = in_lower_case(shown(member));
-    const bool is_true = lists_word("true yes on 1", value), is_false = lists_word("false no off 0", value);
-    if (member.values.size() != 1 || member.is_array || is_true == is_false) {
-      throw at(member, data_error("found {}; expected true or false; correct it, or give --closed=no",
-                                  in_quotes(member.values.empty() ? "an object" : shown(member))));
+    const std::string value = shown(member);
+    const bool is_true = value == "true" || value == "1", is_false = value == "false" || value == "0";
+    if (member.is_array || is_one(member, Kind::text) || is_true == is_false) {
+      const std::string_view kind = member.is_array ? "an array" : "an object";
+      throw at(member, data_error("found {}; expected true or false; correct it, or give --closed, or --closed=no",
+                                  member.values.empty() ? kind : in_quotes(value)));
     }
     found.curve_info.settings.closed = {is_true, add_place(member)};
     shown_closing_ = is_true ? fmt::format("{} to {}", path(member.name), value) : "";
@@ -316,11 +317,7 @@ class SettingsReader {
       found.rate_name = path(member.name);
       return;
     }
-    if (!object_->is_own) {
-      require_no_near_setting(member, word);
-    } else if (std::ranges::count(own_names, member.name) == 0) {
-      require_no_own_setting(member);
-    }
+    object_->is_own ? require_no_own_setting(member) : require_no_near_setting(member, word);
     const bool is_read = member.values.empty() && !member.is_array && lists_word(inner_names, word);
     const bool has_number = object_->is_own ? member.holds_numbers : are_all(member, Kind::number);
     if (has_number && !is_read && member.name != "meta") found.unused.push_back(path(member.name));
@@ -329,9 +326,11 @@ class SettingsReader {
   /// Throws: Error (data) for a name that has a meaning only elsewhere, or nearly that of a setting, in the program's
   /// own layout.
   void require_no_own_setting(const FileMember& member) const {
+    if (member.name == "keys" || member.name == "curves") return require_no_second_list(member);
+    constexpr std::array of_keys{Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out};
     const auto of_channel = channel_role_of(member.name);
-    const Role role = role_of_name(member.name);
-    if (role == Role::ease_in || role == Role::ease_out || (of_channel && of_channel->role < Role::velocity)) {
+    const auto role = find_role(member.name);
+    if ((role && std::ranges::count(of_keys, *role) > 0) || (of_channel && of_channel->role < Role::velocity)) {
       throw at_name(member, data_error("this member is outside the keys; expected it in each key; move it there"));
     }
     std::string option = "--" + member.name;
@@ -345,6 +344,14 @@ class SettingsReader {
     }
     const std::string nearest = nearest_name(member.name, own_names);
     if (!nearest.empty()) throw at_name(member, data_error("there is no such setting; did you mean {}?", nearest));
+  }
+
+  /// Throws: Error (data) for "keys" beside "curves". The list that is read is empty here.
+  void require_no_second_list(const FileMember& member) const {
+    if (member.is_array || !member.values.empty()) return;
+    throw at_name(member, data_error("the object has two lists, keys and curves; expected one of them; remove one, or "
+                                     "give --records {}",
+                                     member.name == "keys" ? "keys" : "'curves[*].keys'"));
   }
 
   /// Throws: Error (data) for a name that is nearly that of a setting, with a value of it.

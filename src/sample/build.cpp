@@ -126,8 +126,9 @@ Error curve_error(const spline::BuildError& error, const KeyStore& keys, const s
       const auto time = [&](std::size_t key) { return exact_time(keys.key(key).times[0]); };
       const std::size_t end = keys.size() - 1;
       return data_error(
-          "the period of the closed curve is unknown, as the last key does not repeat the first; expected one; give "
-          "--period {}, or another one, --closed=no for an open curve, or add a row that repeats the first position",
+          "the last key does not repeat the first, so that the period of the closed curve is unknown; expected it; "
+          "give --period {} or another one, --closed=no for an open curve, or add a row that repeats the first "
+          "position",
           time_text(nearest_time(time(end) - time(0) + (time(end) - time(end - 1)))));
     }
     case period_not_finite:

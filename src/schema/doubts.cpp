@@ -82,7 +82,7 @@ std::string positions_of(const FoundColumns& found) {
   std::vector<std::size_t> cells = possible_positions(found);
   if (cells.size() > most) return "position=NAME:NAME";
   if (found.array.empty()) return roles_of(found, "position", cells);
-  std::erase_if(cells, [&](std::size_t cell) { return found.columns.cells[cell].role == Role::position; });
+  std::erase_if(cells, [&](std::size_t cell) { return std::ranges::count(found.meant, found.names[cell]) > 0; });
   return in_shell(fmt::format("position={}{}{}", found.array, cells.empty() ? "" : ":",
                               cells.empty() ? "" : requested_as("", found.names, cells).substr(1)));
 }
@@ -115,39 +115,16 @@ Doubt error(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
 
 /// The role of which this name is a near miss: with a letter dropped, added or changed, or two letters swapped. In
 /// names of four letters a changed letter is no near miss, as it often makes another word, such as tide. Nothing for
-/// others.
+/// others, and for those of tension, continuity and bias.
 std::optional<Role> near_role(std::string_view name) {
   if (role_of_name(name) != Role::position) return std::nullopt;
   const std::string_view alone = without_unit(name);
   const auto meant = std::ranges::find_if(role_names, [&](const RoleName& known) {
-    const bool counts = known.name.size() > 1 && known.in_header && known.role != Role::position;
+    const bool counts = known.name.size() > 1 && known.in_header && known.role != Role::position &&
+                        std::ranges::count(tcb_roles, known.role) == 0;
     return counts && is_near(alone, known.name);
   });
   return meant == role_names.end() ? std::nullopt : std::optional(meant->role);
-}
-
-/// Tension, continuity or bias, if a text is the name of one or a near miss; not as in x_T, which may be anything.
-std::optional<Role> tcb_role(std::string_view text) {
-  constexpr std::size_t longest = 64;  // with a unit
-  if (text.size() > longest) return std::nullopt;
-  const Role role = near_role(text).value_or(role_of_name(text));
-  const bool is_tcb = role == Role::tension || role == Role::continuity || role == Role::bias;
-  return is_tcb && text.size() > 1 ? std::optional(role) : std::nullopt;
-}
-
-/// The role in one of the channels of which a name such as "tensoin_x" or "x_tension" is a near miss.
-std::optional<ChannelRole> near_channel_role(std::string_view name, const std::vector<std::string>& channels) {
-  for (std::size_t at = name.find('_'); at != std::string_view::npos; at = name.find('_', at + 1)) {
-    const std::string_view first = name.substr(0, at), second = name.substr(at + 1);
-    for (const auto& [role, channel] : {std::pair{first, second}, std::pair{second, first}}) {
-      const std::optional<Role> meant = tcb_role(role);
-      if (!meant) continue;
-      const auto found = std::ranges::find_if(
-          channels, [&, &text = channel](const std::string& known) { return same_in_any_case(known, text); });
-      if (found != channels.end()) return channel_role_of(std::string(role_name(*meant)) + "_" + *found);
-    }
-  }
-  return std::nullopt;
 }
 
 /// The name of the role of which a channel's name is a near miss, unless a column has that role or channels were
@@ -155,14 +132,6 @@ std::optional<ChannelRole> near_channel_role(std::string_view name, const std::v
 std::optional<std::string> near_miss(const std::string& name, const Columns& columns,
                                      std::span<const RoleRequest> requests, bool timeless) {
   if (std::ranges::count(requests, Role::position, &RoleRequest::role) > 0) return std::nullopt;
-  if (const auto near = near_channel_role(name, columns.channels)) {
-    const auto channel = std::ranges::find(columns.channels, near->channel);
-    const auto index = static_cast<std::size_t>(channel - columns.channels.begin());
-    const bool is_taken = std::ranges::any_of(columns.cells, [&](const Columns::Column& column) {
-      return column.role == near->role && column.channel == index;
-    });
-    if (!is_taken) return role_name(*near);
-  }
   const std::optional<Role> near = near_role(name);
   if (!near || columns.has(*near) || (timeless && *near == Role::time)) return std::nullopt;
   return std::string(role_name(*near));
@@ -308,32 +277,43 @@ Found letters_that_are_data(const FoundColumns& found) {
       listed(letters), role_name(role), letters[0]);
 }
 
-/// The columns that are, or may be, parameters by their names, unless the request says what they are.
+/// Whether the request or the file says what a column is.
+bool is_known(const FoundColumns& found, std::size_t cell) {
+  const std::string& name = found.names[cell];
+  const auto is_it = [&](const std::string& column) {
+    return same_in_any_case(column, name) || column == fmt::format("{}", cell + 1);
+  };
+  return std::ranges::count(found.meant, name) > 0 ||
+         std::ranges::any_of(found.requested.roles,
+                             [&](const RoleRequest& request) { return std::ranges::any_of(request.columns, is_it); });
+}
+
+/// The columns that are, or may be, parameters by their names.
 std::vector<ParameterSet> sets_of_parameters(const FoundColumns& found) {
   std::vector<ParameterSet> sets = parameter_sets(found.names, found.numeric, found.requested);
   std::erase_if(sets, [&](const ParameterSet& set) {
-    return std::ranges::any_of(found.requested.roles, [&](const RoleRequest& request) {
-      return std::ranges::any_of(set.cells, [&](const auto& cell) {
-        const auto is_it = [&](const std::string& column) {
-          return same_in_any_case(column, found.names[*cell]) || column == fmt::format("{}", *cell + 1);
-        };
-        return cell && std::ranges::any_of(request.columns, is_it);
-      });
-    });
+    return std::ranges::any_of(set.cells, [&](const auto& cell) { return cell && is_known(found, *cell); });
   });
   return sets;
 }
 
-/// What undoes the roles of a set, in words.
-std::string as_channels(const FoundColumns& found, const ParameterSet& set) {
-  constexpr std::size_t most = 12;
+std::vector<std::size_t> cells_of(const ParameterSet& set) {
   std::vector<std::size_t> cells;
   for (const auto& cell : set.cells) {
     if (cell) cells.push_back(*cell);
   }
-  if (possible_positions(found).size() > most)
-    return fmt::format("{} leaves them out", roles_of(found, "ignore", cells));
-  return fmt::format("{} takes them as channels", positions_of(found));
+  return cells;
+}
+
+/// The option that takes the columns of a set without its roles, and what it does with them.
+std::string without_roles(const FoundColumns& found, const ParameterSet& set) {
+  constexpr std::size_t most = 12;
+  const bool is_one = set.count() == 1;
+  if (possible_positions(found).size() > most) {
+    return fmt::format("--columns {} to leave {} out", roles_of(found, "ignore", cells_of(set)),
+                       is_one ? "it" : "them");
+  }
+  return fmt::format("--columns {} to take {}", positions_of(found), is_one ? "it as a channel" : "them as channels");
 }
 
 /// The columns of a set and what they are, as in "columns tens, bias" and "tension, bias".
@@ -361,22 +341,31 @@ Found parameters_by_other_names(const FoundColumns& found) {
     if (first == nullptr) first = &set;
   }
   if (taken.empty()) return std::nullopt;
-  return note("by their names, {}; --columns {}", fmt::join(taken, ", and "), as_channels(found, *first));
+  return note("by their names, {}; give {}", fmt::join(taken, ", and "), without_roles(found, *first));
 }
 
 Found parameters_in_short(const FoundColumns& found) {
   const auto is_tcb = [&](Role role) { return is_requested(found, role); };
   if (is_requested(found, Role::position) || std::ranges::any_of(tcb_roles, is_tcb)) return std::nullopt;
+  const ParameterSet* of_all = nullptr;
   const std::vector<ParameterSet> sets = sets_of_parameters(found);
-  const auto is_clear_for_all = [](const ParameterSet& set) { return set.is_clear() && set.channel.empty(); };
-  const bool are_several = std::ranges::count_if(sets, is_clear_for_all) > 1;
   for (const ParameterSet& set : sets) {
-    if (!set.is_doubtful() && !(are_several && is_clear_for_all(set))) continue;
     const auto [columns, roles] = in_words(found, set);
-    return error(
-        "{} may be {}; expected the words tension, continuity and bias, or all three in short; give --columns {} if "
-        "that is so, or --columns {}",
-        columns, roles, in_shell(set.request(found.names)), as_channels(found, set));
+    const auto request = [&](const ParameterSet& one, const ParameterSet& other) {
+      return in_shell(one.request(found.names) + "," + requested_as("ignore", found.names, cells_of(other)));
+    };
+    if (set.is_doubtful()) {
+      return error(
+          "{} may be {}; expected the words tension, continuity and bias, or all three in short; give --columns {} if "
+          "that is so, or {}",
+          columns, roles, in_shell(set.request(found.names)), without_roles(found, set));
+    }
+    if (!set.is_clear() || !set.channel.empty()) continue;
+    if (of_all != nullptr) {
+      return error("{} and {} may be {}; expected one of the two; give --columns {}, or --columns {}",
+                   in_words(found, *of_all).first, columns, roles, request(*of_all, set), request(set, *of_all));
+    }
+    of_all = &set;
   }
   return std::nullopt;
 }

@@ -94,6 +94,7 @@ Rest meaning_of_rest(std::string_view rest) {
     if (lists_word(words_of_tcb, word)) return Rest::of_tcb;
     if (lists_word(words_of_parameters, word)) return Rest::of_parameters;
     if (lists_word(words_of_keys, word)) return Rest::of_keys;
+    if (in_digits<std::size_t>(word)) return Rest::number;
   }
   return Rest::other;
 }
@@ -101,6 +102,8 @@ Rest meaning_of_rest(std::string_view rest) {
 bool is_time_by_name(std::string_view name) {
   return role_of_name(name) == Role::time || is_usual_time(name) || time_part_of(name);
 }
+
+bool is_of_tcb_by_name(std::string_view name) { return name == "T" || name == "C" || name == "B"; }
 
 /// Separates words that are written together, as in xtension and tcbt. Returns whether they may mean something else.
 bool separate(std::vector<std::string>& words) {
@@ -219,7 +222,7 @@ class SetFinder {
     for (std::size_t i = 0; i < all.size(); ++i) {
       bool is_double = false;
       for (const auto& [cell, meaning] : all[i]) {
-        if (meaning.needs_others && !have_all) continue;
+        if ((meaning.needs_others && !have_all) || is_time_of_all(cell)) continue;
         const bool is_same = set.cells[i] && meaning.kind == set.kinds[i];
         const bool is_letter_of_time = is_same && i == 0 && meaning.kind == Kind::letter;
         if (set.cells[i] && !is_same && meaning.kind > set.kinds[i]) continue;
@@ -233,13 +236,13 @@ class SetFinder {
   }
   bool is_capital(std::size_t cell) const { return names_[cell].find('T') != std::string::npos; }
 
-  /// A letter t is the time if nothing else is; and letters count only where all three are there.
+  bool is_time_of_all(std::size_t cell) const { return !has_time_ && times_ == 1 && is_time_by_name(names_[cell]); }
+
+  /// Letters count only where all three are there, or beside another time a t and one more.
   void leave_letters(ParameterSet& set) const {
     const auto is_letter = [&](std::size_t i) { return set.cells[i] && set.kinds[i] == Kind::letter; };
-    if (is_letter(0) && !set.time && !has_time_ && times_ == (is_time_by_name(names_[*set.cells[0]]) ? 1U : 0U)) {
-      set.cells[0].reset();
-    }
-    if (set.is_complete() || set.rest == Rest::of_tcb) return;
+    const bool is_second_time = is_letter(0) && is_time_by_name(names_[*set.cells[0]]) && set.count() > 1;
+    if (set.is_complete() || set.rest == Rest::of_tcb || is_second_time) return;
     for (std::size_t i = 0; i < set.cells.size(); ++i) {
       if (is_letter(i)) set.cells[i].reset();
     }
@@ -288,19 +291,22 @@ bool ParameterSet::is_clear() const {
   if (count(Kind::unclear) > 0) return false;
   const std::size_t letters = count(Kind::letter);
   if (rest == Rest::of_tcb || (rest == Rest::of_parameters && letters == 0)) return true;
+  const bool is_known = rest != Rest::other || !channel.empty();
   if (!is_complete()) return count(Kind::word) == count() && (rest == Rest::nothing || !channel.empty());
-  return letters == 0 || (letters == count() && !may_be_others);
+  return letters == 0 || (letters == count() && is_known && !may_be_others);
 }
 
 bool ParameterSet::is_doubtful() const {
   if (is_clear()) return false;
   const std::size_t letters = count(Kind::letter);
-  if (letters > 0) return count(Kind::unclear) == 0;  // all three are there
-  if (rest == Rest::nothing) return count(Kind::beginning) > 0 || (count(Kind::unclear) > 0 && count() > 1);
+  if (letters > 0) return count(Kind::unclear) == 0 && (letters < count() || rest != Rest::other || !channel.empty());
+  if (rest == Rest::nothing) return true;
   return rest == Rest::of_keys || !channel.empty() || count() > 1;
 }
 
 bool ParameterSet::has_whole_names(std::span<const std::string> names) const {
+  const auto is_letter = [&](const auto& cell) { return cell && is_of_tcb_by_name(names[*cell]); };
+  if (std::ranges::all_of(cells, is_letter)) return true;
   if (count(Kind::word) < count()) return false;
   if (rest == Rest::nothing || rest == Rest::of_tcb || rest == Rest::of_parameters) return true;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -340,6 +346,9 @@ std::vector<RoleRequest> parameters_by_name(std::span<const std::string> names, 
   const bool is_ambiguous = std::ranges::count_if(sets, is_of_all) > 1;
   std::vector<RoleRequest> requests;
   const auto add = [&](const ChannelRole& role, std::size_t cell) {
+    const bool has_role =
+        role.channel.empty() ? role_of_name(names[cell]) == role.role : channel_role_of(names[cell]) == role;
+    if (has_role) return;
     requests.push_back({role.role, {requested_as(names, cell)}, "", role.channel, true});
   };
   for (const ParameterSet& set : sets) {

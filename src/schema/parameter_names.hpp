@@ -24,7 +24,7 @@ struct ParameterSet {
   /// How a name says it. Unclear ones only resemble a word.
   enum class Kind : std::uint8_t { word, place, beginning, letter, unclear };
   /// What the rest of the names says of the numbers.
-  enum class Rest : std::uint8_t { nothing, other, of_keys, of_parameters, of_tcb };
+  enum class Rest : std::uint8_t { nothing, other, number, of_keys, of_parameters, of_tcb };
 
   std::array<std::optional<std::size_t>, 3> cells = {};
   std::array<Kind, 3> kinds = {};
@@ -40,7 +40,8 @@ struct ParameterSet {
   bool is_clear() const;
   /// Whether they may be parameters, but their names are too short or too few to tell.
   bool is_doubtful() const;
-  /// Whether the names are the words themselves, or as documented for one channel or for "tcb" and the like.
+  /// Whether the names are the words themselves, T, C and B, or as documented for one channel or for "tcb" and the
+  /// like.
   bool has_whole_names(std::span<const std::string> names) const;
   ChannelRole role(std::size_t parameter) const;  ///< without a channel where it is that of all
   /// The roles as a value of --columns.

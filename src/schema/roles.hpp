@@ -89,6 +89,9 @@ inline constexpr std::array role_names{
     RoleName{"frame", Role::time, true},
     RoleName{"timestamp", Role::time, true},
     RoleName{"seconds", Role::time, true},
+    RoleName{"T", Role::tension, false, false},
+    RoleName{"C", Role::continuity, false, false},
+    RoleName{"B", Role::bias, false, false},
 };
 
 /// A requested role: its columns by name or by number from 1, and the option that requests it; none where the input

@@ -157,7 +157,7 @@ std::vector<std::string> command(std::vector<std::string> words) {
 
 TEST(CommandOfProvenance, has_the_options_that_change_bytes_each_as_one_word) {
   EXPECT_THAT(command({"-s", "1/24", "keys.csv", "--from=-1", "--closed", "--period", "9"}),
-              ElementsAre("tcbsample", "--closed", "--period=9", "--step=1/24", "--from=-1", "--meta"));
+              ElementsAre("tcbsample", "--closed=yes", "--period=9", "--step=1/24", "--from=-1", "--meta"));
   EXPECT_THAT(command({"-n", "3", "-o", "out", "-j", "2", "-q", "--color=never", "--files=list"}),
               ElementsAre("tcbsample", "--files=list", "--count=3", "--meta"));
   EXPECT_THAT(command({"-n", "3", "--output-dir", "out", "--suffix", "s", "--recursive", "--update", "folder"}),

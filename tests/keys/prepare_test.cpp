@@ -80,7 +80,8 @@ TEST(LikelyAngles, jump_by_more_than_half_a_turn) {
   EXPECT_EQ(likely("pitch", {0, 6.2}), "pitch=radians");
   EXPECT_EQ(likely("yaw", {0, 180, 0}), "");
   EXPECT_EQ(likely("yaw", {0, 3, 0}), "");
-  EXPECT_EQ(likely("x", {350, 10}), "");
+  EXPECT_EQ(likely("x", {350, 10}), "x=degrees");
+  EXPECT_EQ(likely("x", {3.1, -3.1}), "") << "small coordinates";
 }
 
 TEST(LikelyAngles, may_have_names_of_other_numbers_or_none_where_they_are_within_one_turn) {

@@ -36,6 +36,7 @@ JsonCurveInfo read_curve_info(const JsonPart& part, const InputOptions& options)
 /// The settings in the objects from the root to a table, and beside its columns.
 FileSettings settings_around(const JsonTape& tape, const JsonTable& table, const InputOptions& options);
 
-/// The settings in an object whose text ends with the opening bracket of its keys, if it has any.
+/// The settings in an object whose text ends before its keys, if it has any.
 FileSettings settings_before_keys(const Chunk& text, const InputOptions& options);
+
 }  // namespace tcb

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -53,6 +54,11 @@ Parsed parse_part(const Task& task, const InputOptions& options) {
   if (task.part.kind == JsonPart::Kind::object) return {{}, read_curve_info(task.part, options), task.columns};
   return {parse_json(task.part, *task.columns), {}, task.columns};
 }
+
+/// Of keys that have none, until the members behind them are known.
+constexpr spline::Tcb<double> unknown_tcb{std::numeric_limits<double>::quiet_NaN(),
+                                          std::numeric_limits<double>::quiet_NaN(),
+                                          std::numeric_limits<double>::quiet_NaN()};
 
 /// The options with those settings of a file that keys are read by.
 InputOptions with_settings(InputOptions options, const FileSettings& settings) {
@@ -114,8 +120,10 @@ Source<Task> tasks(JsonPart first, SharedColumns columns, const std::shared_ptr<
     if (!part) return std::nullopt;
     if (part->kind == JsonPart::Kind::object) return Task{std::move(*part), std::exchange(columns, nullptr)};
     if (columns == nullptr) {
-      const FileSettings settings = settings_before_keys(splitter->before_keys(), options);
-      const bool are_rows = splitter->shape() == JsonShape::table;
+      FileSettings settings = settings_before_keys(splitter->before_keys(), options);
+      const JsonShape shape = splitter->shape();
+      const bool are_rows = shape == JsonShape::table;
+      if (shape == JsonShape::object || shape == JsonShape::curves) settings.tcb = unknown_tcb;
       columns = std::make_shared<const JsonColumns>(
           columns_of(*part, are_rows, with_settings(options, settings), settings.channels));
     }
@@ -144,20 +152,17 @@ std::uint64_t bytes_of(const KeyBlock& block) {
   return numbers * sizeof(double) + block.size() * of_places;
 }
 
-/// Sets the tension, continuity and bias of keys that have none. Throws: Error (data) where some keys have them, and
-/// were read before those of the others were known.
-void set_parameters(Curve& curve, const InputOptions& options) {
-  const std::optional<spline::Tcb<double>>& tcb = curve.members.settings.tcb;
+/// Sets the tension, continuity and bias of keys that have none.
+void set_parameters(Curve& curve) {
+  const spline::Tcb<double> all = curve.members.settings.tcb.value_or(spline::Tcb<double>{});
+  const auto set = [&](spline::Tcb<double>& tcb) {
+    if (std::isnan(tcb.tension)) tcb.tension = all.tension;
+    if (std::isnan(tcb.continuity)) tcb.continuity = all.continuity;
+    if (std::isnan(tcb.bias)) tcb.bias = all.bias;
+  };
   for (KeyBlock& block : curve.blocks) {
-    if (!tcb || options.keys.tcb || block.keys.common_tcb == *tcb) continue;
-    if (!block.keys.tcbs.empty()) {
-      throw data_error(
-          "tension, continuity and bias of all keys are behind the keys, of which some have their own; "
-          "expected them before the keys; move them there, or give --tcb {},{},{}",
-          tcb->tension, tcb->continuity, tcb->bias)
-          .at(curve.members.position);
-    }
-    block.keys.common_tcb = *tcb;
+    set(block.keys.common_tcb);
+    std::ranges::for_each(block.keys.tcbs, set);
   }
 }
 
@@ -175,7 +180,7 @@ std::optional<Curve> read_curve(const Source<Parsed>& parts, const InputOptions&
       curve.columns = *columns;
       const FileSettings& settings = curve.members.settings;
       at_position(position_of_channels(curve.members), [&] { name_channels(curve.columns, settings.channels); });
-      set_parameters(curve, options);
+      set_parameters(curve);
       return curve;
     }
     const bool unreadable = part->keys.faults.unreadable;
@@ -183,6 +188,7 @@ std::optional<Curve> read_curve(const Source<Parsed>& parts, const InputOptions&
     curve.blocks.push_back(std::move(part->keys));
     if (!unreadable) continue;
     curve.columns = *columns;
+    set_parameters(curve);
     return curve;
   }
   return std::nullopt;
@@ -275,12 +281,16 @@ void require_no_groups(const Columns& columns) {
 /// Adds what is told of settings, and of members that are none.
 void add_notes(Records& records, const FileSettings& settings) {
   std::ranges::copy(settings.notes, std::back_inserter(records.columns.doubts));
-  std::ranges::copy(settings.unused, std::back_inserter(records.columns.ignored));
+  if (!settings.unused.empty()) {
+    records.columns.doubts.push_back(fmt::format(
+        "members beside the keys are not used: {}; settings are options, as in --preset NAME or --tcb T,C,B",
+        listed(settings.unused)));
+  }
   if (settings.tcb) records.facts.tcb = settings.tcb;
 }
 
 /// Notes the frame rate of the file: the times are frames at it, or it is not used.
-void take_rate(const FileSettings& settings, const UnitOptions& units, Records& records) {
+void take_rate(FileSettings& settings, const UnitOptions& units, Records& records) {
   const std::string& rate = settings.frame_rate;
   if (rate.empty() || units.time || units.frame_rate) return;
   Columns& columns = records.columns;
@@ -294,7 +304,7 @@ void take_rate(const FileSettings& settings, const UnitOptions& units, Records& 
   }
   records.facts.shown_rate = rate;
   if (!columns.time_gap || unit_of_time(columns.time)) {
-    columns.ignored.push_back(settings.rate_name);
+    settings.unused.push_back(settings.rate_name);
   } else {
     columns.doubts.push_back(fmt::format("{} is {}, and is not used; --input-fps {} takes the times as frames at it",
                                          in_quotes(settings.rate_name), rate, rate));
@@ -310,8 +320,8 @@ Records open_objects(Source<Task> source, JsonShape shape, const InputOptions& o
   if (curve->columns.key.inner.empty()) throw no_keys(curve->members);
   Records records = records_of(curve->columns, shape);
   FileSettings& settings = curve->members.settings;
-  add_notes(records, settings);
   take_rate(settings, options.units, records);
+  add_notes(records, settings);
   if (shape == JsonShape::object) {
     records.keys.curve_info = std::move(settings.curve_info);
     records.keys.blocks = each_of(std::move(curve->blocks));
@@ -383,9 +393,9 @@ Records open_tables(std::shared_ptr<const WholeJson> text, std::vector<JsonTable
   FileSettings settings = settings_around(text->tape, tables[0], options);
   JsonColumns columns = find_members(tables[0], with_settings(options, settings), settings.channels);
   Records records = records_of(columns, shape);
-  add_notes(records, settings);
-  std::ranges::copy(tables[0].others(), std::back_inserter(records.columns.ignored));
+  std::ranges::copy(tables[0].others(), std::back_inserter(settings.unused));
   take_rate(settings, options.units, records);
+  add_notes(records, settings);
   if (tables[0].joins_arrays()) {
     records.columns.doubts.emplace_back("the keys are the arrays that are as long as the one of times, a column each");
   }

@@ -332,6 +332,22 @@ void JsonTable::read_lists(std::size_t table) {
     std::size_t row = 0;
     for (const std::size_t value : tape.inside(values)) cells_[row++].push_back({tape.text(name), value, value});
   }
+  for (const std::size_t name : tape.inside(table)) read_lists_inside(name);
+}
+
+/// Arrays in an object beside the columns that are as long are columns, too, such as tcb.t.
+void JsonTable::read_lists_inside(std::size_t object) {
+  const JsonTape& tape = *tape_;
+  const auto is_column = [&](std::size_t name) {
+    return tape.kind(name + 1) == Kind::array && tape.count(name + 1) == size_;
+  };
+  if (tape.kind(object + 1) != Kind::object || !std::ranges::all_of(tape.inside(object + 1), is_column)) return;
+  if (own_names_ == nullptr) own_names_ = std::make_shared<std::deque<std::string>>();
+  for (const std::size_t name : tape.inside(object + 1)) {
+    names_.push_back(own_names_->emplace_back(fmt::format("{}.{}", tape.text(object), tape.text(name))));
+    std::size_t row = 0;
+    for (const std::size_t value : tape.inside(name + 1)) cells_[row++].push_back({own_names_->back(), value, value});
+  }
 }
 
 /// A row for each member, whose name is its index.

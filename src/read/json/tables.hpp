@@ -85,6 +85,7 @@ class JsonTable {
  private:
   bool find_layout(std::size_t table, bool is_root, bool is_timeless);
   void read_rows();
+  void read_lists_inside(std::size_t object);
   void add_columns(std::string_view name, std::size_t values);
   void read_split(std::size_t table, std::size_t rows);
   void read_schema(std::size_t table);

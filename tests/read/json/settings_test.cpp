@@ -50,8 +50,8 @@ TEST(JsonSettings, errors_have_their_position) {
 }
 
 TEST(JsonSettings, channels_before_the_keys_are_read_before_them) {
-  EXPECT_THAT(settings_before_keys({R"({"channels":["x"],"keys":[)"}, {}).channels, testing::ElementsAre("x"));
-  EXPECT_THAT(settings_before_keys({R"({"keys":[)"}, {}).channels, testing::IsEmpty());
+  EXPECT_THAT(settings_before_keys({R"({"channels":["x"],"keys":)"}, {}).channels, testing::ElementsAre("x"));
+  EXPECT_THAT(settings_before_keys({R"({"keys":)"}, {}).channels, testing::IsEmpty());
 }
 
 TEST(JsonSettings, an_option_is_an_error_that_names_it) {
