@@ -76,10 +76,13 @@ std::vector<std::size_t> possible_positions(const FoundColumns& found) {
   return cells;
 }
 
-/// A value of --columns with all columns that may be positions, or how to give it where these are many.
-std::string positions_of(const FoundColumns& found) {
+/// A value of --columns with all columns that may be positions, and others, or how to give it where these are many.
+std::string positions_of(const FoundColumns& found, std::span<const std::size_t> others = {}) {
   constexpr std::size_t most = 12;
   std::vector<std::size_t> cells = possible_positions(found);
+  for (const std::size_t cell : others) {
+    if (std::ranges::count(cells, cell) == 0) cells.push_back(cell);
+  }
   if (cells.size() > most) return "position=NAME:NAME";
   if (found.array.empty()) return roles_of(found, "position", cells);
   std::erase_if(cells, [&](std::size_t cell) { return std::ranges::count(found.meant, found.names[cell]) > 0; });
@@ -313,7 +316,8 @@ std::string without_roles(const FoundColumns& found, const ParameterSet& set) {
     return fmt::format("--columns {} to leave {} out", roles_of(found, "ignore", cells_of(set)),
                        is_one ? "it" : "them");
   }
-  return fmt::format("--columns {} to take {}", positions_of(found), is_one ? "it as a channel" : "them as channels");
+  return fmt::format("--columns {} to take {}", positions_of(found, cells_of(set)),
+                     is_one ? "it as a channel" : "them as channels");
 }
 
 /// The columns of a set and what they are, as in "columns tens, bias" and "tension, bias".
