@@ -297,8 +297,7 @@ constexpr Conflict conflicts[] = {
 /// A name, with the value if the conflict depends on values.
 std::string shown(const Typed& typed, std::string_view option, When when) {
   const ValueKind kind = row_of(option).kind;
-  const bool is_default = kind == ValueKind::attached && typed.value(option) == row_of(option).default_value;
-  const bool with_value = when != nullptr && kind != ValueKind::flag && typed.has(option) && !is_default;
+  const bool with_value = when != nullptr && kind != ValueKind::flag && typed.has(option);
   return std::string(option) + (with_value ? (kind == ValueKind::attached ? "=" : " ") + typed.value(option) : "");
 }
 
