@@ -200,8 +200,9 @@ FittedChannels fitted_channels(const Schema& schema, const CurveSettings& rules,
   const auto metric = make_spec(rules, schema.channels, rotations, schema.angles).rules.metric;
   FittedChannels fitted;
   std::vector<LimitKind> kinds;
+  const std::vector<bool> are_of_rotations = spline::in_rotations(rotations, schema.channels.size());
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    const bool is_of_rotation = spline::is_in_rotation(rotations, i);
+    const bool is_of_rotation = are_of_rotations[i];
     if (is_of_rotation && !options.angle) continue;
     const bool is_metric = metric.empty() || std::ranges::count(metric, i) > 0;
     kinds.push_back(is_of_rotation ? LimitKind::rotation : is_metric ? LimitKind::distance : LimitKind::own);

@@ -168,15 +168,15 @@ void count_from(InputCurve& curve, const Rational& zero, const std::optional<Fra
 
 ObservedChannels::ObservedChannels(const Schema& schema, bool may_miss)
     : has_names_(schema.named), may_miss_(may_miss), channels_(schema.channels.size()) {
+  const std::vector<bool> are_plain = plain_channels(schema);
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& channel = channels_[i];
     channel.source = schema.sources.empty() ? i : schema.sources[i];
     channel.name = schema.channels[i];
     channel.is_named_angle = is_usual_angle(channel.name);
-    channel.is_unknown = schema.is_plain(i);
+    channel.is_unknown = are_plain[i];
     channel.is_coordinate = is_coordinate(channel.name);
-    channel.may_be_angle =
-        schema.is_plain(i) && (channel.is_named_angle || !schema.named || may_be_angle(channel.name));
+    channel.may_be_angle = are_plain[i] && (channel.is_named_angle || !schema.named || may_be_angle(channel.name));
   }
 }
 

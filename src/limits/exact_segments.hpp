@@ -105,8 +105,9 @@ class ExactSegments {
     spline::Segments<Rational> all = rounded(*turning_, number, usual_bits);
     all.times = plain.times;
     all.warps = plain.warps;
+    const std::vector<bool> are_in_rotations = spline::in_rotations(rotations_, plain.channels);
     for (std::size_t i = 0; i < plain.channels; ++i) {
-      if (!spline::is_in_rotation(rotations_, i)) all.cubics[i] = plain.cubics[i];
+      if (!are_in_rotations[i]) all.cubics[i] = plain.cubics[i];
     }
     return all;
   }

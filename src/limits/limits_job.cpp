@@ -82,10 +82,11 @@ std::vector<Measure> known_measures(const CurveSpec& spec, const std::vector<std
     }
     known.push_back(std::move(one));
   }
+  const std::vector<bool> are_in_rotations = spline::in_rotations(rotations, names.size());
+  const std::vector<bool> are_plain = spline::plain_channels(rotations, angles, names.size());
   for (const auto& [name, derivative] : of_channels) {
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const bool has_it = derivative > 0 ? !spline::is_in_rotation(rotations, i)
-                                         : spline::is_plain(spec.rules, i);  // angles have no range
+      const bool has_it = derivative > 0 ? !are_in_rotations[i] : are_plain[i];  // angles have no range
       if (has_it) known.push_back({fmt::format("{}_{}", name, names[i]), Measure::Kind::size, derivative, {i}, true});
     }
   }
@@ -224,8 +225,10 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
     }
     const std::vector<std::string> title = group_title(input.schema.groups, keys->group);
     std::vector<std::size_t> compared;
+    const std::vector<bool> are_in_rotations =
+        spline::in_rotations(pipeline.spec().rules.rotations, report.channels.size());
     for (std::size_t i = 0; i < report.channels.size(); ++i) {
-      if (!spline::is_in_rotation(pipeline.spec().rules.rotations, i)) compared.push_back(i);
+      if (!are_in_rotations[i]) compared.push_back(i);
     }
     std::vector<LimitResult> wanted = wanted_of(job.options, pipeline.spec(), report.channels, title);
     const bool turns = std::ranges::any_of(wanted, [](const LimitResult& one) { return one.measure.is_of_rotation; });

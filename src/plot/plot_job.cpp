@@ -50,8 +50,9 @@ SceneSample sample_of(std::span<const Cell> cells, const CurveSegment& segment) 
   SceneSample sample{cells[0], {}, std::vector<double>(channels)};
   for (const Cell& cell : cells.subspan(1, channels)) sample.position.push_back(cell.hi);
   std::size_t next = 1 + channels;
+  const std::vector<bool> are_in_rotations = spline::in_rotations(segment.rotation_columns, channels);
   for (std::size_t i = 0; i < channels; ++i) {
-    if (!segment.is_rotation(i)) sample.velocity[i] = cells[next++].hi;
+    if (!are_in_rotations[i]) sample.velocity[i] = cells[next++].hi;
   }
   for (const auto& rotation : segment.rotation_columns) {
     const auto [x, y, z, w] = rotation.channels;
@@ -179,8 +180,9 @@ class Drawing {
     scene_.begin(schema, schema.channels, options_.axes, spec.rules.metric, spec.lacks_metric);
     channels_ = spec.channels();
     if (channels_.rotations.empty()) return scene_.require_few_strips();
+    const std::vector<bool> are_in_rotations = spline::in_rotations(channels_.rotations, schema.channels.size());
     for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-      if (!spline::is_in_rotation(channels_.rotations, i)) scene_.strips.push_back(i);
+      if (!are_in_rotations[i]) scene_.strips.push_back(i);
     }
     const auto place_in_space = [&](std::size_t channel) {
       return static_cast<std::size_t>(std::ranges::find(scene_.strips, channel) - scene_.strips.begin());

@@ -27,8 +27,9 @@ namespace {
 /// The channels called x, y and z as the metric; nothing where there are no such, or all channels are.
 std::optional<MetricSetting> metric_by_names(const Schema& schema) {
   std::vector<std::string> names;
+  const std::vector<bool> are_plain = plain_channels(schema);
   for (const std::size_t channel : spatial_channels(schema.channels)) {
-    if (!schema.is_plain(channel)) return std::nullopt;
+    if (!are_plain[channel]) return std::nullopt;
     names.push_back(schema.channels[channel]);
   }
   return names.empty() ? std::nullopt : std::optional(MetricSetting{names, SettingOrigin{"--metric"}});

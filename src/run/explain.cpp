@@ -164,8 +164,9 @@ struct Overshoot {
 /// The largest overshoot as a part of the range of its channel; angles and rotations have none.
 Overshoot largest_overshoot(const spline::Curve<double>& curve, const spline::CurveRules<double>& rules) {
   Overshoot largest;
+  const std::vector<bool> are_plain = spline::plain_channels(rules.rotations, rules.angles, curve.channels());
   for (std::size_t channel = 0; channel < curve.channels(); ++channel) {
-    if (!is_plain(rules, channel)) continue;
+    if (!are_plain[channel]) continue;
     Overshoot own{channel};
     double low = curve.segment(0).cubics[channel].p0, high = low;
     for (std::size_t i = 0; i < curve.segment_count(); ++i) {

@@ -55,7 +55,6 @@ struct CurveSegmentOf {
     const auto found = std::ranges::find(angles, channel, &spline::AngleChannel::channel);
     return found == angles.end() ? nullptr : &*found;
   }
-  bool is_rotation(std::size_t channel) const { return spline::is_in_rotation(rotation_columns, channel); }
 };
 using CurveSegment = CurveSegmentOf<double>;
 

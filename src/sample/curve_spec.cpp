@@ -147,16 +147,15 @@ namespace {
 void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vector<std::string>& channels) {
   const std::vector<RotationColumns>& rotations = spec.rotations;
   const std::vector<AngleColumn>& angles = spec.angles;
-  const auto is_angle = [&](std::size_t channel) {
-    return std::ranges::count(angles, channel, &spline::AngleChannel::channel) > 0;
-  };
+  const std::vector<bool> are_plain = spline::plain_channels(rotations, angles, channels.size());
+  const std::vector<bool> are_in_rotations = spline::in_rotations(rotations, channels.size());
   std::vector<std::size_t>& metric = spec.rules.metric;
   const bool is_all =
       settings.metric && settings.metric->value == std::vector<std::string>{"all"} && !find_channel("all", channels);
   if (!settings.metric || is_all) {
     if (rotations.empty() && angles.empty()) return;
     for (std::size_t i = 0; i < channels.size(); ++i) {
-      if (!spline::is_in_rotation(rotations, i) && !is_angle(i)) metric.push_back(i);
+      if (are_plain[i]) metric.push_back(i);
     }
     spec.lacks_metric = metric.empty();
     return;
@@ -169,12 +168,12 @@ void set_metric(CurveSpec& spec, const CurveSettings& settings, const std::vecto
     if (!channel)
       throw origin.error(data_error("there is no channel {}; expected some of {}, by name or by number from 1{}",
                                     in_quotes(name), listed(channels), did_you_mean(name, channels)));
-    if (spline::is_in_rotation(rotations, *channel))
+    if (are_in_rotations[*channel])
       throw origin.error(
           data_error("channel \"{}\" belongs to a rotation, which has no length; expected positions; give --rotation "
                      "none to take it as a position",
                      channels[*channel]));
-    if (is_angle(*channel))
+    if (!are_plain[*channel])
       throw origin.error(
           data_error("channel \"{}\" is an angle, which has no length; expected positions; leave it out, or take it as "
                      "a position by leaving it out of --angle",

@@ -9,15 +9,17 @@
 namespace tcb {
 namespace {
 
-PositionCell cell_of_channel(std::size_t channel, std::span<const RotationColumns> rotations) {
-  PositionCell cell{channel};
+std::vector<PositionCell> cells_of_channels(std::size_t channels, std::span<const RotationColumns> rotations) {
+  std::vector<PositionCell> cells;
+  for (std::size_t channel = 0; channel < channels; ++channel) cells.push_back({channel});
   for (std::size_t i = 0; i < rotations.size(); ++i) {
-    const auto own = std::ranges::find(rotations[i].channels, channel);
-    if (own == rotations[i].channels.end()) continue;
-    cell.rotation = i;
-    cell.number = static_cast<std::size_t>(own - rotations[i].channels.begin());
+    for (std::size_t k = 0; k < rotations[i].channels.size(); ++k) {
+      PositionCell& cell = cells[rotations[i].channels[k]];
+      cell.rotation = i;
+      cell.number = k;
+    }
   }
-  return cell;
+  return cells;
 }
 
 }  // namespace
@@ -34,8 +36,7 @@ std::vector<PositionCell> position_cells(std::size_t channels, std::span<const R
     }
   }
   auto next = cells.begin();
-  for (std::size_t channel = 0; channel < channels; ++channel) {
-    const PositionCell cell = cell_of_channel(channel, rotations);
+  for (const PositionCell& cell : cells_of_channels(channels, rotations)) {
     if (cell.rotation != PositionCell::none && !rotations[cell.rotation].shown.is_quaternion()) continue;
     next = std::ranges::find(next, cells.end(), PositionCell::none, &PositionCell::rotation);
     *next++ = cell;

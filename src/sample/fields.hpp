@@ -70,13 +70,13 @@ template <class S, std::vector<S> spline::Derivatives<S>::*derivative>
 void write_derivative(Point<S>& point, CellWriter<S> out) {
   const std::vector<S>& values = point.derivatives().*derivative;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!point.segment().is_rotation(i)) out.add_of_channel(values[i], i, true);
+    if (!point.is_in_rotation(i)) out.add_of_channel(values[i], i, true);
   }
 }
 template <class S>
 void write_tangent(Point<S>& point, CellWriter<S> out) {
   for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) {
-    if (!point.segment().is_rotation(i)) out.add(point.tangent(i));
+    if (!point.is_in_rotation(i)) out.add(point.tangent(i));
   }
 }
 template <class S>

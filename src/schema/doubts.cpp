@@ -824,10 +824,11 @@ constexpr std::array about_columns{pieces_of_curve,
 // The rows about a request.
 
 /// Channels that lengths may measure: no numbers of rotations, and no angles.
-std::vector<std::size_t> plain_channels(const Schema& schema) {
+std::vector<std::size_t> measurable_channels(const Schema& schema) {
   std::vector<std::size_t> plain;
+  const std::vector<bool> are_plain = plain_channels(schema);
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    if (schema.is_plain(i)) plain.push_back(i);
+    if (are_plain[i]) plain.push_back(i);
   }
   return plain;
 }
@@ -843,7 +844,7 @@ Found lengths_of_degrees(const Schema& schema, const RequestNeeds& needs) {
   };
   const auto latitude = find(latitudes), longitude = find(longitudes);
   if (latitude == schema.channels.end() || longitude == schema.channels.end()) return std::nullopt;
-  std::vector<std::string> names = names_of(schema.channels, plain_channels(schema));
+  std::vector<std::string> names = names_of(schema.channels, measurable_channels(schema));
   return error(
       "{} and {} are degrees, which are not lengths; expected coordinates in one unit of length; convert them, or give "
       "--metric {} to measure these numbers as they are",
@@ -852,7 +853,7 @@ Found lengths_of_degrees(const Schema& schema, const RequestNeeds& needs) {
 
 Found lengths_of_space(const Schema& schema, const RequestNeeds& needs) {
   if (!needs.lengths || needs.chooses_metric) return std::nullopt;
-  const std::vector<std::size_t> space = spatial_channels(schema.channels), plain = plain_channels(schema);
+  const std::vector<std::size_t> space = spatial_channels(schema.channels), plain = measurable_channels(schema);
   if (space.empty()) return std::nullopt;
   std::vector<std::string> others;
   for (const std::size_t channel : plain) {
@@ -865,7 +866,7 @@ Found lengths_of_space(const Schema& schema, const RequestNeeds& needs) {
 
 /// Channels without names, of which nothing tells whether they are coordinates.
 Found lengths_without_names(const Schema& schema, const RequestNeeds& needs) {
-  const std::size_t channels = plain_channels(schema).size();
+  const std::size_t channels = measurable_channels(schema).size();
   if (!needs.lengths || needs.chooses_metric || schema.named || channels < 2) return std::nullopt;
   return note("lengths and speeds measure all {} channels together; --metric 1{} chooses some by their numbers",
               channels, channels == 2 ? "" : ",2");
@@ -873,7 +874,7 @@ Found lengths_without_names(const Schema& schema, const RequestNeeds& needs) {
 
 Found lengths_of_unlike_things(const Schema& schema, const RequestNeeds& needs) {
   if (!needs.lengths || needs.chooses_metric || !schema.named) return std::nullopt;
-  const std::vector<std::size_t> plain = plain_channels(schema);
+  const std::vector<std::size_t> plain = measurable_channels(schema);
   if (!spatial_channels(schema.channels).empty() || plain.size() < 2) return std::nullopt;
   const std::string& first = schema.channels[plain[0]];
   const auto other = std::ranges::find_if(

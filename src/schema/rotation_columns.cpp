@@ -166,13 +166,14 @@ std::vector<std::string> names_in(const spline::RotationNotation& notation, cons
   return names;
 }
 
-/// The index of the rotation whose numbers a channel of keys as they are read is one of; the number of rotations if it
-/// is none.
-std::size_t rotation_with(const std::vector<RotationSchema>& rotations, std::size_t channel) {
-  const auto has = [channel](const RotationSchema& rotation) {
-    return std::ranges::count(rotation.given.channels, channel) > 0;
-  };
-  return static_cast<std::size_t>(std::ranges::find_if(rotations, has) - rotations.begin());
+/// The index of the rotation whose numbers each channel of keys as they are read is one of; the number of rotations if
+/// it is none.
+std::vector<std::size_t> rotations_with(const std::vector<RotationSchema>& rotations, std::size_t channels) {
+  std::vector<std::size_t> indices(channels, rotations.size());
+  for (std::size_t i = rotations.size(); i-- > 0;) {  // the first one counts
+    for (const std::size_t channel : rotations[i].given.channels) indices[channel] = i;
+  }
+  return indices;
 }
 
 /// Throws: Error (data) where a column is in two rotations or angles.
@@ -205,10 +206,11 @@ void add_quaternion(Schema& schema, RotationSchema& rotation) {
 /// Sets the channels of keys with quaternions.
 void set_channels(Schema& schema, const Columns& columns) {
   schema.channels.clear();
+  const std::vector<std::size_t> rotations = rotations_with(schema.rotations, columns.channels.size());
   std::vector<std::size_t> now(columns.channels.size());  // the channel of each that is read
   for (std::size_t read = 0; read < now.size(); ++read) {
     now[read] = schema.channels.size();
-    const std::size_t index = rotation_with(schema.rotations, read);
+    const std::size_t index = rotations[read];
     const bool is_plain = index == schema.rotations.size() || schema.rotations[index].given.notation.is_quaternion();
     if (is_plain) {
       schema.channels.push_back(columns.channels[read]);
@@ -217,7 +219,7 @@ void set_channels(Schema& schema, const Columns& columns) {
       add_quaternion(schema, schema.rotations[index]);
     }
   }
-  if (rotation_with(schema.rotations, 0) < schema.rotations.size()) schema.time.likely.clear();
+  if (!rotations.empty() && rotations[0] < schema.rotations.size()) schema.time.likely.clear();
   for (AngleColumn& angle : schema.angles) angle.channel = now[angle.channel];
   for (RotationSchema& rotation : schema.rotations) {
     if (!rotation.given.notation.is_quaternion()) continue;
@@ -228,9 +230,10 @@ void set_channels(Schema& schema, const Columns& columns) {
 
 /// Sets where rows show the numbers of rotations: in the columns that give them, or another form in place of the first.
 void set_places(Schema& schema, const Columns& columns) {
+  const std::vector<std::size_t> rotations = rotations_with(schema.rotations, columns.channels.size());
   std::size_t next = 0;
   for (std::size_t read = 0; read < columns.channels.size(); ++read) {
-    const std::size_t index = rotation_with(schema.rotations, read);
+    const std::size_t index = rotations[read];
     if (index == schema.rotations.size()) {
       ++next;
       continue;

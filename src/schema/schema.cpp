@@ -2,6 +2,9 @@
 #include "schema/schema.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
+#include <unordered_set>
 #include <utility>
 
 #include "schema/columns.hpp"
@@ -13,13 +16,12 @@ namespace {
 std::vector<std::string*> names_of(Schema& schema) {
   std::vector<std::string*> names;
   if (schema.time.is_given) names.push_back(&schema.time.name);
-  const auto is_shown = [&](std::size_t channel) {
-    return std::ranges::none_of(schema.rotations, [&](const RotationSchema& rotation) {
-      return !rotation.columns.shown.is_quaternion() && rotation.columns.has(channel);
-    });
-  };
+  std::vector<RotationColumns> others;  // whose numbers are shown in place of their channels
+  std::ranges::copy_if(rotation_columns(schema), std::back_inserter(others),
+                       [](const RotationColumns& rotation) { return !rotation.shown.is_quaternion(); });
+  const std::vector<bool> are_hidden = spline::in_rotations(others, schema.channels.size());
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    if (is_shown(i)) names.push_back(&schema.channels[i]);
+    if (!are_hidden[i]) names.push_back(&schema.channels[i]);
   }
   for (RotationSchema& rotation : schema.rotations) {
     for (std::string& name : rotation.names) names.push_back(&name);
@@ -32,18 +34,11 @@ std::vector<std::string*> names_of(Schema& schema) {
 
 }  // namespace
 
-bool Schema::is_in_rotation(std::size_t channel) const {
-  return std::ranges::any_of(rotations, [&](const RotationSchema& one) { return one.columns.has(channel); });
-}
-
-bool Schema::is_plain(std::size_t channel) const {
-  return !is_in_rotation(channel) && std::ranges::count(angles, channel, &AngleColumn::channel) == 0;
-}
-
 std::vector<std::string> moving_channels(const Schema& schema) {
   std::vector<std::string> channels;
+  const std::vector<bool> are_in_rotations = spline::in_rotations(rotation_columns(schema), schema.channels.size());
   for (std::size_t i = 0; i < schema.channels.size(); ++i) {
-    if (!schema.is_in_rotation(i)) channels.push_back(schema.channels[i]);
+    if (!are_in_rotations[i]) channels.push_back(schema.channels[i]);
   }
   return channels;
 }
@@ -52,6 +47,10 @@ std::vector<RotationColumns> rotation_columns(const Schema& schema) {
   std::vector<RotationColumns> columns;
   for (const RotationSchema& rotation : schema.rotations) columns.push_back(rotation.columns);
   return columns;
+}
+
+std::vector<bool> plain_channels(const Schema& schema) {
+  return spline::plain_channels(rotation_columns(schema), schema.angles, schema.channels.size());
 }
 
 Schema schema_of(const Columns& columns, TimeNotation notation, const DateFormat& dates) {
@@ -80,15 +79,14 @@ Schema with_channels(const Schema& schema, std::vector<std::string> channels) {
 }
 
 void require_distinct_names(Schema schema, std::string_view option) {
-  std::vector<std::string> known;
+  std::unordered_set<std::string_view> known;
   for (const std::string* name : names_of(schema)) {
-    if (std::ranges::count(known, *name) > 0)
+    if (!known.insert(*name).second)
       throw data_error(
           "two columns of the output would be called {}; expected different names; choose another name, or rename the "
           "column in the input",
           in_quotes(*name))
           .about(option);
-    known.push_back(*name);
   }
 }
 

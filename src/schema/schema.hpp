@@ -58,16 +58,15 @@ struct Schema {
   std::vector<std::string> groups = {};  ///< names of the group columns
   std::vector<std::string> labels = {};  ///< names of the columns of labels
   std::string camera_path = {};          ///< the members of a camera path besides its cameras, as JSON; empty: none
-
-  /// Whether a channel is one of the numbers of a rotation, and whether it is neither that nor an angle.
-  bool is_in_rotation(std::size_t channel) const;
-  bool is_plain(std::size_t channel) const;
 };
 
 /// The names of the channels that are not numbers of a rotation.
 std::vector<std::string> moving_channels(const Schema& schema);
 
 std::vector<RotationColumns> rotation_columns(const Schema& schema);
+
+/// Which channels are neither numbers of a rotation nor angles.
+std::vector<bool> plain_channels(const Schema& schema);
 
 /// The meaning of records with these columns, whose times have this notation and, if they are dates, this format; all
 /// channels are plain.

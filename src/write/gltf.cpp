@@ -155,11 +155,12 @@ class GltfScene : public RowKeeper {
     Target translation{"translation", {}}, scale{"scale", {none, none, none}};
     targets_.clear();
     others_.clear();
+    const std::vector<bool> are_in_rotations = spline::in_rotations(rotations, schema.channels.size());
     for (std::size_t i = 0; i < schema.channels.size(); ++i) {
       const std::size_t axis = axis_of_scale(schema.channels[i]);
       if (axis < scale.channels.size()) {
         scale.channels[axis] = i;
-      } else if (!spline::is_in_rotation(rotations, i)) {
+      } else if (!are_in_rotations[i]) {
         (translation.channels.size() < 3 ? translation.channels : others_).push_back(i);
       }
     }

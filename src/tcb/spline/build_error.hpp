@@ -386,11 +386,12 @@ std::optional<BuildError> find_rotation_error(const CurveRules<S>& rules, const 
 template <class S>
 std::optional<BuildError> find_metric_error(const CurveRules<S>& rules, const Keys<S>& keys) {
   using enum BuildErrorCode;
+  const std::vector<bool> are_plain = plain_channels(rules.rotations, rules.angles, keys.channels);
   for (const std::size_t channel : rules.metric) {
     if (channel >= keys.channels) {
       return BuildError{.code = metric_channel_missing, .channel = channel, .expected = keys.channels};
     }
-    if (!is_plain(rules, channel)) return BuildError{.code = metric_of_angles, .channel = channel};
+    if (!are_plain[channel]) return BuildError{.code = metric_of_angles, .channel = channel};
   }
   return std::nullopt;
 }

@@ -54,13 +54,6 @@ struct CurveRules {
   bool no_overshoot = false;
 };
 
-/// Whether a channel is neither an angle nor a number of a rotation.
-template <class S>
-bool is_plain(const CurveRules<S>& rules, std::size_t channel) {
-  return !is_in_rotation(rules.rotations, channel) &&
-         std::ranges::count(rules.angles, channel, &AngleChannel::channel) == 0;
-}
-
 /// The channels whose speeds and lengths count:
 ///   those of the rules' metric;
 ///   else, if it is empty, all that are neither angles nor numbers of rotations;
@@ -68,8 +61,10 @@ bool is_plain(const CurveRules<S>& rules, std::size_t channel) {
 template <class S>
 std::vector<std::size_t> metric_of(const CurveRules<S>& rules, std::size_t channels) {
   std::vector<std::size_t> metric = rules.metric;
-  for (std::size_t i = 0; i < channels && rules.metric.empty(); ++i) {
-    if (is_plain(rules, i)) metric.push_back(i);
+  if (!metric.empty()) return metric;
+  const std::vector<bool> are_plain = plain_channels(rules.rotations, rules.angles, channels);
+  for (std::size_t i = 0; i < channels; ++i) {
+    if (are_plain[i]) metric.push_back(i);
   }
   return metric;
 }

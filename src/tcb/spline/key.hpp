@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace tcb::spline {
 
@@ -49,10 +50,14 @@ struct KeyRotation {
   friend bool operator==(const KeyRotation&, const KeyRotation&) = default;
 };
 
-/// Whether a channel is a number of one of these rotations.
+/// Which of so many channels are numbers of these rotations.
 template <class Rotations>
-bool is_in_rotation(const Rotations& rotations, std::size_t channel) {
-  return std::ranges::any_of(rotations, [channel](const KeyRotation& rotation) { return rotation.has(channel); });
+std::vector<bool> in_rotations(const Rotations& rotations, std::size_t channels) {
+  std::vector<bool> are_in(channels);
+  for (const KeyRotation& rotation : rotations) {
+    for (const std::size_t channel : rotation.channels) are_in[channel] = true;
+  }
+  return are_in;
 }
 
 /// A channel whose numbers are angles: they turn the shorter way from key to key.
@@ -60,6 +65,15 @@ struct AngleChannel {
   std::size_t channel = 0;
   bool degrees = false;  ///< else radians
 };
+
+/// Which of so many channels are neither numbers of these rotations nor these angles.
+template <class Rotations, class Angles>
+std::vector<bool> plain_channels(const Rotations& rotations, const Angles& angles, std::size_t channels) {
+  std::vector<bool> are_plain = in_rotations(rotations, channels);
+  are_plain.flip();
+  for (const AngleChannel& angle : angles) are_plain[angle.channel] = false;
+  return are_plain;
+}
 
 /// Half the angle of a turn along its axis, in the frame before it.
 template <class S>
