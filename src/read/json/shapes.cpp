@@ -9,6 +9,7 @@
 #include <deque>
 #include <limits>
 #include <memory>
+#include <unordered_map>
 #include <utility>
 
 #include "numbers/time_notation.hpp"
@@ -17,9 +18,12 @@
 #include "read/json/keys.hpp"
 #include "read/json/splitter.hpp"
 #include "read/json/tables.hpp"
+#include "read/memory_use.hpp"
+#include "schema/texts.hpp"
 #include "schema/usual_names.hpp"
 #include "stream/ordered_map.hpp"
 #include "text/suggest.hpp"
+#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -226,6 +230,37 @@ Error no_keys(const JsonCurveInfo& members) {
       .at(members.position);
 }
 
+/// The ids of curves so far, each with the path of its last curve.
+class CurveIds {
+ public:
+  explicit CurveIds(std::uint64_t max_memory) : memory_(max_memory) {}
+
+  /// Throws: Error (data) where others are between this curve and one with the same id, whose rows would be one group.
+  void add(const JsonCurveInfo& curve) {
+    if (curve.path.empty()) return;  // it cannot be read
+    const std::string& id = curve.settings.curve_info.id;
+    const auto [found, is_new] = last_.try_emplace(id);
+    if (is_new) {
+      constexpr std::uint64_t of_entry = 128;
+      memory_.add(of_entry + id.size() + curve.path.size());
+    } else if (id != before_) {
+      throw data_error(
+          "this curve has {}, as {} has, but others are between them; expected the curves of one id one after "
+          "another; give it another id, or move it behind {}",
+          id.empty() ? "no id" : "the id " + in_quotes(content(id)), found->second, found->second)
+          .about(curve.path)
+          .at(curve.position);
+    }
+    found->second = curve.path;
+    before_ = id;
+  }
+
+ private:
+  MemoryUse memory_;
+  std::unordered_map<std::string, std::string> last_;
+  std::string before_;
+};
+
 /// The blocks of a curve with its information.
 std::deque<KeyBlock> marked(Curve curve) {
   auto first = std::ranges::find_if(curve.blocks, [](const KeyBlock& block) { return !block.empty(); });
@@ -240,12 +275,15 @@ std::deque<KeyBlock> marked(Curve curve) {
 /// The keys of all curves, each held until the members around them are known.
 Source<KeyBlock> keys_of_curves(Source<Parsed> parts, Curve first, const InputOptions& options) {
   const Columns columns = first.columns.columns;
-  return [parts = std::move(parts), blocks = each_of(marked(std::move(first))), columns,
+  CurveIds ids(options.max_memory);
+  ids.add(first.members);
+  return [parts = std::move(parts), ids = std::move(ids), blocks = each_of(marked(std::move(first))), columns,
           options]() mutable -> std::optional<KeyBlock> {
     for (;;) {
       if (std::optional<KeyBlock> block = blocks()) return block;
       std::optional<Curve> curve = read_curve(parts, options);
       if (!curve || is_around_curves(*curve)) return std::nullopt;
+      ids.add(curve->members);
       if (!curve->blocks.empty()) {
         require_same_columns(columns, curve->columns.columns, curve->blocks.back().text_positions.path);
       }

@@ -21,10 +21,10 @@ class RotationOfWindow {
  public:
   using W = working_t<S>;
 
-  /// Requires: at least two keys.
+  /// `rules`: of rotations. Requires: at least two keys.
   RotationOfWindow(const Window<S>& window, const CurveRules<S>& rules, const KeyRotation& rotation)
       : window_(window),
-        rules_(rules_of_rotations(rules)),
+        rules_(rules),
         rotation_(rotation),
         is_linear_(rules.rotation_rules.curve == RotationCurve::components) {
     const Keys<S>& keys = window.keys;
@@ -197,7 +197,7 @@ class RotationOfWindow {
   }
 
   const Window<S>& window_;
-  CurveRules<S> rules_;  ///< of rotations
+  const CurveRules<S>& rules_;
   const KeyRotation& rotation_;
   bool is_linear_;
   std::vector<Quaternion<S>> keys_;
@@ -209,8 +209,9 @@ template <class S>
 void set_rotations(Segments<S>& segments, const Window<S>& window, const CurveRules<S>& rules) {
   std::vector<RotationSegment<S>>& result = segments.rotations;
   const std::size_t count = rules.rotations.size();
+  const CurveRules<S> own_rules = rules_of_rotations(rules);
   for (std::size_t i = 0; i < count; ++i) {
-    const RotationOfWindow<S> rotation(window, rules, rules.rotations[i]);
+    const RotationOfWindow<S> rotation(window, own_rules, rules.rotations[i]);
     if (rotation.is_of_components()) rotation.set_cubics(segments.cubics);
     const auto one = rotation.segments();
     result.resize(one.size() * count);
