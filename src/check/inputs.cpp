@@ -296,7 +296,8 @@ KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes, st
     KeptKeys& one = kept.curves.emplace_back(KeptKeys{curve->group, curve->curve_info, {}});
     while (std::optional<KeyBlock> block = curve->keys()) one.blocks.push_back(std::move(*block));
     if (curve->part)
-      one.part = {curve->part->number, curve->part->origin, [next = curve->part->next()] { return next; }};
+      one.part = {curve->part->number, curve->part->origin, [next = curve->part->next()] { return next; },
+                  curve->part->max_gap};
   }
   return kept;
 }

@@ -260,7 +260,8 @@ constexpr OptionRow option_rows[] = {
      [](Typed& to, Text text) { to.keys.curves.duplicates = named_row(duplicates_names, text).value; },
      names_in<duplicates_names>},
     {"--max-gap", "", "D", input_group,
-     "Begins a new curve where keys are further apart in time than D, a number or a duration such as 2s",
+     "Begins a new curve where keys are further apart in time than D, a number or a duration such as 2s; with --missing "
+     "skip-cell, a channel is also empty where its own keys are",
      "", other,
      [](Typed& to, Text text) {
        const std::optional<Rational> duration = read_duration(text);

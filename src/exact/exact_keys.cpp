@@ -290,7 +290,8 @@ template <class S>
 std::unique_ptr<const spline::CurveKeys<S>> curve_at(const ExactCurve& exact) {
   auto [times, end] = exact_times<S>(exact);
   auto rules = spline::converted<S>(exact.rules, [](const Rational& value) { return scalar_of<S>(value); });
-  return std::make_unique<const spline::CurveKeys<S>>(exact_keys<S>(exact, std::move(times)), std::move(rules), end);
+  return std::make_unique<const spline::CurveKeys<S>>(exact_keys<S>(exact, std::move(times)), std::move(rules), end,
+                                                      spline::part<S>, exact.gaps);
 }
 
 template std::unique_ptr<const spline::CurveKeys<Rational>> curve_at(const ExactCurve& exact);

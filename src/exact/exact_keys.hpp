@@ -12,6 +12,7 @@
 #include "sample/extrapolation.hpp"
 #include "schema/curve_channels.hpp"
 #include "schema/key_block.hpp"
+#include "tcb/spline/curve_keys.hpp"
 #include "tcb/spline/curve_rules.hpp"
 
 namespace tcb {
@@ -35,6 +36,7 @@ struct ExactCurve {
   bool closed = false;
   std::optional<Rational> end;  ///< when a closed curve is back at its first key, unless a distance gives it
   Extrapolations extrapolations;
+  std::vector<spline::ChannelGap> gaps = {};
   bool decimal = false;  ///< numbers are the decimals that they are written as
 
   /// All numbers are rational: no distance makes a time or a tangent.

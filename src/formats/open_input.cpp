@@ -145,6 +145,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   input.facts.time_gap = columns.time_gap;
   KeyTraits& traits = input.keys.traits;
   traits.may_miss = options.keys.missing == Missing::skip_cell;
+  traits.may_be_point = options.keys.missing == Missing::break_curve;
   traits.has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown;
   traits.marks = columns.marks;
   if (columns.named) traits.channels = columns.channels;

@@ -131,6 +131,13 @@ Source<KeyBlock> arranged(Source<KeyBlock> blocks, const Schema& schema, const K
 
 }  // namespace
 
+bool is_gap(const Time& from, const Time& to, const Rational& most) {
+  const double step = (to - from).hi, near_most = nearest_double(most);
+  const double doubt = 0x1p-50 * (std::abs(to.hi) + std::abs(from.hi) + near_most);
+  if (std::abs(step - near_most) > doubt) return step > near_most;
+  return exact_time(to) - exact_time(from) > most;
+}
+
 Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
   return [blocks = std::move(blocks), live]() -> std::optional<KeyBlock> {
     std::optional<KeyBlock> block = blocks();
@@ -155,10 +162,12 @@ Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
 }
 
 CurvePart counted_from(const CurvePart& part, const Rational& zero, const std::optional<FrameTimes>& frames) {
-  return {part.number, less(part.origin, zero, frames), [next = part.next, zero, frames] {
+  return {part.number, less(part.origin, zero, frames),
+          [next = part.next, zero, frames] {
             const std::optional<Time> time = next();
             return time ? std::optional(less(*time, zero, frames)) : std::nullopt;
-          }};
+          },
+          part.max_gap};
 }
 
 void count_from(InputCurve& curve, const Rational& zero, const std::optional<FrameTimes>& frames) {
@@ -341,7 +350,7 @@ std::optional<InputCurve> Curves::next() {
   }
   last_.reset();
   InputCurve curve{group(), curve_info_, [this] { return observed_keys(); }};
-  if (max_gap_) curve.part = {part_, origin_, [this] { return next_part(); }};
+  if (max_gap_) curve.part = {part_, origin_, [this] { return next_part(); }, *max_gap_};
   return curve;
 }
 
@@ -380,11 +389,7 @@ std::vector<std::string> Curves::group() const {
 /// Whether the next key is further from the last key of the curve than a curve allows.
 bool Curves::has_gap(std::size_t key) const {
   if (!max_gap_ || !last_ || block_->begins_curve(key)) return false;
-  const Time& time = block_->keys.times[key];
-  const double step = (time - *last_).hi, most = nearest_double(*max_gap_);
-  const double doubt = 0x1p-50 * (std::abs(time.hi) + std::abs(last_->hi) + most);
-  if (std::abs(step - most) > doubt) return step > most;
-  return exact_time(time) - exact_time(*last_) > *max_gap_;
+  return is_gap(*last_, block_->keys.times[key], *max_gap_);
 }
 
 std::optional<Time> Curves::next_part() {

@@ -96,7 +96,11 @@ struct CurvePart {
   Time origin;             ///< the time of the first key of the first part
   /// The time of the first key of the next part, once all keys of this one are read; nothing: it is the last one.
   std::function<std::optional<Time>()> next;
+  Rational max_gap = 0;  ///< in the unit of the times
 };
+
+/// Whether the time between two keys, of which the second one is later, is more than `most`.
+bool is_gap(const Time& from, const Time& to, const Rational& most);
 
 struct InputCurve {
   std::vector<std::string> group;  ///< the texts that identify the curve, one for each of the input's groups

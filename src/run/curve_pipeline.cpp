@@ -12,6 +12,7 @@
 #include "error.hpp"
 #include "exact/exact_rows.hpp"
 #include "keys/prepare.hpp"
+#include "run/gap_rows.hpp"
 #include "sample/build.hpp"
 #include "sample/grid.hpp"
 #include "sample/places.hpp"
@@ -126,6 +127,11 @@ class RowEstimate {
   double length_;  ///< of the segments
 };
 
+Source<SampleBlock> with_gap_rows(Source<SampleBlock> blocks, const std::shared_ptr<GapRows>& gap_rows) {
+  if (gap_rows == nullptr) return blocks;
+  return observed(std::move(blocks), [gap_rows](const SampleBlock& block) { gap_rows->add_rows(block); });
+}
+
 }  // namespace
 
 std::string in_words(const CurveNeeds& needs) {
@@ -178,7 +184,9 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
                    .monotone = spec_.rules.timing == spline::Timing::monotone,
                    .equal_speed = spec_.rules.equal_speed,
                    .only_breaks = schema.groups.empty()},
-      part_(std::move(part)) {
+      part_(std::move(part)),
+      may_be_point_(part_ || traits.may_be_point),
+      leaves_gaps_(request.leaves_gaps) {
   const auto unit = schema.time.unit;
   const bool has_duration = request_.in_seconds.has_duration || spec_.is_period_in_seconds;
   if (has_duration && unit == TimeUnit::frames)
@@ -214,6 +222,7 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
         return time ? std::optional(retimed(*time, retiming, frames)) : std::nullopt;
       };
       part_->origin = *later(part_->origin);
+      part_->max_gap *= spec_.retiming->factor;
       part_->next = [later, next = part_->next] { return later(next()); };
     }
   }
@@ -283,7 +292,37 @@ StreamedCurve CurvePipeline::read(Source<KeyBlock> blocks) {
   extent.last =
       spec_.closed ? take_closing(keys, spec_, preparation_.turns.channels) : keys.key(keys.size() - 1).times[0];
   const bool expanded = request_.mode == Mode::emit;  // where coefficients are printed, not positions
-  return {std::move(keys), extent, spec_.rules, {false, expanded, threads_, spec_.frames}};
+  std::vector<spline::ChannelGap> gaps = channel_gaps(keys);
+  return {std::move(keys), extent, spec_.rules, {false, expanded, threads_, spec_.frames, std::move(gaps)}};
+}
+
+/// The gaps of channels that lack positions. Throws: Error (data) where a channel needs a number everywhere.
+std::vector<spline::ChannelGap> CurvePipeline::channel_gaps(const KeyStore& store) const {
+  if (!part_ || !store.are_sparse()) return {};
+  const Keys keys = store.all();
+  std::vector<spline::ChannelGap> gaps;
+  for (std::size_t channel = 0; channel < keys.channels; ++channel) {
+    std::optional<std::size_t> before;
+    for (std::size_t key = 0; key < keys.size(); ++key) {
+      if (keys.is_missing(key, channel)) continue;
+      if (before && is_gap(keys.times[*before], keys.times[key], part_->max_gap))
+        gaps.push_back({channel, *before, key});
+      before = key;
+    }
+  }
+  const auto is_needed = [&](const spline::ChannelGap& gap) {
+    return !leaves_gaps_ || needs_.metric || request_.mode == Mode::emit || request_.mode == Mode::tolerance ||
+           spline::is_in_rotation(spec_.rotations, gap.channel);
+  };
+  if (const auto gap = std::ranges::find_if(gaps, is_needed); gap != gaps.end()) {
+    throw data_error(
+        "channel {} has no number between {} and {}, which are further apart than --max-gap; expected numbers there, "
+        "as only positions in rows of a table can be empty; fill them in, or give --missing skip-row, or a larger "
+        "--max-gap",
+        in_quotes(preparation_.turns.channels[gap->channel]), time_text(keys.times[gap->first]),
+        time_text(keys.times[gap->last]));
+  }
+  return gaps;
 }
 
 StreamedCurve CurvePipeline::streamed(Source<KeyBlock> blocks) { return read(prepared(std::move(blocks), 1)); }
@@ -295,7 +334,7 @@ std::shared_ptr<const KeptCurve> CurvePipeline::kept(Source<KeyBlock> blocks) {
 
 /// Where rows are at steps or given times, a key between two gaps is enough.
 CurveSamples CurvePipeline::samples(Source<KeyBlock> blocks) {
-  const bool may_be_point = part_ && (request_.mode == Mode::step || request_.mode == Mode::at);
+  const bool may_be_point = may_be_point_ && (request_.mode == Mode::step || request_.mode == Mode::at);
   blocks = prepared(std::move(blocks), may_be_point ? 1 : 2);
   if (!needs_.all_keys) return samples_as_read(std::move(blocks));
   if (!golden_) return samples(read(std::move(blocks)));
@@ -315,7 +354,13 @@ CurveSamples CurvePipeline::samples(StreamedCurve curve, const ExactKeys* exact)
     return CurveSamples::none();
   }
   if (exact != nullptr && golden_->decimal && time_exponent() == 0) set_key_times(curve, *exact);
-  return needs_.random_access ? samples_at_places(curve, exact) : samples_on_grid(std::move(curve), exact);
+  const std::vector<spline::ChannelGap> gaps = curve.options.gaps;
+  CurveSamples samples =
+      needs_.random_access ? samples_at_places(curve, exact) : samples_on_grid(std::move(curve), exact);
+  if (gaps.empty()) return samples;
+  samples.evaluate = without_gaps(std::move(samples.evaluate), samples.locator, gaps);
+  samples.gaps = gaps;
+  return samples;
 }
 
 /// Leaves the places that are on the part of a curve, and those after it up to the next part; whether there are any.
@@ -335,6 +380,14 @@ bool CurvePipeline::take_places_of_part(const Extent& extent) {
         .about("--at");
   }
   return !request_.places.empty();
+}
+
+/// What counts rows in gaps, or null where no gap is of interest.
+std::shared_ptr<GapRows> CurvePipeline::new_gap_rows(std::shared_ptr<const Locator> locator, bool in_order) const {
+  const bool counts = spec_.timed && !spec_.closed && !part_ && !by_segment(request_.mode);
+  if (!counts) return nullptr;
+  return std::make_shared<GapRows>(std::move(locator), in_order, spec_.retiming.value_or(Retiming{1, 0}),
+                                   request_.zero);
 }
 
 /// Samples segment after segment, each as soon as its keys are read.
@@ -384,10 +437,18 @@ CurveSamples CurvePipeline::samples_in_order(Source<SegmentBlock> segments, std:
     segments = observed(std::move(segments),
                         [limited](const SegmentBlock& block) { *limited += block.segments.limited_tangents; });
   }
-  return {.blocks = place(std::move(segments), sampler, spec_.channels(), request_.side()),
+  const std::shared_ptr<GapRows> gap_rows = new_gap_rows(sampler, true);
+  if (gap_rows != nullptr) {
+    segments = observed(std::move(segments),
+                        [gap_rows](const SegmentBlock& block) { gap_rows->add_steps(block.segments.times); });
+  }
+  Source<SampleBlock> blocks = place(std::move(segments), sampler, spec_.channels(), request_.side());
+  return {.blocks = with_gap_rows(std::move(blocks), gap_rows),
           .evaluate = fast_rows(sampler),
           .in_order = true,
           .limited_tangents = [limited] { return *limited; },
+          .gap_rows = gap_rows,
+          .locator = sampler,
           .remainder = [sampler] { return sampler->remainder(); }};
 }
 
@@ -409,11 +470,15 @@ CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const 
   facts.least_rows = places.least_rows;
   if (facts.least_rows) facts.rows = rows;
   FoundRows found = find_rows(kept, std::move(places), request_.mode == Mode::arc_at, request_.side());
-  return {.blocks = std::move(found.blocks),
+  const std::shared_ptr<GapRows> gap_rows = new_gap_rows(found.locator, false);
+  if (gap_rows != nullptr) gap_rows->add_steps(kept->curve().times());
+  return {.blocks = with_gap_rows(std::move(found.blocks), gap_rows),
           .evaluate = exact == nullptr ? fast_rows(found.locator) : exact_rows(*exact, curve, found.locator),
           .facts = facts,
           .expected_rows = [rows] { return static_cast<double>(rows); },
-          .limited_tangents = [kept] { return kept->curve().limited_tangents(); }};
+          .limited_tangents = [kept] { return kept->curve().limited_tangents(); },
+          .gap_rows = gap_rows,
+          .locator = found.locator};
 }
 
 /// The exact time of the end of a closed curve.
@@ -453,6 +518,7 @@ ExactCurve CurvePipeline::exact_curve(const ExactKeys& exact, const StreamedCurv
   }
   result.closed = spec_.closed;
   result.extrapolations = spec_.extrapolations;
+  result.gaps = curve.options.gaps;
   return result;
 }
 

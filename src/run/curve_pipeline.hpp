@@ -20,12 +20,15 @@
 #include "sample/table.hpp"
 #include "schema/key_block.hpp"
 #include "schema/schema.hpp"
+#include "tcb/spline/curve_keys.hpp"
 
 namespace tcb {
 
 struct ExactCurve;
 class ExactKeys;
+class GapRows;
 class KeptCurve;
+class KeyStore;
 class Locator;
 struct SampleBlock;
 class Sampler;
@@ -42,6 +45,7 @@ struct CurveRequest {
   std::optional<TimeNotation> time_notation = {};  ///< in which rows show times; nothing: that of the input
   std::optional<Rational> frame_rate = {};         ///< of the rows' frames
   std::optional<CountedFrom> zero = {};            ///< which is subtracted from the times of keys, and of `samples`
+  bool leaves_gaps = false;                        ///< cells are empty where a channel has a gap
 };
 
 /// What a request needs of a curve before its first row.
@@ -72,6 +76,9 @@ struct CurveSamples {
   SampleFacts facts = {};
   std::function<double()> expected_rows = [] { return 0.0; };                     ///< about how many there will be
   std::function<std::size_t()> limited_tangents = [] { return std::size_t{0}; };  ///< so that it does not overshoot
+  std::vector<spline::ChannelGap> gaps = {};                                      ///< where cells of channels are empty
+  std::shared_ptr<GapRows> gap_rows = nullptr;  ///< once all blocks were taken; null: rows are not counted
+  std::shared_ptr<const Locator> locator = nullptr;
   /// How far the end of the range is from the last row, once all blocks were taken; nothing if it is a row.
   std::function<std::optional<Rational>()> remainder = [] { return std::nullopt; };
 
@@ -111,10 +118,12 @@ class CurvePipeline {
   double time_exponent() const { return spec_.timed ? 0 : spec_.exponent(); }
 
   Source<KeyBlock> prepared(Source<KeyBlock> blocks, std::size_t least);
+  std::vector<spline::ChannelGap> channel_gaps(const KeyStore& store) const;
   StreamedCurve read(Source<KeyBlock> blocks);
   CurveSamples samples_as_read(Source<KeyBlock> blocks);
   CurveSamples samples_on_grid(StreamedCurve curve, const ExactKeys* exact) const;
   CurveSamples samples_in_order(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler) const;
+  std::shared_ptr<GapRows> new_gap_rows(std::shared_ptr<const Locator> locator, bool in_order) const;
   CurveSamples samples_at_places(const StreamedCurve& curve, const ExactKeys* exact) const;
   void count_from(const CountedFrom& zero, const TimeSchema& time);
   bool take_places_of_part(const Extent& extent);
@@ -132,6 +141,7 @@ class CurvePipeline {
   std::optional<Rational> zero_;            ///< which is subtracted from the times of keys
   std::optional<FrameTimes> given_frames_;  ///< of their times before that
   std::optional<CurvePart> part_;
+  bool may_be_point_, leaves_gaps_;
 };
 
 std::string in_words(const CurveNeeds& needs);

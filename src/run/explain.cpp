@@ -205,14 +205,7 @@ struct CurveOutcome {
   std::string overshoots;    ///< the name of its channel
   bool has_missing = false;  ///< numbers, so that the cubics of a channel are cut where others have keys
 
-  /// A time as the input writes it, to milliseconds where it is in words.
-  std::string shown(const Time& value) const {
-    const Rational exact = exact_time(value), rate = schema.frame_rate.value_or(1);
-    const bool is_number = schema.notation == TimeNotation::seconds || schema.notation == TimeNotation::frames;
-    const auto decimals = floor(exact) == exact ? std::nullopt : std::optional(3);
-    const auto words = is_number ? std::nullopt : time_in_words(exact, schema.notation, rate, decimals, schema.dates);
-    return words.value_or(time_text(value));
-  }
+  std::string shown(const Time& value) const { return shown_time(schema, value); }
   std::string shown(const Gap& gap) const { return fmt::format("from {} to {}", shown(gap.from), shown(gap.to)); }
 
   void add(const KeyBlock& block) {
@@ -319,7 +312,8 @@ Facts facts_of_curves(const Input& input, const ExplainJob& job, bool live) {
   std::vector<NamedAngle> angles;
   Curves curves(input.schema, input.keys, job.keys.curves, live);
   for (; const std::optional<InputCurve> curve = curves.next(); ++count) {
-    const CurveRequest request{job.samples.of(*curve, input.schema), job.keys.rules, job.fields, job.golden};
+    CurveRequest request{job.samples.of(*curve, input.schema), job.keys.rules, job.fields, job.golden};
+    request.leaves_gaps = true;
     const CurveSettings& of_input = curve->curve_info->settings;
     CurvePipeline pipeline(request, input.schema, input.keys.traits, *curve->curve_info, curve->part);
     if (count == 0) {

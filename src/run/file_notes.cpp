@@ -10,10 +10,13 @@
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
 #include "numbers/decimal_time.hpp"
+#include "numbers/print_number.hpp"
 #include "read/input.hpp"
 #include "run/curve_pipeline.hpp"
+#include "run/gap_rows.hpp"
 #include "run/key_options.hpp"
 #include "sample/curve_spec.hpp"
+#include "sample/grid.hpp"
 #include "sample/table.hpp"
 #include "schema/doubts.hpp"
 #include "schema/usual_names.hpp"
@@ -125,7 +128,8 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   if (!rotation.degrees && std::ranges::any_of(rotation.requests, has_angles)) {
     add(important("the angles of rotations are taken as radians; --angles degrees gives the other unit"));
   }
-  time_name_ = input.schema.time.name;
+  time_ = input.schema.time;
+  channels_ = input.schema.channels;
   has_nulls_ = input.facts.format->is_json;
   skips_cells_ = options.input.keys.missing == Missing::skip_cell;
   const TimeSchema& time = input.schema.time;
@@ -192,6 +196,9 @@ void FileNotes::add_samples(const CurveSamples& samples, const SamplingRequest& 
   const bool ends_at_key = !request.to && !is_closed;
   is_open_ = is_open_ || !is_closed;
   if (distance && remainders_++ == 0) add(remainder_note(nearest_time(*distance).hi, ends_at_key));
+  if (samples.gap_rows != nullptr) add_gap_rows(*samples.gap_rows);
+  channel_gaps_.resize(channels_.size());
+  for (const spline::ChannelGap& gap : samples.gaps) ++channel_gaps_[gap.channel];
   if (samples.facts.rows) {
     rows_ += *samples.facts.rows;
     least_rows_ += *samples.facts.least_rows;
@@ -225,9 +232,30 @@ void FileNotes::end(const Curves& curves, const KeyOptions& rules) {
   end(curves);
 }
 
+void FileNotes::add_gap_rows(GapRows& gap_rows) {
+  const std::optional<RowsInGaps> found = gap_rows.found();
+  if (!found || curves_with_gap_rows_++ > 0) return;
+  const bool is_one = found->rows == 1;
+  add(
+      important("{} {} between keys that are more than 30 times the usual step apart, at most from {} to {}; --max-gap "
+                "{} begins a new curve there",
+                is_one ? "1 row" : fmt::format("{} rows", found->rows), is_one ? "is" : "are",
+                shown_time(time_, found->from), shown_time(time_, found->to), text(found->max_gap)));
+}
+
 void FileNotes::end(const Curves& curves) {
   if (remainders_ > 1) {
     add(important("a remainder is also left in {} more curves", remainders_ - 1));
+  }
+  if (curves_with_gap_rows_ > 1) {
+    const std::uint64_t more = curves_with_gap_rows_ - 1;
+    add(important("rows are also between such keys of {} more {}", more, more == 1 ? "curve" : "curves"));
+  }
+  for (std::size_t i = 0; i < channel_gaps_.size(); ++i) {
+    const std::uint64_t gaps = channel_gaps_[i];
+    if (gaps == 0) continue;
+    add(important("channel {} is empty in {} between its keys that {} longer than --max-gap", in_quotes(channels_[i]),
+                  gaps == 1 ? "1 gap" : fmt::format("{} gaps", gaps), gaps == 1 ? "is" : "are"));
   }
   if (rows_ > 0) {
     add(important("{} rows; any polyline within the tolerance has at least {}", rows_, least_rows_));
@@ -251,7 +279,7 @@ void FileNotes::end(const Curves& curves) {
                   breaks == 1 ? "" : fmt::format(", {} times", breaks)));
   }
   if (curves.midnights() > 0) {
-    add(important("the times in column \"{}\" pass midnight, and count on from 24:00:00", time_name_));
+    add(important("the times in column \"{}\" pass midnight, and count on from 24:00:00", time_.name));
   }
   if (const auto angles = curves.channels().likely_angles(); !angles.empty()) add(angles_note(angles));
   if (const auto signs = curves.channels().likely_signs(); !signs.empty()) {
@@ -260,6 +288,14 @@ void FileNotes::end(const Curves& curves) {
     add(important("{} in {} may stand for a missing number; --na={} --missing skip-cell leaves it out", signs[0].number,
                   listed(names), signs[0].number));
   }
+}
+
+std::string shown_time(const TimeSchema& schema, const Time& time) {
+  const Rational exact = exact_time(time), rate = schema.frame_rate.value_or(1);
+  const bool is_number = schema.notation == TimeNotation::seconds || schema.notation == TimeNotation::frames;
+  const auto decimals = floor(exact) == exact ? std::nullopt : std::optional(3);
+  const auto words = is_number ? std::nullopt : time_in_words(exact, schema.notation, rate, decimals, schema.dates);
+  return words.value_or(time_text(time));
 }
 
 std::string number_in_words(const Rational& value) { return fmt::format("{}", nearest_time(value).hi); }

@@ -88,7 +88,8 @@ class FileRun {
                                  threads_,
                                  notation_of_times(job_.rows, input.schema.time),
                                  job_.rows.frame_rate,
-                                 zero_};
+                                 zero_,
+                                 may_have_empty_cells()};
       pipeline_.emplace(request, input.schema, input.keys.traits, *curve.curve_info, curve.part);
     }
     if (curve_info_ == nullptr) {
@@ -96,6 +97,12 @@ class FileRun {
       if (RowKeeper* const keeper = writer_.keeper()) begin_keeper(*keeper, input, *curve.curve_info);
     }
     curve_info_ = curve.curve_info;
+  }
+
+  /// Neither keyframes nor poses.
+  bool may_have_empty_cells() const {
+    const Format& format = *job_.rows.format;
+    return format.output->keeper == nullptr && format.poses == nullptr;
   }
 
   void begin_keeper(RowKeeper& keeper, const Input& input, const CurveInfo& info) {

@@ -102,7 +102,7 @@ SegmentBlock sparse_segments(const KeyStore& keys, const std::optional<Time>& en
   const auto part = options.expanded ? spline::expanded_part<double> : spline::part<double>;
   Keys all = keys.all();
   make_precise(all.times, options.frames);
-  const spline::CurveKeys<double> curve(std::move(all), rules, end, part);
+  const spline::CurveKeys<double> curve(std::move(all), rules, end, part, options.gaps);
   return finished({curve.segments(0, curve.size()), {}, true, curve.is_closed()}, rules, options);
 }
 

@@ -16,6 +16,7 @@
 #include "sample/request.hpp"
 #include "schema/curve_channels.hpp"
 #include "stream/source.hpp"
+#include "tcb/spline/curve_keys.hpp"
 #include "tcb/spline/segments.hpp"
 
 namespace tcb::spline {
@@ -41,7 +42,8 @@ struct SegmentOptions {
   bool expanded =
       false;  ///< where keys lack positions, cubics are expanded parts of those between a channel's own keys
   unsigned threads = 1;
-  std::optional<FrameTimes> frames = {};  ///< where the times of the keys are frames in seconds
+  std::optional<FrameTimes> frames = {};      ///< where the times of the keys are frames in seconds
+  std::vector<spline::ChannelGap> gaps = {};  ///< of channels that lack positions
 };
 
 /// The error for a fault that the library found in keys, by their lines and channels.

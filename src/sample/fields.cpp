@@ -187,6 +187,25 @@ std::vector<std::string> position_names(const Schema& schema) {
 
 }  // namespace
 
+std::vector<CellOfChannel> cells_of_channels(std::span<const std::size_t> chosen, const RowShape& shape) {
+  std::vector<CellOfChannel> cells;
+  for (const std::size_t index : chosen) {
+    const Field& field = fields()[index];
+    const std::size_t end = cells.size() + cells_in_row({&index, 1}, shape);
+    if (field.shows_rotations) {
+      for (const PositionCell& cell : position_cells(shape.channels, shape.rotations)) {
+        cells.push_back({cell.channel, true});
+      }
+    }
+    for (std::size_t i = 0; i < shape.channels && field.per_channel && !field.shows_rotations; ++i) {
+      if (!field.of_motion || !spline::is_in_rotation(shape.rotations, i))
+        cells.insert(cells.end(), field.columns, {i});
+    }
+    cells.resize(end);
+  }
+  return cells;
+}
+
 std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Schema& schema) {
   std::vector<OutputColumn> columns;
   for (const std::size_t index : chosen) {

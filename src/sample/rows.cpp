@@ -138,6 +138,70 @@ std::vector<Cell> evaluate(const SampleBlock& block, const Locator& locator, std
   return cells;
 }
 
+namespace {
+
+/// The gaps of each channel, in order.
+class GapsOfChannels {
+ public:
+  explicit GapsOfChannels(const std::vector<spline::ChannelGap>& gaps) {
+    for (const spline::ChannelGap& gap : gaps) {
+      if (gap.channel >= channels_.size()) channels_.resize(gap.channel + 1);
+      channels_[gap.channel].push_back(gap);
+    }
+  }
+
+  /// The gap of a channel in which a segment lies, or null.
+  const spline::ChannelGap* find(std::size_t channel, std::uint64_t segment) const {
+    if (channel >= channels_.size()) return nullptr;
+    const std::vector<spline::ChannelGap>& gaps = channels_[channel];
+    const auto next = std::ranges::upper_bound(gaps, segment, {}, &spline::ChannelGap::first);
+    return next != gaps.begin() && segment < std::prev(next)->last ? &*std::prev(next) : nullptr;
+  }
+
+ private:
+  std::vector<std::vector<spline::ChannelGap>> channels_;
+};
+
+/// Whether a sample on a segment within a gap is at a key of the channel.
+bool is_at_key(const spline::ChannelGap& gap, std::uint64_t segment, const Sample& sample) {
+  return (segment == gap.first && sample.at.u == 0) || (segment + 1 == gap.last && sample.at.w == 0);
+}
+
+void empty_gaps(Table& table, const SampleBlock& block, const Locator& locator, const GapsOfChannels& gaps,
+                const std::vector<CellOfChannel>& cells) {
+  Located located;
+  std::size_t row = 0;
+  for (const auto& [segment, first, last] : block.parts) {
+    const std::size_t begin = row * cells.size();
+    row += static_cast<std::size_t>(last - first);
+    located.samples.clear();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const spline::ChannelGap* const gap = gaps.find(cells[i].channel, segment.number);
+      if (gap == nullptr) continue;
+      if (located.samples.empty()) locator.locate(segment, first, last, located);
+      for (std::size_t k = 0; k < located.samples.size(); ++k) {
+        if (cells[i].is_position && is_at_key(*gap, segment.number, located.samples[k])) continue;
+        const std::size_t cell = begin + k * cells.size() + i;
+        table.cells[cell] = empty_cell;
+        if (!table.texts.empty()) table.texts[cell].clear();
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Evaluate without_gaps(Evaluate evaluate, std::shared_ptr<const Locator> locator,
+                      const std::vector<spline::ChannelGap>& gaps) {
+  return [evaluate = std::move(evaluate), locator = std::move(locator), of_channels = GapsOfChannels(gaps)](
+             const SampleBlock& block, std::span<const std::size_t> chosen) {
+    Table table = evaluate(block, chosen);
+    if (block.parts.empty()) return table;
+    empty_gaps(table, block, *locator, of_channels, cells_of_channels(chosen, shape_of(block.parts.front().segment)));
+    return table;
+  };
+}
+
 Evaluate fast_rows(std::shared_ptr<const Locator> locator) {
   return [locator = std::move(locator)](const SampleBlock& block, std::span<const std::size_t> chosen) {
     return Table{evaluate(block, *locator, chosen)};

@@ -9,6 +9,7 @@
 #include "sample/curve_segment.hpp"
 #include "sample/table.hpp"
 #include "stream/source.hpp"
+#include "tcb/spline/curve_keys.hpp"
 
 namespace tcb {
 
@@ -41,6 +42,10 @@ std::vector<Cell> evaluate(const SampleBlock& block, const Locator& locator, std
 
 /// The rows that evaluate() makes.
 Evaluate fast_rows(std::shared_ptr<const Locator> locator);
+
+/// The same rows, but cells of a channel are empty where it has a gap. At a key its position is shown.
+Evaluate without_gaps(Evaluate evaluate, std::shared_ptr<const Locator> locator,
+                      const std::vector<spline::ChannelGap>& gaps);
 
 /// Throws: Error (data) for a number in the row of a sample.
 [[noreturn]] void refuse_overflow(const Sample& sample);

@@ -79,6 +79,13 @@ struct RowShape {
 /// The number of cells of these fields in a row.
 std::size_t cells_in_row(std::span<const std::size_t> chosen, const RowShape& shape);
 
+/// What a cell of a row shows: the position of a channel, another quantity of it, or of several channels or none.
+struct CellOfChannel {
+  std::size_t channel = PositionCell::none;
+  bool is_position = false;
+};
+std::vector<CellOfChannel> cells_of_channels(std::span<const std::size_t> chosen, const RowShape& shape);
+
 std::vector<OutputColumn> output_columns(std::span<const std::size_t> chosen, const Schema& schema);
 
 /// The cells of some rows, row after row.

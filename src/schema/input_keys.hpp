@@ -17,6 +17,7 @@ struct KeyTraits {
   bool has_whole_curves = false;  ///< the keys of a curve follow each other, and its first block has its information
   bool may_break = false;         ///< a curve may end before the input does
   bool may_miss = false;          ///< positions may be missing
+  bool may_be_point = false;      ///< a curve may be a single key between two breaks
   bool has_tcb_scale = false;     ///< the scale of tension, continuity and bias is given
 
   // What may distinguish curves where times decrease:

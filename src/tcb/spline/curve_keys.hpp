@@ -24,6 +24,11 @@ struct Period {
   Time<S> start, end;
 };
 
+/// Two successive keys among those that have a position in a channel, between which the channel has no curve.
+struct ChannelGap {
+  std::size_t channel, first, last;
+};
+
 /// One channel of a curve, or all of them, with the keys that have positions there, by their numbers from 0.
 template <class S>
 class ChannelKeys {
@@ -41,6 +46,10 @@ class ChannelKeys {
       for (const KeyRotation& rotation : rules_.rotations) returns_negated_.push_back(period_ && is_negated(rotation));
     }
   }
+
+  /// The first and the last one of its keys.
+  std::size_t first_key() const { return numbers_.front(); }
+  std::size_t last_key() const { return numbers_.back(); }
 
   /// Segments from key `first` to key `to`, counted among this channel's keys; on a closed curve any range of integers.
   Segments<S> own_segments(std::ptrdiff_t first, std::ptrdiff_t to) const {
@@ -208,15 +217,16 @@ CurveRules<S> rules_of_channel(CurveRules<S> rules, std::size_t channel) {
 }
 
 /// All keys of a curve with its rules. A channel in which keys lack positions runs through its own keys, as if there
-/// were no others; a rotation likewise. Promises: a channel without a missing position has the cubics that it would
-/// have alone, bit for bit.
+/// were no others; a rotation likewise. A channel with gaps is a curve of its own on both sides of each, and straight
+/// within it, as a placeholder. Promises: a channel without a missing position has the cubics that it would have alone,
+/// bit for bit.
 template <class S>
 class CurveKeys {
  public:
-  /// `end`: when a closed curve is back at its first key. `part`: of a channel that lacks positions. Requires: no
-  /// BuildError.
+  /// `end`: when a closed curve is back at its first key. `part`: of a channel that lacks positions. `gaps`: of such
+  /// channels of an open curve, in order. Requires: no BuildError.
   CurveKeys(Keys<S> keys, CurveRules<S> rules, const std::optional<Time<S>>& end = std::nullopt,
-            PartOfSegment<S> part = spline::part<S>)
+            PartOfSegment<S> part = spline::part<S>, const std::vector<ChannelGap>& gaps = {})
       : keys_(std::move(keys)),
         rules_(std::move(rules)),
         is_sparse_(keys_.is_sparse()),
@@ -226,12 +236,10 @@ class CurveKeys {
     if (end) times_.push_back(*end);
     if (times_.size() == 1) times_.push_back(times_.front());
     if (!is_sparse_) {
-      channels_.emplace_back(keys_, std::nullopt, numbers_in({}), rules_, period_);
+      channels_.emplace_back().emplace_back(keys_, std::nullopt, numbers_in({}), rules_, period_);
       return;
     }
-    for (std::size_t i = 0; i < keys_.channels; ++i) {
-      channels_.emplace_back(keys_, i, numbers_in(i), rules_of_channel(rules_, i), period_);
-    }
+    for (std::size_t i = 0; i < keys_.channels; ++i) add_channel(i, gaps);
     for (const KeyRotation& rotation : rules_.rotations) {
       CurveRules<S> rules_of_rotation = rules_;
       rules_of_rotation.metric.clear();
@@ -252,13 +260,17 @@ class CurveKeys {
     std::vector<Time<S>> times(times_.begin() + static_cast<std::ptrdiff_t>(first),
                                times_.begin() + static_cast<std::ptrdiff_t>(to) + 1);
     if (!is_sparse_) {
-      auto result = channels_[0].own_segments(static_cast<std::ptrdiff_t>(first), static_cast<std::ptrdiff_t>(to));
+      auto result = channels_[0][0].own_segments(static_cast<std::ptrdiff_t>(first), static_cast<std::ptrdiff_t>(to));
       result.times = std::move(times);
       return result;
     }
     Segments<S> result{channels_.size(), std::move(times), {}, {}};
     set_columns(result.cubics, channels_.size(), to - first, [&](std::size_t channel, std::vector<Cubic<S>>& own) {
-      source_of(channel).append_cubics(own, channel, first, to, times_, part_);
+      if (const ChannelKeys<S>* const rotation = rotation_with(channel)) {
+        rotation->append_cubics(own, channel, first, to, times_, part_);
+      } else {
+        append_parts(own, channel, first, to);
+      }
     });
     if constexpr (has_roots<S>) {
       const auto append_rotations = [&](std::size_t rotation, std::vector<RotationSegment<S>>& own) {
@@ -279,13 +291,49 @@ class CurveKeys {
     return numbers;
   }
 
-  /// Where positions are missing, the keys of a channel: of a rotation by components those of the rotation.
-  const ChannelKeys<S>& source_of(std::size_t channel) const {
+  /// Adds a channel that lacks positions, one part on each side of its gaps.
+  void add_channel(std::size_t channel, const std::vector<ChannelGap>& gaps) {
+    std::vector<ChannelKeys<S>>& parts = channels_.emplace_back();
+    const std::vector<std::size_t> numbers = numbers_in(channel);
+    auto begin = numbers.begin();
+    const auto add_to = [&](auto end) {
+      parts.emplace_back(keys_, channel, std::vector(begin, end), rules_of_channel(rules_, channel), period_);
+      begin = end;
+    };
+    for (const ChannelGap& gap : gaps) {
+      if (gap.channel == channel) add_to(std::ranges::lower_bound(begin, numbers.end(), gap.last));
+    }
+    add_to(numbers.end());
+  }
+
+  /// The cubics of a channel between the keys `first` and `to` of the curve.
+  void append_parts(std::vector<Cubic<S>>& cubics, std::size_t channel, std::size_t first, std::size_t to) const {
+    const std::vector<ChannelKeys<S>>& parts = channels_[channel];
+    while (first < to) {
+      const auto next = std::ranges::upper_bound(parts.begin() + 1, parts.end(), first, {}, &ChannelKeys<S>::first_key);
+      const ChannelKeys<S>& part = *(next - 1);
+      const std::size_t end = next == parts.end() ? to : std::min(to, part.last_key());
+      if (first < end) {
+        part.append_cubics(cubics, channel, first, end, times_, part_);
+        first = end;
+      } else {
+        const std::size_t from = part.last_key(), until = next->first_key();
+        const S &p0 = keys_.position(from)[channel], &p1 = keys_.position(until)[channel];
+        const working_t<S> chord = exact_difference(p1, p0);
+        const Cubic<S> straight = cubic<S>(p0, p1, chord, chord);
+        cubics.push_back(part_(straight, times_[from], times_[until], times_[first], times_[first + 1]));
+        ++first;
+      }
+    }
+  }
+
+  /// Where positions are missing, the keys of the rotation by components that has a channel, or null.
+  const ChannelKeys<S>* rotation_with(std::size_t channel) const {
     for (std::size_t i = 0; i < rotations_.size(); ++i) {
       const bool has_cubics = has_roots<S> && rules_.rotation_rules.curve == RotationCurve::components;
-      if (has_cubics && rules_.rotations[i].has(channel)) return rotations_[i];
+      if (has_cubics && rules_.rotations[i].has(channel)) return &rotations_[i];
     }
-    return channels_[channel];
+    return nullptr;
   }
 
   /// Interleaves the entries of each column so that those of one segment are contiguous.
@@ -305,8 +353,8 @@ class CurveKeys {
   std::vector<Time<S>> times_;  ///< of the keys, then of the first one after a period
   std::optional<Period<S>> period_;
   PartOfSegment<S> part_;
-  std::vector<ChannelKeys<S>> channels_;   ///< one for all channels, or if positions are missing, one for each
-  std::vector<ChannelKeys<S>> rotations_;  ///< where positions are missing
+  std::vector<std::vector<ChannelKeys<S>>> channels_;  ///< one for all, or if positions are missing, the parts of each
+  std::vector<ChannelKeys<S>> rotations_;              ///< where positions are missing
 };
 
 #ifdef TCB_SPLINE_CURVE_DOUBLE
