@@ -471,7 +471,10 @@ CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const 
   if (facts.least_rows) facts.rows = rows;
   FoundRows found = find_rows(kept, std::move(places), request_.mode == Mode::arc_at, request_.side());
   const std::shared_ptr<GapRows> gap_rows = new_gap_rows(found.locator, false);
-  if (gap_rows != nullptr) gap_rows->add_steps(kept->curve().times());
+  if (gap_rows != nullptr) {
+    gap_rows->add_steps(kept->curve().times());
+    gap_rows->end_steps();
+  }
   return {.blocks = with_gap_rows(std::move(found.blocks), gap_rows),
           .evaluate = exact == nullptr ? fast_rows(found.locator) : exact_rows(*exact, curve, found.locator),
           .facts = facts,

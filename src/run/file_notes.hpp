@@ -45,10 +45,10 @@ class FileNotes {
   void end(const Curves& curves);
 
  private:
-  Report& report_;
-  const std::string& path_;
   void add_gap_rows(GapRows& gap_rows);
 
+  Report& report_;
+  const std::string& path_;
   TimeSchema time_;
   std::vector<std::string> channels_;
   bool has_nulls_ = false;        ///< null in place of a key breaks curves

@@ -27,7 +27,7 @@ Rational short_number_between(const Rational& low, const Rational& high) {
 void GapRows::add_steps(std::span<const Time> times) {
   for (std::size_t i = 0; i + 1 < times.size() && !limit_; ++i) {
     steps_.push_back((times[i + 1] - times[i]).hi);
-    if (steps_.size() == enough_steps) set_limit();
+    if (steps_.size() == enough_steps) end_steps();
   }
 }
 
@@ -58,8 +58,8 @@ std::uint64_t GapRows::rows_between_keys(const CurveSegment& segment, std::uint6
   return rows - rows_at_keys(first, first + 1) - (rows > 1 ? rows_at_keys(last - 1, last) : 0);
 }
 
-void GapRows::set_limit() {
-  if (steps_.empty()) return;
+void GapRows::end_steps() {
+  if (limit_ || steps_.empty()) return;
   std::ranges::sort(steps_);
   const std::size_t half = steps_.size() / 2;
   const double median =
@@ -79,7 +79,7 @@ void GapRows::take(const Segment& segment) {
 }
 
 std::optional<RowsInGaps> GapRows::found() {
-  if (!limit_) set_limit();
+  end_steps();
   if (rows_ == 0) return std::nullopt;
   const Rational& factor = retiming_.factor;
   const auto of_keys = [&](const Time& time) {

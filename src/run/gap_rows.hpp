@@ -33,6 +33,7 @@ class GapRows {
 
   /// The next times of keys; the first one ends the step before.
   void add_steps(std::span<const Time> times);
+  void end_steps();
   void add_rows(const SampleBlock& block);
 
   /// Nothing where no row is in a gap. Requires: all steps and rows were added.
@@ -47,7 +48,6 @@ class GapRows {
     double duration() const { return (to - from).hi; }
   };
 
-  void set_limit();
   void take(const Segment& segment);
   std::uint64_t rows_between_keys(const CurveSegment& segment, std::uint64_t first, std::uint64_t last);
 
