@@ -310,9 +310,10 @@ std::vector<spline::ChannelGap> CurvePipeline::channel_gaps(const KeyStore& stor
       before = key;
     }
   }
+  const std::vector<bool> are_in_rotations = spline::in_rotations(spec_.rotations, keys.channels);
   const auto is_needed = [&](const spline::ChannelGap& gap) {
     return !leaves_gaps_ || needs_.metric || request_.mode == Mode::emit || request_.mode == Mode::tolerance ||
-           spline::is_in_rotation(spec_.rotations, gap.channel);
+           are_in_rotations[gap.channel];
   };
   if (const auto gap = std::ranges::find_if(gaps, is_needed); gap != gaps.end()) {
     throw data_error(

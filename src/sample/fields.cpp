@@ -188,6 +188,7 @@ std::vector<std::string> position_names(const Schema& schema) {
 }  // namespace
 
 std::vector<CellOfChannel> cells_of_channels(std::span<const std::size_t> chosen, const RowShape& shape) {
+  const std::vector<bool> are_in_rotations = spline::in_rotations(shape.rotations, shape.channels);
   std::vector<CellOfChannel> cells;
   for (const std::size_t index : chosen) {
     const Field& field = fields()[index];
@@ -198,8 +199,7 @@ std::vector<CellOfChannel> cells_of_channels(std::span<const std::size_t> chosen
       }
     }
     for (std::size_t i = 0; i < shape.channels && field.per_channel && !field.shows_rotations; ++i) {
-      if (!field.of_motion || !spline::is_in_rotation(shape.rotations, i))
-        cells.insert(cells.end(), field.columns, {i});
+      if (!field.of_motion || !are_in_rotations[i]) cells.insert(cells.end(), field.columns, {i});
     }
     cells.resize(end);
   }
