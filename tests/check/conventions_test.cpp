@@ -48,15 +48,16 @@ TEST(TcbOrders, that_make_no_difference_count_once) {
 }
 
 TEST(Conventions, are_all_rules_but_a_given_velocity) {
-  EXPECT_EQ(conventions(48, {}).size(), 48U * (2 * 7 * 9 + 1)) << "nerfstudio has its own timing";
-  EXPECT_EQ(conventions(1, {.closed = true}).size(), 2U * 7 + 1) << "a closed curve has no ends";
+  EXPECT_EQ(conventions(48, {}).size(), 48U * (2 * 7 * 9 + 1) + 1)
+      << "nerfstudio has its own timing, and straight lines have no T, C, B";
+  EXPECT_EQ(conventions(1, {.closed = true}).size(), 2U * 7 + 2) << "a closed curve has no ends";
 }
 
 TEST(Conventions, the_most_usual_come_first) {
   const auto all = conventions(2, {});
   EXPECT_EQ(presets_of(all.front(), {}).at(0), "tcb");
   EXPECT_EQ(all.back().order, 1U);
-  EXPECT_TRUE(all[all.size() - 3].equal_speed);
+  EXPECT_TRUE(all[all.size() - 4].equal_speed);
   EXPECT_EQ(presets_of(all.back(), {}).at(0), "nerfstudio");
 }
 
