@@ -382,7 +382,9 @@ Source<std::string> text_of_npy(Source<std::string> bytes, InputOptions& options
 
 Records open_npy(const Format&, Source<std::string> bytes, InputOptions options) {
   bytes = text_of_npy(std::move(bytes), options);
-  return open_delimited(std::move(bytes), options);
+  Records records = open_delimited(std::move(bytes), options);
+  records.columns.has_time_by_place = false;  // by what an array of keys is, which needs no note
+  return records;
 }
 
 bool begins_npy(std::string_view beginning) { return beginning.starts_with(npy_magic); }

@@ -209,6 +209,7 @@ def _names_time(columns: str) -> bool:
 
 _FORM = re.compile(r"^(?P<file>.*?)(?::(?P<line>\d+))?(?::(?P<column>\d+))?: (?P<kind>error|warning|note): (?P<message>.*)$")
 _FIT_REPORT = re.compile(r"[\d,]+ samples?, ")
+_FIRST_IS_TIME = re.compile(r"the first column is taken as the time; ")
 
 
 def _warn(note: str) -> None:
@@ -376,6 +377,8 @@ class Run:
             return
         source, message = self._message(match)
         name = source.name if source else match["file"]
+        if source and source.table is not None and _FIRST_IS_TIME.match(message):
+            return  # by what an array of keys is
         if _FIT_REPORT.match(message):
             logging.getLogger("tcbsample").info("%s: %s", name, message)
         else:
