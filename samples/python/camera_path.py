@@ -7,7 +7,7 @@ import numpy as np
 import tcbsample
 
 keys = Path(__file__).parents[1] / "camera.csv"
-curve = tcbsample.Curve(keys, metric="x,y,z")  # not fov, which is not a length
+curve = tcbsample.Curve(keys, metric="x,y,z", ends="one-sided")  # not fov, which is not a length
 end = curve.times[-1]
 frames = round(24 * (end - curve.times[0])) + 1
 lengths = np.linspace(0, float(curve.length(end)), frames)

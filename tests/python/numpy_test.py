@@ -350,7 +350,7 @@ class OptionsTest(unittest.TestCase):
         for call, message in (
             (lambda: tcbsample.Curve(keys, tension=0.5), r"tcb=\(T, C, B\)"),
             (lambda: tcbsample.resample("t,x\n0,1\n1,2\n", count=3), "io.StringIO"),
-            (lambda: tcbsample.resample(keys, count=3, closed=np.float64(3)), "closed: 3.0; expected True or False"),
+            (lambda: tcbsample.resample(keys, count=3, sort=np.float64(3)), "sort: 3.0; expected True or False"),
         ):
             with self.assertRaisesRegex(TypeError, message):
                 call()
@@ -556,8 +556,8 @@ class Curves(unittest.TestCase):
                 keys["t"] = np.cumsum(rng.integers(1, 9, len(keys["t"])))
             text = ",".join(keys) + "\n" + "".join(",".join(map(repr, row)) + "\n" for row in zip(*(v.tolist() for v in keys.values())))
             with unittest.mock.patch("tcbsample._program.encode", side_effect=AssertionError):  # the text is not made
-                own = tcbsample.Curve(keys)
-            read = tcbsample.Curve(text.encode())
+                own = tcbsample.Curve(keys, ends="one-sided")
+            read = tcbsample.Curve(text.encode(), ends="one-sided")
             places = rng.uniform(own.times[0], own.times[-1], 50)
             self.assertEqual((own.names, own.times.tolist()), (read.names, read.times.tolist()))
             self.assertEqual(own(places).tobytes(), read(places).tobytes())
