@@ -48,7 +48,11 @@ def with_dependencies(named):
 
 def link_programs(packages, folder):
     """Links to the programs of the packages, and to those that stand for one of them, as awk for mawk."""
-    listed = subprocess.run(["dpkg", "-L", *packages], stdout=subprocess.PIPE, text=True, check=False).stdout
+    form = "${Package}\t${binary:Package}\t${Architecture}\n"  # a package may be there for several architectures
+    rows = [line.split("\t") for line in subprocess.check_output(["dpkg-query", "-W", "-f", form], text=True).splitlines()]
+    own = {"all", subprocess.check_output(["dpkg", "--print-architecture"], text=True).strip()}
+    names = [exact for name, exact, architecture in rows if name in packages and architecture in own]
+    listed = subprocess.run(["dpkg", "-L", *names], stdout=subprocess.PIPE, text=True, check=False).stdout
     files = {path for path in listed.splitlines() if os.path.dirname(path) in FOLDERS and os.access(path, os.X_OK)}
     real = {os.path.realpath(path) for path in files}
     for directory in FOLDERS:
