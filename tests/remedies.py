@@ -30,8 +30,10 @@ WORDS = {"and", "or", "if", "to", "for", "as", "with", "has", "is", "are", "need
 def remedies(message, valued):
     """The lists of words that a message offers to add."""
     found = []
+    if " is gone in this version; " in message:  # the case instead-of-removed runs these
+        return found
     for clause in message.split("; ")[1:]:
-        if not re.search(r"\bgive\b|\bor\b --", clause) or re.search(r"^did you mean|remove it, and|remove \S+ or --", clause):
+        if not re.search(r"\bgive\b|\bor\b --", clause) or re.search(r"^did you mean|^(remove it|write .*), and|remove \S+ or --", clause):
             continue
         end = None
         for match in OPTION.finditer(clause):

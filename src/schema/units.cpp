@@ -178,10 +178,9 @@ Schema with_unit(Schema schema, const UnitOptions& options) {
     return schema;
   }
   if (options.start && !options.are_optional)
-    throw data_error(
-        "column {} has the times; expected rows without times; remove the option, or give --parameter uniform where "
-        "the first column is no time",
-        in_quotes(schema.named ? time.name : "1"))
+    throw data_error("column {} has the times; expected rows without times; remove the option{}",
+                     in_quotes(schema.named ? time.name : "1"),
+                     time.is_by_place ? ", or give --parameter uniform if the first column is no time" : "")
         .about("--time-start");
   if (!time.unit) time.unit = options.time ? options.time : unit_of_time(time.name);
   if (time.notation != TimeNotation::seconds) {
