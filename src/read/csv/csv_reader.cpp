@@ -14,6 +14,7 @@
 #include "read/csv/tokenizer.hpp"
 #include "read/csv/vector_cells.hpp"
 #include "read/input.hpp"
+#include "read/json/text.hpp"
 #include "read/key_builder.hpp"
 #include "schema/pose_formats.hpp"
 #include "schema/usual_names.hpp"
@@ -40,6 +41,18 @@ std::string text_of(std::string_view cell) {
   const bool is_digits = !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
   const bool whole = is_digits && (digits == "0" ? digits.size() == cell.size() : digits[0] != '0');
   return (whole ? "" : "\"") + unquoted(cell);
+}
+
+/// A cell of a table that the program made, as a text of a key: a number or a word, unless it is in quotes.
+std::string plain_text(std::string_view cell) {
+  if (cell.starts_with('"')) return '"' + unquoted(cell);
+  return cell == "null" ? "" : parse_number(cell) ? json_number_text(cell) : std::string(cell);
+}
+
+/// Whether a number of this role may be missing, as the curve has one for all keys.
+bool shapes_curve(Role role) {
+  return (role >= Role::tension && role <= Role::ease_out) ||
+         (role >= Role::channel_tension && role <= Role::channel_bias);
 }
 
 /// Reads the records of a chunk as keys.
@@ -91,7 +104,9 @@ class RecordReader {
   void read_cell(std::string_view cell, const Columns::Column& column) {
     switch (column.role) {
       case Role::ignored:
-        if (column.is_empty || (column.is_text && tokenizer_.line() <= last_line_of_roles)) require_text(cell, column);
+        if (column.is_empty || (column.is_text && !head_.is_plain && tokenizer_.line() <= last_line_of_roles)) {
+          require_text(cell, column);
+        }
         keys_.set_mark(column, cell);
         break;
       case Role::group:
@@ -110,6 +125,7 @@ class RecordReader {
 
   void read_number(std::string_view cell, const Columns::Column& column) {
     const std::string_view text = bare(cell);
+    if (cell.empty() && head_.is_plain && shapes_curve(column.role)) return;  // it is that of the curve
     if (is_given_sign(text)) return read_no_number(cell, column);
     if (column.role == Role::time) {
       const auto time = decimals_.time(text);
@@ -245,7 +261,7 @@ class RecordReader {
   }
 
   void read_text(std::string_view cell, const Columns::Column& column) {
-    std::string text = text_of(cell);
+    std::string text = head_.is_plain ? plain_text(cell) : text_of(cell);
     if (!head_.facts.encoding.empty()) text = in_utf8(text, Encoding::windows_1252).value_or(text);
     const std::size_t invalid = find_invalid_utf8(text);
     if (invalid != std::string::npos)

@@ -933,7 +933,8 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
         .has_rotations = options.rotation.none || !options.rotation.requests.empty(),
         .has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown || options.has_shown_tcb_scale,
         .has_header = options.delimited.header.has_value(),
-        .has_time_unit = options.units.time.has_value()};
+        .has_time_unit = options.units.time.has_value(),
+        .meant = options.delimited.meant};
     std::ranges::copy(doubts_of_columns(found), std::back_inserter(notes));
     head.columns.time_gap = first_time_gap(found);
   }
@@ -948,6 +949,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   HeadRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.marks};
   head.is_of_format = !options.delimited.names.empty();
+  head.is_plain = options.delimited.is_plain;
   if (first.records.empty() && first.ends_in_comment() && options.delimited.names.empty()) {
     throw data_error(
         "all lines begin with {}, as comments do; expected a row for each key; give --comment none if they are keys",
@@ -971,7 +973,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   TextPosition position{"", first.records[0].line, 0};  // of the names
   if (header && !options.delimited.header) require_clear_header(first, head, columns);
   const std::size_t below = data;
-  if (header && !columns.samples) data = first_key(first.records);
+  if (header && !columns.samples && !head.is_plain) data = first_key(first.records);
   if (data == first.records.size()) refuse_header_alone(first.records[0]);
   std::span<const HeadRecords::Record> described = std::span(first.records).subspan(below, data - below);
   HeadRecords::Record units;

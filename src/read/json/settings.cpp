@@ -1,5 +1,5 @@
 // Settings in JSON: the members around keys, which are settings of the curve, channel names and an id.
-#include "read/json/keys.hpp"
+#include "read/json/settings.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,14 +7,13 @@
 #include <unordered_set>
 #include <utility>
 
-#include "read/json/tape.hpp"
 #include "schema/roles.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
 
-using Kind = JsonNode::Kind;
+using Kind = Json::Kind;
 
 constexpr std::array<std::string_view, 9> known_members{"preset",   "tangents", "ends",   "closed", "period",
                                                         "channels", "keys",     "curves", "id"};
@@ -25,14 +24,11 @@ constexpr std::array options_only{"--equal-speed",    "--parameter",       "--me
 
 class SettingsReader {
  public:
-  explicit SettingsReader(const JsonPart& part) : tape_(part) {
-    found.path = part.chunk.path;
-    found.position = {"", part.chunk.line, part.chunk.column};
-    if (tape_.kind(0) != Kind::object) throw data_error("found no keys; expected at least two; add them");
-    for (const std::size_t name : tape_.inside(0)) {
-      name_ = name;
-      member_ = tape_.text(name);
-      read(name + 1);
+  SettingsReader(const Json& json, std::size_t object, const std::string& path) : json_(json), path_(path) {
+    for (const std::size_t value : json.inside(object)) {
+      member_ = json.name(value);
+      name_ = value - 1;
+      read(value);
     }
   }
   JsonCurveInfo found;
@@ -45,9 +41,10 @@ class SettingsReader {
     if (!settings_.insert(member_).second) {
       throw at(name_, twice_in("object"));
     }
+    if (member_ == "keys" || member_ == "curves") return;
     text_.clear();
-    if (tape_.kind(value) == Kind::array) {
-      for (const std::size_t element : tape_.inside(value)) take(element, true);
+    if (json_.is(value, Kind::array)) {
+      for (const std::size_t element : json_.inside(value)) take(element, true);
     } else {
       take(value, false);
     }
@@ -60,9 +57,10 @@ class SettingsReader {
   void read_other(std::size_t value) {
     const std::string nearest = nearest_name(member_, known_members);
     if (!nearest.empty()) throw at(name_, data_error("there is no such setting; did you mean {}?", nearest));
-    const bool has_number = tape_.holds(value, Kind::number);
-    if (found.shown_rate.empty() && is_frame_rate(tape_, name_)) found.shown_rate = tape_.written(value);
-    if (has_number && member_ != "meta" && others_.insert(member_).second) found.unused.emplace_back(member_);
+    const bool has_number = json_.holds(value, Kind::number);
+    if (found.shown_rate.empty() && is_frame_rate(json_, value)) found.shown_rate = json_.text(value);
+    if (has_number && member_ != "meta" && member_ != "rows" && others_.insert(member_).second)
+      found.unused.emplace_back(member_);
   }
 
   /// Throws: Error (data) for a name that has a meaning only elsewhere.
@@ -85,14 +83,14 @@ class SettingsReader {
 
   /// Takes a value of a setting, or an element of it.
   void take(std::size_t value, bool in_array) {
-    const Kind kind = tape_.kind(value);
+    const Kind kind = json_.kind(value);
     const bool is_quoted = kind == Kind::string;
-    const std::string text = is_quoted                  ? std::string(tape_.text(value))
-                             : kind == Kind::number     ? json_number_text(tape_.written(value))
-                             : tape_[value].is_nested() ? "an object"
-                                                        : std::string(tape_.written(value));
+    const std::string text = is_quoted                ? std::string(json_.text(value))
+                             : kind == Kind::number   ? json_number_text(json_.text(value))
+                             : json_.is_nested(value) ? "an object"
+                                                      : std::string(json_.text(value));
     if (member_ == "id") {
-      if (in_array || tape_[value].is_nested()) {
+      if (in_array || json_.is_nested(value)) {
         throw at(value, data_error("this is not a text or a number; expected one; correct it"));
       }
       found.curve_info.id = is_quoted ? '"' + text : text == "null" ? "" : text;
@@ -100,7 +98,7 @@ class SettingsReader {
     }
     auto& places = found.curve_info.places;
     const bool is_first = places.empty() || places.back().first != member_;
-    if (is_first) places.emplace_back(member_, tape_.position(value));
+    if (is_first) places.emplace_back(member_, json_.position(value));
     if (member_ == "channels") {
       if (!in_array || !is_quoted) {
         throw at(value, data_error("this is not an array of names in quotes; expected one; correct it"));
@@ -127,12 +125,11 @@ class SettingsReader {
   }
 
   Error at(std::size_t value, const Error& error) const {
-    const std::string path = tape_.path(0, value);
-    const std::string& curve = found.path;
-    return error.about(curve.empty() ? path.substr(1) : curve + path).at(tape_.position(value));
+    return error.about(path_ + (path_.empty() ? "" : ".") + std::string(member_)).at(json_.position(value));
   }
 
-  JsonTape tape_;
+  const Json& json_;
+  const std::string& path_;
   std::size_t name_ = 0;
   std::string_view member_;
   std::string text_;  ///< of the member's value
@@ -141,24 +138,14 @@ class SettingsReader {
 
 }  // namespace
 
-bool is_frame_rate(const JsonTape& tape, std::size_t name) {
+bool is_frame_rate(const Json& json, std::size_t value) {
   constexpr std::array<std::string_view, 4> names{"fps", "framerate", "frame_rate", "frames_per_second"};
-  const bool has_number =
-      tape.kind(name) == Kind::name && name + 1 < tape.size() && tape.kind(name + 1) == Kind::number;
-  return has_number && std::ranges::any_of(names, [&](auto known) { return same_in_any_case(known, tape.text(name)); });
+  return json.is(value, Kind::number) &&
+         std::ranges::any_of(names, [&](auto known) { return same_in_any_case(known, json.name(value)); });
 }
 
-JsonCurveInfo read_curve_info(const JsonPart& part) { return std::move(SettingsReader(part).found); }
-
-std::vector<std::string> channels_before_keys(const Chunk& text) {
-  if (text.text.empty()) return {};
-  JsonPart part{JsonPart::Kind::object, text};
-  part.chunk.text += "[]}";
-  try {
-    return read_curve_info(part).channels;
-  } catch (const Error&) {
-    return {};  // thrown again when the whole object is read
-  }
+JsonCurveInfo read_curve_info(const Json& json, std::size_t object, const std::string& path) {
+  return std::move(SettingsReader(json, object, path).found);
 }
 
 }  // namespace tcb

@@ -1,5 +1,5 @@
 // Settings in JSON: settings of the curve, channel names, the id; near misses of names.
-#include "read/json/keys.hpp"
+#include "read/json/settings.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,27 +9,26 @@
 namespace tcb {
 namespace {
 
-JsonPart part(const std::string& text) {
-  JsonPart result{JsonPart::Kind::object, {text}};
-  result.chunk.path = "curves[2]";
-  return result;
+JsonCurveInfo settings_in(const std::string& text) {
+  const Json json(text, {}, text.size());
+  return read_curve_info(json, 1, "curves[2]");
 }
 
 std::string refusal(const std::string& text) {
-  return error_of([&] { read_curve_info(part(text)); });
+  return error_of([&] { settings_in(text); });
 }
 
 TEST(JsonSettings, settings_channels_and_id_are_read) {
-  const JsonCurveInfo found = read_curve_info(part(
-      R"({"id":"a","keys":[],"preset":"vtk","ends":["zero","half"],"closed":true,"period":7.5,"channels":["x","y"]})"));
+  const JsonCurveInfo found = settings_in(
+      R"({"id":"a","keys":[],"preset":"vtk","ends":["zero","half"],"closed":true,"period":7.5,"channels":["x","y"]})");
   EXPECT_EQ(found.curve_info.id, "\"a");
   EXPECT_EQ(found.curve_info.settings.preset, spline::Preset::vtk);
   EXPECT_EQ(found.curve_info.settings.ends.value().value.last.rule, spline::EndRule::half);
   EXPECT_EQ(found.curve_info.settings.closed.value().value, true);
   EXPECT_EQ(found.curve_info.settings.period.value().value.value, Rational(15, 2));
   EXPECT_THAT(found.channels, testing::ElementsAre("x", "y"));
-  EXPECT_EQ(read_curve_info(part(R"({"id":7})")).curve_info.id, "7");
-  EXPECT_EQ(read_curve_info(part(R"({"id":null})")).curve_info.id, "");
+  EXPECT_EQ(settings_in(R"({"id":7})").curve_info.id, "7");
+  EXPECT_EQ(settings_in(R"({"id":null})").curve_info.id, "");
 }
 
 TEST(JsonSettings, other_members_are_ignored_unless_they_are_near_misses) {
@@ -45,11 +44,6 @@ TEST(JsonSettings, errors_have_their_position) {
   EXPECT_THAT(refusal(R"({"preset":"gte","preset":"vtk"})"), testing::HasSubstr("has this member twice"));
   EXPECT_THAT(refusal(R"({"channels":"x"})"), testing::HasSubstr("not an array of names"));
   EXPECT_THAT(refusal(R"({"id":[1]})"), testing::HasSubstr("not a text or a number"));
-}
-
-TEST(JsonSettings, channels_before_the_keys_are_read_before_them) {
-  EXPECT_THAT(channels_before_keys({R"({"channels":["x"],"keys":)"}), testing::ElementsAre("x"));
-  EXPECT_THAT(channels_before_keys({R"({"keys":)"}), testing::IsEmpty());
 }
 
 TEST(JsonSettings, an_option_is_an_error_that_names_it) {

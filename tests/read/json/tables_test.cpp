@@ -3,40 +3,37 @@
 
 #include <gtest/gtest.h>
 
+#include "read/json/cells.hpp"
 #include "read/reading.hpp"
 
 namespace tcb {
 namespace {
 
-/// The rows of a table as NAME=CELL, with the sign ? for a cell of the first row that others have.
-std::string rows_of(const JsonTable& table) {
-  std::string shown = table.has_times_in_index() ? "by index: " : "";
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    JsonCells cells = table.first_cells();
-    if (row > 0) table.get_cells(row, cells);
-    for (const JsonCell& cell : cells) {
-      shown += fmt::format("{}={} ", cell.name,
-                           cell.value == JsonCell::missing ? "?" : std::string(table.tape().written(cell.value)));
+/// The rows of a table as NAME=CELL, with the sign ? for a cell that a row does not have.
+std::string table_of(const std::string& text) {
+  const Json json(text, {}, text.size());
+  std::vector<JsonTable> tables = find_tables(json, {});
+  if (tables.empty() || !tables[0].path.empty()) return "none";
+  const JsonLayout layout = find_layout(json, tables[0], {.columns = {.samples = SampleNames{}}}, {});
+  JsonRows rows(json, tables[0], layout);
+  std::string shown = tables[0].index.empty() ? "" : "by index: ";
+  for (std::size_t row = 0; row < tables[0].size(); ++row) {
+    std::vector<std::uint32_t> cells;
+    rows.get(row, cells);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      shown += fmt::format("{}={} ", layout.columns[i].path, cells[i] == 0 ? "?" : std::string(json.written(cells[i])));
     }
     shown += "; ";
   }
   return shown;
 }
 
-std::string table_of(const std::string& text) {
-  const JsonPart part{JsonPart::Kind::whole, {text}};
-  const JsonTape tape(part);
-  const auto table = JsonTable::find(tape, 0, "", true, false);
-  return table ? rows_of(*table) : "none";
-}
-
 /// The paths of the lists in a text that can be keys, or the error.
 std::string paths(const std::string& text, std::string_view records = "") {
   std::string shown;
-  const JsonPart part{JsonPart::Kind::whole, {text}};
-  const JsonTape tape(part);
+  const Json json(text, {}, text.size());
   const std::string error = error_of([&] {
-    for (const JsonTable& table : find_tables(tape, {.records = std::string(records)})) shown += table.path() + " ";
+    for (const JsonTable& table : find_tables(json, {.records = std::string(records)})) shown += table.path + " ";
   });
   return error == "no error" ? shown : error;
 }

@@ -158,7 +158,7 @@ TEST(Json, the_text_before_a_nul_is_read_first) {
     EXPECT_EQ(read("[{\"t\":0,\"x\":1},\n{\"t\":1,\"x\":\"a\"},\n\0"s, {}, piece),
               "f:2:12: error: keys[1].x: \"a\" is not a number; expected a number; correct it\n"
               "f:3:1: error: this is a NUL byte; expected text in UTF-8; if it is text, remove such "
-              "bytes, as in tr -d '\\0' <FILE | tcbsample");
+              "bytes, as in tr -d '\\0' < FILE | tcbsample");
   }
 }
 

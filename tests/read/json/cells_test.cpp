@@ -1,5 +1,5 @@
-// Columns of JSON: roles and names, as the first key has them.
-#include "read/json/columns.hpp"
+// Cells of JSON: roles and names of members, numbers, texts, missing values, and every error with its position.
+#include "read/json/cells.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,6 +9,164 @@ namespace tcb {
 namespace {
 
 using testing::HasSubstr;
+
+/// The error of an array whose first key is right, and whose second is on line 2.
+std::string second(const std::string& first, const std::string& key) { return read("[" + first + ",\n" + key + "]"); }
+
+TEST(JsonKeys, tension_continuity_and_bias_are_members_or_one_array) {
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tension":0.1,"Continuity":0.2,"BIAS":3}])"), "t x\n1: 0 1 [0.1 0.2 3]\n");
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tcb":[1,2,3]}])"), "t x\n1: 0 1 [1 2 3]\n");
+}
+
+TEST(JsonKeys, keys_without_tcb_have_the_given_one) {
+  InputOptions options;
+  options.keys.tcb = {1, 2, 3};
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"bias":0},{"t":1,"x":1}])", options), "t x\n1: 0 1 [1 2 0]\n1: 1 1 [1 2 3]\n");
+}
+
+TEST(JsonKeys, whole_numbers_are_exact_times_and_rounded_positions) {
+  EXPECT_EQ(read(R"([{"t":1403636579763555585,"x":9007199254740993},{"t":18446744073709551615,"x":-1}])"),
+            "t x\n1: 1403636579763555585 9007199254740992\n1: 1.8446744073709552e+19 -1\n");
+}
+
+TEST(JsonKeys, members_may_come_in_another_order_in_every_key) {
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"y":2},{"y":4,"t":1,"x":3},{"x":5,"y":6,"t":2}])"),
+            "t x y\n1: 0 1 2\n1: 1 3 4\n1: 2 5 6\n");
+  EXPECT_EQ(read(R"([{"t":0,"tension":1,"x":2},{"x":4,"t":1,"tension":3}])", with_columns("position=tension:x")),
+            "t tension x\n1: 0 1 2\n1: 1 3 4\n")
+      << "in their requested role";
+}
+
+TEST(JsonKeys, a_value_that_is_not_a_number_is_an_error) {
+  const std::string first = R"({"t":0,"x":1})";
+  EXPECT_EQ(second(first, R"({"t":1,"x":null})"),
+            "f:2:12: error: keys[1].x: found null; expected a number; fill it in, or give --missing "
+            "skip-cell, skip-row or break");
+  EXPECT_EQ(second(first, R"({"t":"é","x":1})"),
+            "f:2:6: error: keys[1].t: \"é\" is no time in a known notation; expected a number, or a time such as "
+            "2024-03-01T13:00:00Z or 13:00:00, with years of four digits; convert it");
+  EXPECT_EQ(second(first, R"({"é":"ü","t":1,"x":true})"),
+            "f:2:20: error: keys[1].x: \"true\" is not a number; expected a number; correct it");
+  EXPECT_EQ(read(R"([{"t":0,"x":null}])"),
+            "f:1:13: error: keys[0].x: found null; expected a number; fill it in, or give --missing "
+            "skip-cell, skip-row or break");
+  EXPECT_EQ(read(R"([{"t":0,"position":[1,"b",3]}])"),
+            "f:1:23: error: keys[0].position[1]: \"b\" is not a number; expected a number; correct it");
+}
+
+TEST(JsonKeys, values_that_are_no_keys_take_linear_time) {
+  std::string values = "{\"t\":0,\"x\":1}";
+  for (int i = 0; i < 200'000; ++i) values += " 1";
+  EXPECT_THAT(read(values), testing::StartsWith("f:1:15: error: found a number as a key; expected an object"));
+  EXPECT_THAT(read("{\"t\":0,\"x\":1}\nnul\n{\"t\":1,\"x\":2}"),
+              testing::StartsWith("f:2:1: error: not JSON: found \"nul\""));
+}
+
+TEST(JsonKeys, numbers_may_be_in_quotes) {
+  EXPECT_EQ(read(R"([{"t":"0","position":["1.5",2]},{"t":1,"position":[2,"-3e0"]}])"),
+            "t x y\n1: 0 1.5 2\n1: 1 2 -3\n");
+  EXPECT_EQ(read(R"([{"t":0,"x":1},{"t":"0.5","x":"2"}])"), "t x\n1: 0 1\n1: 0.5 2\n");
+}
+
+TEST(JsonKeys, nan_is_a_missing_number) {
+  EXPECT_EQ(second(R"({"t":0,"x":1})", R"({"t":1,"x":NaN})"),
+            "f:2:12: error: keys[1].x: found \"NaN\"; expected a number; fill it in, or give --missing skip-cell, "
+            "skip-row or break");
+  InputOptions options;
+  options.keys.missing = Missing::skip_row;
+  EXPECT_EQ(read(R"([{"t":0,"x":NaN},{"t":1,"x":2},{"t":NaN,"x":2}])", options), "t x\n1: 1 2\n");
+}
+
+TEST(JsonKeys, a_missing_new_or_repeated_member_is_an_error) {
+  const std::string first = R"({"t":0,"x":1})";
+  EXPECT_EQ(
+      second(first, R"({"t":1})"),
+      "f:2:1: error: the key has no member \"x\"; expected the members of the first key; add it, or give --missing "
+      "skip-cell, skip-row or break");
+  EXPECT_EQ(second(first, R"({"t":1,"x":2,"y":3})"),
+            "f:2:18: error: keys[1].y: the first key has no such number; expected the same members in every key; add "
+            "it there");
+  EXPECT_EQ(second(first, R"({"t":1,"x":2,"x":3})"),
+            "f:2:14: error: keys[1].x: the key has this member twice; expected it once; remove one");
+}
+
+TEST(JsonKeys, tension_continuity_and_bias_are_never_dropped_silently) {
+  EXPECT_THAT(second(R"({"t":0,"x":1})", R"({"t":1,"x":2,"tcb":[1,0,0]})"),
+              testing::AnyOf(HasSubstr("[1 0 0]"), HasSubstr("error: keys[1].tcb")));
+}
+
+TEST(JsonKeys, an_array_of_another_length_and_a_value_of_another_shape_are_errors) {
+  const std::string first = R"({"t":0,"position":[1,2]})";
+  EXPECT_EQ(second(first, R"({"t":1,"position":[1,2,3]})"),
+            "f:2:19: error: keys[1].position: the array has 3 elements; expected 2, as in the first key; correct it");
+  EXPECT_EQ(second(first, R"({"t":1,"position":[1]})"),
+            "f:2:19: error: keys[1].position: the array has 1 element; expected 2, as in the first key; correct it");
+  EXPECT_EQ(second(first, R"({"t":1,"position":5})"),
+            "f:2:19: error: keys[1].position: this is not an array; expected one of numbers, as in the first key; "
+            "correct it");
+  EXPECT_EQ(second(R"({"t":0,"x":1})", R"({"t":1,"x":[2]})"),
+            "f:2:12: error: keys[1].x: this is not a number; expected one, as in the first key; correct it");
+}
+
+TEST(JsonKeys, an_element_too_many_is_one_error_whatever_it_is) {
+  const std::string first = R"({"t":0,"position":[1,2],"tension":0})";
+  for (const char* element : {"3", "null", R"("a")", "[3]"}) {
+    EXPECT_THAT(
+        second(first, R"({"t":1,"position":[1,2,)" + std::string(element) + R"(],"tension":0})"),
+        testing::MatchesRegex("f:2:19: error: keys.1..position: the array has 3 elements; expected 2, as in the first "
+                              "key; correct it"))
+        << element;
+  }
+}
+
+TEST(JsonKeys, missing_numbers_are_treated_as_requested) {
+  InputOptions options;
+  const std::string text = R"([{"t":0,"x":1,"y":2},{"t":1,"x":null,"y":3},{"t":2,"y":4},{"t":3,"x":5,"y":6}])";
+  options.keys.missing = Missing::skip_row;
+  EXPECT_EQ(read(text, options), "t x y\n1: 0 1 2\n1: 3 5 6\n");
+  options.keys.missing = Missing::skip_cell;
+  EXPECT_EQ(read(text, options), "t x y\n1: 0 1 2\n1: 1 nan 3\n1: 2 nan 4\n1: 3 5 6\n");
+  EXPECT_EQ(read(R"([{"t":0,"position":[1,null]},{"t":1,"position":[null,2]}])", options),
+            "t x y\n1: 0 1 nan\n1: 1 nan 2\n");
+  EXPECT_THAT(read(R"([{"t":0,"x":1},{"t":null,"x":1}])", options), HasSubstr("keys[1].t: found null"));
+}
+
+TEST(JsonKeys, keys_have_the_texts_of_groups_and_labels) {
+  EXPECT_EQ(read(R"([{"id":7,"t":0,"x":1,"l":"a\"b"},{"id":"7","t":1,"x":2},{"id":true,"t":1,"x":3,"l":null}])",
+                 with_columns("group=id,carry=l")),
+            "t x\n1: 0 1 <7> <\"a\"b>\n1: 1 2 <\"7> <>\n1: 1 3 <true> <>\n");
+  EXPECT_THAT(read(R"([{"id":7,"t":0,"x":1},{"t":1,"x":2}])", with_columns("group=id")),
+              HasSubstr("the key has no member \"id\""));
+}
+
+TEST(JsonKeys, faults_do_not_end_the_reading) {
+  EXPECT_EQ(
+      read("[{\"t\":0,\"x\":1},\n{\"t\":\"a\",\"x\":\"b\"},\n{\"t\":2,\"x\":3},\n{\"t\":4,\"y\":5}]"),
+      "f:2:6: error: keys[1].t: \"a\" is no time in a known notation; expected a number, or a time such as "
+      "2024-03-01T13:00:00Z or 13:00:00, with years of four digits; convert it\n"
+      "f:2:14: error: keys[1].x: \"b\" is not a number; expected a number; correct it\n"
+      "f:4:1: error: the key has no member \"x\"; expected the members of the first key; add it, or give --missing "
+      "skip-cell, skip-row or break\n"
+      "f:4:12: error: keys[3].y: the first key has no such number; expected the same members in every key; add it "
+      "there");
+  EXPECT_THAT(read("{\"t\":0,\"x\":1}\n{\"t\":1 \"x\":2}\n{\"t\":2}\n"),
+              testing::AllOf(HasSubstr("f:2:8: error: not JSON"), HasSubstr("f:3:1: error: the key has no")));
+}
+
+TEST(JsonKeys, a_zero_keeps_its_sign) {
+  EXPECT_EQ(read(R"([{"t":0,"x":-0,"y":-0.0,"z":0}])"), "t x y z\n1: 0 -0 -0 0\n");
+}
+
+TEST(JsonKeys, tcb_and_its_parts_may_alternate_but_not_be_in_one_key) {
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tension":0.5},{"t":1,"x":2,"tcb":[1,2,3]},{"t":2,"x":3,"bias":4}])"),
+            "t x\n1: 0 1 [0.5 0 0]\n1: 1 2 [1 2 3]\n1: 2 3 [0 0 4]\n");
+  EXPECT_EQ(read(R"([{"t":0,"x":1,"tcb":[1,2,3]},{"t":1,"x":2,"tension":5}])"),
+            "t x\n1: 0 1 [1 2 3]\n1: 1 2 [5 0 0]\n");
+  EXPECT_THAT(second(R"({"t":0,"x":1})", R"({"t":1,"x":2,"bias":1,"tcb":[1,2,3]})"),
+              HasSubstr("keys[1].tcb[2]: this parameter is given twice"));
+  EXPECT_THAT(second(R"({"t":0,"x":1,"tension":0})", R"({"t":1,"x":2,"tcb":[1,2]})"),
+              HasSubstr("keys[1].tcb: the array has 2 elements; expected 3"));
+}
 
 TEST(JsonMembers, channels_name_the_positions_before_or_after_the_keys) {
   const std::string expected = "t a b\n1: 0 1 2\n";

@@ -1,0 +1,389 @@
+// JSON text: the values of a text of JSON as nlohmann-json finds them, and where a text may be cut.
+#include "read/json/text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "numbers/decimal_time.hpp"
+#include "numbers/parse_number.hpp"
+#include "numbers/print_number.hpp"
+#include "text/suggest.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr std::string_view json_blanks = " \t\r\n";
+constexpr std::size_t node_size = 12, distance_of_marks = std::size_t{1} << 20;
+
+}  // namespace
+
+/// Makes nodes of the events of the parser, which come directly after their tokens: so a token begins at the first
+/// character behind the last one that is no blank, comma or colon.
+class Json::Events : public nlohmann::json_sax<nlohmann::json> {
+  /// The characters of a text for the parser, with null in the place of NaN. `at` is behind the last one that it has.
+  struct Characters {
+    const char *at, *end;
+    bool in_string = false, is_escaped = false;
+    std::size_t of_null = 0;  ///< how many characters of null the parser has in the place of NaN
+
+    char get() const { return of_null > 0 || is_nan() ? "null"[of_null] : *at; }
+    void pass() {
+      if (of_null > 0 || is_nan()) {
+        constexpr std::size_t size_of_null = 4, size_of_nan = 3;
+        if (++of_null < size_of_null) return;
+        of_null = 0;
+        at += size_of_nan;
+        return;
+      }
+      if (*at == '"' && !is_escaped) in_string = !in_string;
+      is_escaped = in_string && *at == '\\' && !is_escaped;
+      ++at;
+    }
+    bool is_nan() const { return *at == 'N' && !in_string && std::string_view(at, end).starts_with("NaN"); }
+  };
+
+  /// Passes the characters to the parser, which reads each of them once.
+  struct CharacterIterator {
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = char;
+    Characters* from;  ///< null at the end
+
+    char operator*() const { return from->get(); }
+    CharacterIterator& operator++() { return from->pass(), *this; }
+    CharacterIterator operator++(int) { return std::exchange(*this, ++CharacterIterator(*this)); }
+    bool is_end() const { return from == nullptr || from->at == from->end; }
+    friend bool operator==(const CharacterIterator& one, const CharacterIterator& other) {
+      return one.is_end() == other.is_end();
+    }
+    friend bool operator!=(const CharacterIterator& one, const CharacterIterator& other) { return !(one == other); }
+  };
+
+ public:
+  explicit Events(Json& json) : json_(json), text_(json.text_), from_{text_.data(), text_.data() + text_.size()} {}
+
+  /// Parses the next value; false at the end.
+  bool parse_next() {
+    now_ = std::min(text_.find_first_not_of(json_blanks, now_), text_.size());
+    if (now_ == text_.size()) return false;
+    from_ = {text_.data() + now_, text_.data() + text_.size()};
+    nlohmann::json::sax_parse(CharacterIterator{&from_}, CharacterIterator{nullptr}, this,
+                              nlohmann::json::input_format_t::json, false);
+    return true;
+  }
+
+  // The events, by the names of nlohmann-json.
+  bool null() override { return add(Kind::null); }
+  bool boolean(bool) override { return add(Kind::boolean); }
+  bool number_integer(number_integer_t) override { return add_number(); }
+  bool number_unsigned(number_unsigned_t) override { return add_number(); }
+  bool number_float(number_float_t, const string_t&) override { return add_number(); }
+  bool string(string_t& text) override { return add_text(Kind::string, text); }
+  bool key(string_t& text) override { return add_text(Kind::name, text); }
+  bool binary(binary_t&) override { return false; }
+  bool start_object(std::size_t) override { return open(Kind::object); }
+  bool start_array(std::size_t) override { return open(Kind::array); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) override {
+    const bool is_end = text_.find_first_not_of(json_blanks, now_) == text_.npos || from_.at == from_.end;
+    if (is_end) {
+      throw data_error("not JSON: the text ends too early; expected the rest of the last value; complete it")
+          .at(json_.position_at(text_.size()));
+    }
+    std::string_view what = error.what();
+    constexpr std::string_view syntax = "syntax error ", number = "] ";
+    for (const std::string_view before : {number, syntax}) {
+      if (const std::size_t at = what.find(before); at != what.npos) what.remove_prefix(at + before.size());
+    }
+    throw data_error("not JSON: {}; correct the text", what.substr(0, what.find("; last read")))
+        .at(json_.position_at(token()));
+  }
+
+ private:
+  std::size_t token() const { return std::min(text_.find_first_not_of(" \t\r\n,:", now_), text_.size()); }
+
+  bool add(Kind kind) { return add(kind, static_cast<std::size_t>(from_.at - text_.data())); }
+  bool add(Kind kind, std::size_t end) {
+    const std::size_t begin = token();
+    now_ = end;
+    json_.nodes_.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin), kind});
+    return true;
+  }
+  /// The parser has read on to the character behind a number.
+  bool add_number() {
+    return add(Kind::number, std::min(text_.find_first_not_of("+-.0123456789eE", token()), text_.size()));
+  }
+  bool add_text(Kind kind, std::string& text) {
+    add(kind);
+    const Node& node = json_.nodes_.back();
+    if (text.size() + 2 < node.extent) {
+      json_.unescaped_.emplace(static_cast<std::uint32_t>(json_.size() - 1), std::move(text));
+    }
+    return true;
+  }
+  bool open(Kind kind) {
+    constexpr std::size_t most_levels = 100;
+    add(kind);
+    open_.push_back(json_.size() - 1);
+    if (open_.size() <= most_levels) return true;
+    throw data_error("this is nested deeper than {} brackets; expected fewer; remove it", most_levels)
+        .at(json_.position(open_.back()));
+  }
+  bool close() {
+    json_.nodes_[open_.back()].extent = static_cast<std::uint32_t>(json_.size() - 1 - open_.back());
+    open_.pop_back();
+    now_ = static_cast<std::size_t>(from_.at - text_.data());
+    return true;
+  }
+
+  Json& json_;
+  std::string_view text_;
+  Characters from_;
+  std::size_t now_ = 0;            ///< behind the last token
+  std::vector<std::size_t> open_;  ///< the arrays and objects around the next value
+};
+
+Json::Json(std::string text, LinePosition begin, std::size_t nodes) : text_(std::move(text)) {
+  static_assert(sizeof(Node) == node_size);
+  set_marks(begin);
+  nodes_.reserve(nodes);
+  nodes_.push_back({0, 0, Kind::array});
+  Events events(*this);
+  while (events.parse_next()) {
+  }
+  nodes_[0].extent = static_cast<std::uint32_t>(size() - 1);
+}
+
+std::size_t Json::count(std::size_t value) const {
+  return static_cast<std::size_t>(std::ranges::distance(inside(value)));
+}
+
+std::vector<std::uint32_t> Json::values(std::size_t value) const {
+  const JsonRange all = inside(value);
+  return {all.begin(), all.end()};
+}
+
+std::optional<std::size_t> Json::member(std::size_t object, std::string_view wanted) const {
+  if (!is(object, Kind::object)) return std::nullopt;
+  for (const std::size_t value : inside(object)) {
+    if (name(value) == wanted) return value;
+  }
+  return std::nullopt;
+}
+
+bool Json::has_only(std::size_t value, Kind wanted) const {
+  return is_nested(value) && !is_empty(value) &&
+         std::ranges::all_of(inside(value), [&](std::size_t inner) { return is(inner, wanted); });
+}
+
+bool Json::holds(std::size_t value, Kind wanted) const {
+  const auto begin = nodes_.begin() + static_cast<std::ptrdiff_t>(value);
+  return std::any_of(begin, nodes_.begin() + static_cast<std::ptrdiff_t>(next(value)),
+                     [&](const Node& node) { return node.kind == wanted; });
+}
+
+/// Behind the last character of an array or an object.
+std::size_t Json::end_of(std::size_t value) const {
+  const bool holds_none = is_empty(value);
+  const std::size_t last = holds_none ? value : next(value) - 1;
+  std::size_t at = nodes_[last].begin + (is_nested(last) ? 1 : nodes_[last].extent);
+  std::size_t depth = 0;  // of brackets that end behind the last node
+  for (std::size_t node = last; node > value; --node) depth += is_nested(node) && next(node) > last ? 1 : 0;
+  for (std::size_t left = depth + 1; left > 0; ++at) left -= text_[at] == ']' || text_[at] == '}' ? 1 : 0;
+  return at;
+}
+
+std::string_view Json::text(std::size_t value) const {
+  const std::string_view all = written(value);
+  if (!is(value, Kind::string) && !is_name(value)) return all;
+  if (!unescaped_.empty()) {
+    const auto found = unescaped_.find(static_cast<std::uint32_t>(value));
+    if (found != unescaped_.end()) return found->second;
+  }
+  return all.substr(1, all.size() - 2);
+}
+
+std::string_view Json::written(std::size_t value) const {
+  const Node& node = nodes_[value];
+  const std::size_t size = is_nested(value) ? end_of(value) - node.begin : node.extent;
+  return std::string_view(text_).substr(node.begin, size);
+}
+
+std::string Json::path(std::size_t within, std::size_t value) const {
+  std::string path;
+  while (is_nested(within)) {
+    std::size_t number = 0;
+    JsonIterator inner = inside(within).begin();
+    while (next(*inner) <= value) ++inner, ++number;
+    within = *inner;
+    path +=
+        is_member(within) ? fmt::format("{}{}", path.empty() ? "" : ".", name(within)) : fmt::format("[{}]", number);
+    if (within == value || within == value + 1) break;
+  }
+  return path;
+}
+
+std::string Json::shown(std::size_t value) const {
+  switch (kind(value)) {
+    case Kind::array: return "an array";
+    case Kind::object: return "an object";
+    case Kind::number: return "a number";
+    case Kind::null: return std::string(text(value));
+    default: return in_quotes(text(value));
+  }
+}
+
+TextPosition Json::position(std::size_t value) const { return position_at(nodes_[value].begin); }
+
+void Json::set_marks(LinePosition begin) {
+  marks_.push_back({0, begin});
+  while (marks_.back().byte + distance_of_marks < text_.size()) {
+    const Mark& last = marks_.back();
+    const std::string_view between = std::string_view(text_).substr(last.byte, distance_of_marks);
+    marks_.push_back({last.byte + distance_of_marks, position_after(between, last.at)});
+  }
+}
+
+Json::Mark Json::mark_at(std::size_t byte, const Mark& last) const {
+  const bool is_near = last.at.line > 0 && last.byte <= byte && byte - last.byte < distance_of_marks;
+  const Mark& from = is_near ? last : marks_[std::min(byte / distance_of_marks, marks_.size() - 1)];
+  return {byte, position_after(std::string_view(text_).substr(from.byte, byte - from.byte), from.at)};
+}
+
+TextPosition Json::position_at(std::size_t byte) const {
+  const LinePosition at = mark_at(byte, {0, {0, 0}}).at;
+  return {"", at.line, at.column};
+}
+
+bool JsonBlocks::read_more() {
+  if (is_read_) return false;
+  is_read_ = !bytes_.append_to(left_.text, left_.begin);
+  return !is_read_;
+}
+
+/// Goes on to the end of what was read, or of so many lines.
+void JsonBlocks::scan(std::size_t most_lines) {
+  const std::string& text = left_.text;
+  for (; at_ < text.size() && left_.lines < most_lines; ++at_) {
+    const char c = text[at_];
+    if (in_string_) {
+      if (c == '\\') ++at_;
+      in_string_ = c != '"';
+      continue;
+    }
+    switch (c) {
+      case '"': in_string_ = true; [[fallthrough]];
+      default: left_.nodes += depth_ == 0 ? 1 : 0; break;
+      case '[':
+      case '{':
+        left_.nodes += depth_ == 0 ? 2 : 1;
+        left_.values += depth_ == 0 ? 1 : 0;
+        ++depth_;
+        break;
+      case ',':
+      case ':': ++left_.nodes; break;
+      case ']':
+      case '}': depth_ -= depth_ > 0 ? 1 : 0; break;
+      case ' ':
+      case '\t':
+      case '\r': continue;
+      case '\n':
+        if (depth_ > 0 || !has_value_) continue;
+        has_value_ = false;
+        end_ = at_ + 1;
+        end_nodes_ = left_.nodes;
+        ++left_.lines;
+        continue;
+    }
+    has_value_ = true;
+  }
+}
+
+/// Reads on to the end of so many lines, or of the input.
+void JsonBlocks::fill(std::size_t lines, std::size_t most_lines) {
+  constexpr std::size_t bytes_of_node = node_size + sizeof(std::uint32_t);  // and its place in a list of values
+  do {
+    scan(most_lines);
+    const bool has_lines = left_.lines >= lines;
+    const std::uint64_t needed = left_.text.size() + left_.nodes * bytes_of_node;
+    if (!has_lines && (needed > most_ || left_.text.size() > std::numeric_limits<std::uint32_t>::max())) refuse_size();
+    if (has_lines) return;
+  } while (read_more());
+}
+
+/// Throws: Error (data) with the memory that the whole text needs.
+void JsonBlocks::refuse_size() {
+  constexpr std::uint64_t mebibyte = 1ULL << 20, bytes_of_byte = 8, most_times = 16;
+  const bool is_list = left_.text.find_first_not_of(json_blanks) == left_.text.find('[');
+  std::uint64_t size = left_.text.size();
+  for (std::string more; size < most_times * most_ && bytes_.append_to(more, {}); more.clear()) size += more.size();
+  throw data_error(
+      "JSON that is one {} is kept as a whole, which needs up to {} MiB of memory here; expected at most {}; {}give "
+      "--max-memory {}GiB",
+      is_list ? "array" : "value", bytes_of_byte * size / mebibyte + 1, most_ / mebibyte,
+      is_list ? "make a line of each key, as in jq -c '.[]' FILE | tcbsample, or " : "",
+      bytes_of_byte * size / (1024 * mebibyte) + 1);
+}
+
+std::optional<JsonBlock> JsonBlocks::next() {
+  constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+  const bool is_first = std::exchange(is_first_, false);
+  is_first ? fill(lines_of_first, lines_of_first) : fill(1, no_limit);
+  return left_.lines == 0 || (is_first && left_.lines < lines_of_first) ? rest() : cut();
+}
+
+std::optional<JsonBlock> JsonBlocks::whole() {
+  constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+  fill(no_limit, no_limit);
+  return rest();
+}
+
+bool JsonBlocks::is_at_end() {
+  while (left_.text.find_first_not_of(json_blanks) == std::string::npos) {
+    if (!read_more()) return true;
+  }
+  return false;
+}
+
+/// All that was read; nothing if it is blank.
+std::optional<JsonBlock> JsonBlocks::rest() {
+  if (left_.text.find_first_not_of(json_blanks) == std::string::npos) return std::nullopt;
+  return std::exchange(left_, {});
+}
+
+/// What is up to the last line that ends outside of values.
+JsonBlock JsonBlocks::cut() {
+  JsonBlock rest{left_.text.substr(end_), {}, left_.nodes - end_nodes_};
+  left_.text.resize(end_);
+  left_.nodes = end_nodes_;
+  rest.begin = position_after(left_.text, left_.begin);
+  at_ -= std::exchange(end_, 0);
+  return std::exchange(left_, std::move(rest));
+}
+
+std::string json_number_text(std::string_view decimal) {
+  const bool is_whole = decimal.find_first_of(".eE") == std::string_view::npos && decimal != "-0";
+  std::uint64_t digits = 0;
+  const char* const begin = decimal.data() + (decimal.starts_with('-') ? 1 : 0);
+  const bool is_exact = is_whole && std::from_chars(begin, decimal.data() + decimal.size(), digits).ec == std::errc() &&
+                        (begin == decimal.data() || digits <= std::uint64_t{1} << 63);
+  return is_exact ? std::string(decimal) : time_text(Time(parse_number(decimal).value_or(0)));
+}
+
+Error too_large(std::string_view decimal) {
+  return data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it", in_quotes(decimal));
+}
+
+Error twice_in(std::string_view holder) {
+  return data_error("the {} has this member twice; expected it once; remove one", holder);
+}
+
+}  // namespace tcb
