@@ -118,9 +118,8 @@ bool is_near(std::string_view name, std::string_view known) {
   return (are(1, 1) && known.size() > 4) || (are(2, 2) && here[0] == there[1] && here[1] == there[0]);
 }
 
-/// The role of which this name is a near miss: with a letter dropped, added or changed, or two letters swapped. In
-/// names of four letters a changed letter is no near miss, as it often makes another word, such as tide. Nothing for
-/// others.
+}  // namespace
+
 std::optional<Role> near_role(std::string_view name) {
   if (role_of_name(name) != Role::position) return std::nullopt;
   const std::string_view alone = without_unit(name);
@@ -130,6 +129,8 @@ std::optional<Role> near_role(std::string_view name) {
   });
   return meant == role_names.end() ? std::nullopt : std::optional(meant->role);
 }
+
+namespace {
 
 /// Tension, continuity or bias, if a text is the name of one or a near miss; not as in x_T, which may be anything.
 std::optional<Role> tcb_role(std::string_view text) {

@@ -218,7 +218,8 @@ class RecordReader {
       const Error fault = why_not_number(name, text, head_.marks);
       add_fault(cell, data_error("{}{}", fault.message(), if_no_key()));
     } else if (is_word(text, column)) {
-      const std::string request = requested_as(column.role == Role::position ? name : "", index_of(column));
+      const bool has_name = column.role == Role::position || head_.is_plain;
+      const std::string request = requested_as(has_name ? name : "", index_of(column));
       add_fault(cell, data_error("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or "
                                  "give it to --na, along with --missing, if it stands for a missing number, "
                                  "--columns {} to leave the column out, or --group {} if it tells curves apart",

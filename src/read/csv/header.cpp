@@ -929,12 +929,13 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
         .columns = head.columns,
         .requested = options.columns,
         .marks = head.marks,
-        .delimiter = head.dialect.delimiter,
+        .delimiter = head.is_plain ? '\0' : head.dialect.delimiter,
         .has_rotations = options.rotation.none || !options.rotation.requests.empty(),
         .has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown || options.has_shown_tcb_scale,
         .has_header = options.delimited.header.has_value(),
         .has_time_unit = options.units.time.has_value(),
-        .meant = options.delimited.meant};
+        .meant = options.delimited.meant,
+        .array = options.delimited.array};
     std::ranges::copy(doubts_of_columns(found), std::back_inserter(notes));
     head.columns.time_gap = first_time_gap(found);
   }

@@ -14,6 +14,7 @@
 #include "numbers/parse_number.hpp"
 #include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
+#include "schema/doubts.hpp"
 #include "schema/key_rules.hpp"
 #include "schema/roles.hpp"
 #include "schema/usual_names.hpp"
@@ -78,17 +79,17 @@ constexpr std::array velocity_arrays{std::pair{"velocity", "_v"}, std::pair{"vel
 /// Finds which cells of the first records are part of the table, and what they are called.
 class LayoutFinder {
  public:
-  LayoutFinder(const Json& json, const JsonTable& table, const InputOptions& options,
-               const std::vector<std::string>& channels)
+  LayoutFinder(const Json& json, const JsonTable& table, const InputOptions& options, const JsonCurveInfo& info)
       : json_(json),
         table_(table),
         options_(options),
         requested_(options.columns),
-        channels_(channels),
+        info_(info),
+        channels_(info.channels),
         layout_{.memory = MemoryUse(options.max_memory)} {
     for (const RoleRequest& role : requested_.roles) {
       names_.insert(role.columns.begin(), role.columns.end());
-      if (role.role == Role::position) positions_ = role.columns;
+      if (role.role == Role::position && !role.unless_taken) positions_ = role.columns;
     }
     for (const GivenRotation& rotation : options.rotation.requests) {
       names_.insert(rotation.columns.begin(), rotation.columns.end());
@@ -107,7 +108,7 @@ class LayoutFinder {
       find_requested();
       require_shapes();
       find_positions();
-      table_.are_scattered ? take_all() : choose();
+      table_.are_scattered || !table_.has_names ? take_all() : choose();
     }
     name_columns();
     join_parameters();
@@ -123,7 +124,6 @@ class LayoutFinder {
   }
 
  private:
-  bool lacks_position_request() const { return !requested_.has(Role::position); }
   bool has_any(const auto& f) const { return std::ranges::any_of(columns_, f); }
   void take_all() {
     for (JsonColumn& column : columns_) column.is_used = true;
@@ -191,16 +191,26 @@ class LayoutFinder {
     column.has_text = column.has_text || (!is_number && !is_missing && !is_time_in_words);
   }
 
+  /// The last step of a column, without a point.
+  static std::string own_name(const JsonColumn& column) {
+    return std::string(column.last_step().substr(column.last_step().starts_with('.') ? 1 : 0));
+  }
+
   void find_requested() {
     std::unordered_set<std::string_view> paths;
     for (const JsonColumn& column : columns_) paths.insert(column.path);
     for (JsonColumn& column : columns_) {
       column.is_requested = std::ranges::any_of(names_, [&](auto& name) { return is_in(column, name); });
       // The number of an object "position" may be requested by its own name.
-      const std::string last(column.last_step().substr(column.last_step().starts_with('.') ? 1 : 0));
-      const bool is_alone = column.stem == "position" && !paths.contains(last);
-      if (is_alone && std::ranges::count(positions_, last) > 0) column.is_requested = true;
+      const bool is_alone = column.stem == "position" && !paths.contains(own_name(column));
+      if (is_alone && std::ranges::count(positions_, own_name(column)) > 0) column.is_requested = true;
     }
+    const auto is_requested_as = [&](const JsonColumn& column, const std::string& name) {
+      return is_in(column, name) || (column.is_requested && own_name(column) == name);
+    };
+    lacks_positions_ = !requested_.has(Role::position) || std::ranges::any_of(positions_, [&](const std::string& name) {
+      return !in_digits<std::size_t>(name) && !has_any([&](auto& column) { return is_requested_as(column, name); });
+    });
   }
 
   /// Throws: Error (data) for an array or an object where a number was expected, or the reverse.
@@ -211,8 +221,9 @@ class LayoutFinder {
         throw at(column, column.path, data_error("this is not an array; expected [T,C,B]; correct it"));
       }
       const Role role = role_of_name(column.stem);
-      if (column.depth > 0 && column.stem != "position" && role != Role::position && role != Role::time) {
-        throw at_value(column, column.stem, data_error("this is not a number; expected one; correct it"));
+      const bool may_have_parts = role == Role::position || (role == Role::time && !column.is_in_array());
+      if (column.depth > 0 && column.stem != "position" && !may_have_parts) {
+        throw at(column, column.stem, data_error("this is not a number; expected one; correct it"));
       }
     }
   }
@@ -238,26 +249,31 @@ class LayoutFinder {
     has_quaternion_ = !options_.rotation.none && !takes_array && rotation_cells == 4 &&
                       std::ranges::count_if(columns_, is_of_quaternion) == 4;
     std::vector<std::string> usual;
+    std::unordered_set<std::string_view> texts;
+    for (const JsonColumn& column : columns_) {
+      if (column.has_text) texts.insert(column.stem);
+    }
     for (const JsonColumn& column : columns_) {
       if (column.depth == 0 && is_free_number(column) && column.has_number) has_plain_ = true;
-      const bool is_array = column.depth == 1 && column.is_in_array() && is_free_number(column);
+      const bool is_array =
+          column.depth == 1 && column.is_in_array() && is_free_number(column) && !texts.contains(column.stem);
       if (!is_array || sizes_[column.stem]++ > 0) continue;
       arrays_.push_back(column.stem);
       std::string_view one = column.stem;
       if (one.ends_with('s')) one.remove_suffix(1);
       if (is_usual_position(column.stem) || is_usual_position(one)) usual.push_back(column.stem);
     }
-    if (!lacks_position_request()) return;
+    if (!lacks_positions_) return;
     if (has_any([](const JsonColumn& column) { return column.stem == "position" && !column.has_text; })) {
       stem_ = "position";
     } else if (!has_plain_) {
-      stem_ = arrays_.size() == 1 ? arrays_[0] : usual.size() == 1 ? usual[0] : "";
+      stem_ = usual.size() == 1 ? usual[0] : arrays_.size() == 1 && arrays_[0] != "rotation" ? arrays_[0] : "";
     }
   }
 
   /// Whether a number is one of the positions that no request names.
   bool is_position(const JsonColumn& column) const {
-    if (!lacks_position_request() || !is_free_number(column)) return false;
+    if (!lacks_positions_ || !is_free_number(column)) return false;
     if (!stem_.empty()) return column.stem == stem_;
     if (column.depth == 0) return true;
     const std::size_t bracket = column.path.find('[');
@@ -272,10 +288,9 @@ class LayoutFinder {
   void choose() {
     const bool has_time = requested_.timeless || requested_.has(Role::time) ||
                           has_any([](const JsonColumn& column) { return column.depth == 0 && is_time(column); });
-    bool has_positions = !lacks_position_request() || has_plain_;
-    std::unordered_set<std::string_view> arrays_of_first;  // a number beyond their ends is a fault of its record
+    bool has_positions = !lacks_positions_ || has_plain_;
     for (const JsonColumn& column : columns_) {
-      if (column.row == 0 && column.is_in_array()) arrays_of_first.insert(column.stem);
+      if (column.row == 0 && column.is_in_array()) arrays_of_first_.insert(column.stem);
     }
     const bool may_be_partial = options_.keys.missing != Missing::skip_cell && has_full_position();
     for (JsonColumn& column : columns_) {
@@ -285,10 +300,9 @@ class LayoutFinder {
                            : column.has_text ? column.depth > 0 && !has_role
                            : role_of_name(column.path) != Role::position
                                ? column.depth > 0
-                               : is_free_number(column) && !is_position(column);
+                               : is_free_number(column) && !is_position(column) && !is_near_miss(column);
       const bool is_partial = column.depth == 0 && is_position(column) && column.row > 0 && may_be_partial;
-      const bool is_beyond = column.row > 0 && column.is_in_array() && arrays_of_first.contains(column.stem);
-      column.is_used = column.is_requested || !(is_left || is_partial || is_beyond);
+      column.is_used = !is_beyond(column) && (column.is_requested || !(is_left || is_partial));
       if (is_partial && !column.is_requested) {
         layout_.ignored.push_back(fmt::format("{} (in {} of {} records)", column.path, column.rows,
                                               std::min(table_.size(), most_first_records)));
@@ -297,9 +311,16 @@ class LayoutFinder {
       if (column.is_used && (!stem_.empty() && column.stem == stem_)) unnamed_.push_back(&column);
     }
     if (!stem_.empty()) require_array_of_numbers();
+    if (sizes_.contains(stem_)) layout_.array = stem_;
     require_no_lost_numbers(has_time, has_positions);
     require_quaternion();
+    note_unused_rotation();
     note_left_numbers();
+  }
+
+  /// Whether a number is beyond the end of an array of the first record, which is a fault of its own record.
+  bool is_beyond(const JsonColumn& column) const {
+    return column.row > 0 && column.is_in_array() && arrays_of_first_.contains(column.stem);
   }
 
   /// Whether a position is in all of the first records, so that others need not be.
@@ -328,7 +349,7 @@ class LayoutFinder {
       if (first == nullptr) first = &column;
       const bool is_array = sizes_.contains(column.stem) && !rotation_stem_of(column.stem + "x") &&
                             !is_of_rotation_vector(column.stem + "x");
-      if (lacks_position_request() && stem_.empty() && is_array) refuse_arrays(column);
+      if (lacks_positions_ && stem_.empty() && is_array) refuse_arrays(column);
       if (!stem_.empty() && !has_time && column.depth == 0 && !is_coordinate(column.path)) {
         throw data_error(
             "no member is the time, but {} may be; expected one called time; give --columns {}, or --parameter uniform "
@@ -345,36 +366,77 @@ class LayoutFinder {
                         first->path));
   }
 
+  /// Whether a number has a name that is close to that of a role, which is an error of the table.
+  bool is_near_miss(const JsonColumn& column) const {
+    return column.depth == 0 && lacks_positions_ && near_role(column.path).has_value();
+  }
+
   /// Throws: Error (data) for arrays of which one may be the positions.
   [[noreturn]] void refuse_arrays(const JsonColumn& column) const {
     std::vector<std::string> sizes;
-    std::string likely;
+    std::string likely, poses;
+    bool are_alike = true;  // in size
     constexpr std::array<std::string_view, 6> tangents{"to", "ti", "in", "out", "i", "o"};
     for (const std::string& array : arrays_) {
       sizes.push_back(fmt::format("{} of {}", in_quotes(array), how_many(sizes_.at(array), "number")));
+      are_alike = are_alike && sizes_.at(array) == sizes_.at(arrays_[0]);
       if (likely.empty() && std::ranges::count(tangents, array) == 0) likely = array;
+      const std::string options = options_of_poses_in(array);
+      if (!options.empty()) poses = fmt::format("{} for the poses in {}", options, in_quotes(array));
     }
-    const std::string name = arrays_.size() == 1 || likely.empty() ? arrays_[0] : likely;
+    if (arrays_.size() == 1 && poses.empty()) {
+      throw at(column, column.stem,
+               data_error("this array is not used; expected \"position\" as the name of an array of positions; rename "
+                          "it, or give --columns {}, or position=NAME:NAME for the members to take",
+                          in_shell("position=" + arrays_[0])));
+    }
     throw at(column, column.stem,
-             arrays_.size() == 1
-                 ? data_error("this array is not used; expected \"position\" as the name of an array of positions; "
-                              "rename it, or give --columns {}, or position=NAME:NAME for the members to take",
-                              in_shell("position=" + name))
-                 : data_error("these arrays are not used: {}; expected \"position\" as the name of an array of "
-                              "positions; rename one, or give --columns {}, or the name of another one that has the "
-                              "positions",
-                              listed(sizes), in_shell("position=" + name)));
+             data_error("these arrays are not used: {}; expected \"position\" as the name of an array of positions; "
+                        "rename one, or give {}",
+                        listed(sizes),
+                        !poses.empty() ? poses
+                        : likely.empty() || !are_alike
+                            ? "--columns position=NAME for the one that has the positions"
+                            : fmt::format("--columns {}, or the name of another one that has the positions",
+                                          in_shell("position=" + likely))));
+  }
+
+  /// The options that take the numbers in an array as poses, if they are such; empty for others.
+  std::string options_of_poses_in(const std::string& array) const {
+    std::vector<std::string> names;
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (!is_in(columns_[i], array)) continue;
+      names.push_back(columns_[i].path);
+      numbers.push_back(i);
+    }
+    if (names.size() != 12 && names.size() != 16) return "";
+    JsonRows records(json_, table_, layout_);
+    std::vector<std::vector<std::string_view>> rows;
+    std::vector<std::uint32_t> cells;
+    for (std::size_t row = 0; row < std::min(table_.size(), most_first_records); ++row) {
+      if (!records.get(row, cells)) continue;
+      rows.emplace_back();
+      for (const std::size_t number : numbers) {
+        if (cells[number] == 0) return "";
+        rows.back().push_back(json_.text(cells[number]));
+      }
+    }
+    const Columns none;
+    const FoundColumns found{.names = names, .rows = rows, .numeric = {}, .columns = none, .requested = requested_};
+    return options_of_poses(found, 0, names.size());
   }
 
   /// Throws: Error (data) for "rotation" that is something else than a quaternion and is not requested.
   void require_quaternion() const {
-    if (has_quaternion_ || options_.rotation.none || !lacks_position_request()) return;
+    if (has_quaternion_ || options_.rotation.none || !lacks_positions_) return;
     const auto first = std::ranges::find_if(columns_, is_of_rotation);
     const auto count = std::ranges::count_if(columns_, is_of_rotation);
-    if (first == columns_.end() || first->depth > 1 || first->is_requested) return;
-    if (first->is_in_array() && count < 3) return;  // too few for a rotation in any form
+    if (first == columns_.end() || first->is_requested) return;
+    const bool is_array = first->is_in_array() && first->depth == 1;
+    if (is_array && count < 3) return;  // too few for a rotation in any form
     throw at(*first, "rotation",
-             first->is_in_array()
+             is_array
                  ? data_error("the array has {}; expected four, x, y, z, w of a quaternion; correct it, or give "
                               "--rotation axis-angle=rotation or euler=rotation,order=XYZ for another form, or "
                               "--columns position={}rotation for plain channels",
@@ -382,6 +444,28 @@ class LayoutFinder {
                  : data_error("\"rotation\" has members other than x, y, z and w; expected the four numbers of a "
                               "quaternion; correct them, or give --columns position=NAME:NAME for the members to "
                               "take"));
+  }
+
+  /// Notes numbers of an array, or of an object of x, y, z and w, that are not used and a rotation by its name.
+  void note_unused_rotation() {
+    if (options_.rotation.none || !options_.rotation.requests.empty() || !lacks_positions_) return;
+    std::unordered_map<std::string_view, std::size_t> counts;
+    for (const JsonColumn& column : columns_) {
+      const bool is_number = column.depth > 0 && !column.is_used && !column.has_text;
+      if (is_number && number_in_quaternion(column) < 4) ++counts[column.stem];
+    }
+    for (const JsonColumn& column : columns_) {
+      const std::size_t count = sizes_.contains(column.stem) ? sizes_.at(column.stem) : counts[column.stem];
+      const bool is_vector = column.is_in_array() && count == 3 && is_of_rotation_vector(column.stem + "x");
+      const bool is_quaternion = count == 4 && counts[column.stem] == 4 && rotation_stem_of(column.stem + "x");
+      if (column.is_used || (!is_vector && !is_quaternion)) continue;
+      layout_.notes.push_back(
+          fmt::format("the numbers of {} may be a rotation; --rotation {} resamples them as one{}, "
+                      "--rotation none leaves out this note",
+                      in_quotes(column.stem), in_shell((is_vector ? "axis-angle=" : "quaternion=") + column.stem),
+                      is_vector ? "" : " whose last number is w"));
+      return;
+    }
   }
 
   /// Notes the numbers beside the positions, and lists what else is not part of the table.
@@ -395,7 +479,7 @@ class LayoutFinder {
       const bool is_partial = column.depth == 0 && !column.is_used && column.row > 0 && is_position(column);
       const bool is_apart = used.contains(outermost(column.path));
       const std::string_view name = is_apart ? outer(column.path) : outermost(column.path);
-      if (column.is_used || is_partial || !names.insert(name).second) continue;
+      if (column.is_used || is_partial || is_beyond(column) || !names.insert(name).second) continue;
       const bool is_number = column.depth < 2 && (column.depth == 0 || column.is_in_array()) && is_free_number(column);
       const bool is_rotation = rotation_stem_of(column.stem + "x") || is_of_rotation_vector(column.stem + "x");
       (stem_ == "position" && is_number && !is_rotation ? numbers : layout_.ignored).emplace_back(name);
@@ -444,6 +528,7 @@ class LayoutFinder {
     const std::vector<std::string> usual = channels_.empty() ? default_channel_names(unnamed_.size()) : channels_;
     const std::set<std::string_view> known(usual.begin(), usual.end());
     const bool is_free = !has_any([&](const JsonColumn& column) { return known.contains(column.path); });
+    const auto& places = info_.curve_info.places;
     std::vector<std::string> names;
     for (JsonColumn* column : unnamed_) {
       if (!column->is_in_array()) {
@@ -451,7 +536,8 @@ class LayoutFinder {
       } else {
         if (names.size() >= usual.size() || (!channels_.empty() && unnamed_.size() != usual.size())) {
           throw data_error("\"channels\" has {}; expected {}, one for each number of \"position\"; correct it",
-                           how_many(usual.size(), "name"), unnamed_.size());
+                           how_many(usual.size(), "name"), unnamed_.size())
+              .at(std::ranges::find(places, "channels", [](const auto& place) { return place.first; })->second);
         }
         const bool is_prefixed = !is_free && column->stem != "position";
         column->name = (is_prefixed ? column->stem + "_" : "") + usual[names.size()];
@@ -476,12 +562,15 @@ class LayoutFinder {
   const JsonTable& table_;
   const InputOptions& options_;
   const ColumnOptions& requested_;
-  const std::vector<std::string>& channels_;
-  std::set<std::string> names_, rotations_;  ///< of requested columns
-  std::vector<std::string> positions_;       ///< names that are requested as positions
+  const JsonCurveInfo& info_;
+  const std::vector<std::string>& channels_;  ///< of it
+  std::set<std::string> names_, rotations_;   ///< of requested columns
+  std::vector<std::string> positions_;        ///< names that are requested as positions
+  bool lacks_positions_ = false;              ///< none are requested, but for names that cells get here
   JsonLayout layout_;
   std::vector<JsonColumn>& columns_ = layout_.columns;
-  std::vector<std::string> arrays_;  ///< names of those that may be positions, and their sizes
+  std::unordered_set<std::string> arrays_of_first_;  ///< their names
+  std::vector<std::string> arrays_;                  ///< names of those that may be positions, and their sizes
   std::unordered_map<std::string, std::size_t> sizes_;
   std::string stem_;                  ///< of the positions; empty: they are members of records
   bool has_plain_ = false;            ///< a number of records may be a position
@@ -527,12 +616,19 @@ std::uint32_t JsonRows::find(const JsonPaths::Step& step) {
   return id;
 }
 
+/// Whether a step is a cell with a value, so that an array or an object in its place is a fault.
+bool JsonRows::is_value_in_earlier_record(std::uint32_t step) const {
+  const std::size_t column = layout_.paths.column(step);
+  return column != JsonPaths::no_column && !json_.is(layout_.columns[column].value, Kind::null);
+}
+
 template <class F>
 void JsonRows::read_value(const JsonPaths::Step& step, std::uint32_t value, const F& found) {
   const std::uint32_t id = find(step);
   if (id == 0) return refuse_unknown(row_, step, value);
   if (grows_ == nullptr && layout_.paths.is_used(id)) require_shape(id, value);
   if (!json_.is_nested(value)) return found(id, value);
+  if (grows_ != nullptr && is_value_in_earlier_record(id)) return;
   std::uint32_t index = 0;
   const bool is_object = json_.is(value, Kind::object);
   for (const std::uint32_t inner : json_.inside(value)) {
@@ -643,7 +739,9 @@ void JsonRows::require_shape(std::uint32_t id, std::uint32_t value) const {
                         paths.elements(id)));
     }
   } else if (json_.is_nested(value) && is_cell && paths.elements(id) == 0) {
-    refuse(data_error("this is not a number; expected one, as in the first key; correct it"));
+    const bool is_text = layout_.columns[paths.column(id)].has_text;
+    refuse(data_error("this is not a {}; expected one, as in the first key; correct it",
+                      is_text ? "text or a number" : "number"));
   } else if (!json_.is_nested(value) && !json_.is(value, Kind::null) && !is_cell) {
     refuse(paths.elements(id) > 0
                ? data_error("this is not an array; expected one of numbers, as in the first key; correct it")
@@ -666,8 +764,8 @@ void JsonRows::refuse_unknown(std::size_t row, const JsonPaths::Step& step, std:
 }
 
 JsonLayout find_layout(const Json& json, const JsonTable& table, const InputOptions& options,
-                       const std::vector<std::string>& channels) {
-  return LayoutFinder(json, table, options, channels).find();
+                       const JsonCurveInfo& info) {
+  return LayoutFinder(json, table, options, info).find();
 }
 
 void add_parameters(JsonLayout& layout) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "read/input_options.hpp"
+#include "read/json/settings.hpp"
 #include "read/json/tables.hpp"
 #include "read/json/text.hpp"
 
@@ -81,13 +82,14 @@ struct JsonLayout {
   std::vector<std::string> notes = {};
   std::vector<std::string> ignored = {};  ///< names of what is not part of the table
   std::vector<std::string> meant = {};    ///< names in the header of numbers in arrays
+  std::string array = {};                 ///< the name of the only array of positions; empty: there is none
   MemoryUse memory;                       ///< of paths
 };
 
-/// The layout of a table by its first records. `channels`: names for the numbers of positions, if any.
+/// The layout of a table by its first records. `info`: of the members around it, with the names of channels.
 /// Throws: Error (data) for records that are none, and where it is not clear which numbers are positions.
 JsonLayout find_layout(const Json& json, const JsonTable& table, const InputOptions& options,
-                       const std::vector<std::string>& channels);
+                       const JsonCurveInfo& info);
 
 /// Adds tension, continuity and bias, alone and in "tcb", as any record may have them. They are the last columns.
 void add_parameters(JsonLayout& layout);
@@ -120,6 +122,7 @@ class JsonRows {
   template <class F>
   void read_value(const JsonPaths::Step& step, std::uint32_t value, const F& found);
   std::uint32_t find(const JsonPaths::Step& step);
+  bool is_value_in_earlier_record(std::uint32_t step) const;
   void require_shape(std::uint32_t id, std::uint32_t value) const;
   void refuse_unknown(std::size_t row, const JsonPaths::Step& step, std::uint32_t value) const;
 

@@ -127,14 +127,16 @@ class Places {
     }
     constexpr std::string_view empty = "found an empty cell; expected a";
     if (value == 0 && message.starts_with(empty)) {
+      message.resize(std::min(message.find(", or --columns"), message.size()));
       message =
           fmt::format("the key has no member {}; expected the members of the first key; add it{}",
                       in_quotes(column.path), message.substr(std::min(message.find(", or give"), message.size())));
       return Error(fault.exit(), message).at(json_.position(table_.place(row)));
     }
-    constexpr std::string_view null = "found \"null\"";
     const bool is_null = value != 0 && json_.is(value, Kind::null);
-    if (is_null && message.starts_with(null)) message.replace(0, null.size(), "found null");
+    for (const std::string_view found : {"found \"null\"", "found an empty cell"}) {
+      if (is_null && message.starts_with(found)) message.replace(0, found.size(), "found null");
+    }
     const std::size_t place = value != 0 ? value : table_.place(row);
     return Error(fault.exit(), message)
         .about(fmt::format("{}[{}].{}", table_.list(), part_.number + row, column.path))
@@ -203,6 +205,7 @@ InputOptions options_of_text(const InputOptions& options, const JsonLayout& layo
                        .comment = "",
                        .is_plain = true,
                        .meant = layout.meant,
+                       .array = layout.array,
                        .has_decimal = true};
   return of_text;
 }
@@ -225,9 +228,9 @@ void add_optional_parameters(Meaning& meaning) {
 
 /// The meaning of the records of a table, by the first of them.
 std::shared_ptr<const Meaning> meaning_of(const SharedJson& json, const std::shared_ptr<const JsonTable>& table,
-                                          const InputOptions& options, const std::vector<std::string>& channels) {
+                                          const InputOptions& options, const JsonCurveInfo& info) {
   constexpr std::size_t most_records = 100;
-  auto meaning = std::make_shared<Meaning>(Meaning{json, find_layout(*json, *table, options, channels)});
+  auto meaning = std::make_shared<Meaning>(Meaning{json, find_layout(*json, *table, options, info)});
   const JsonLayout& layout = meaning->layout;
   PlainText plain;
   if (table->has_names) {
@@ -314,7 +317,7 @@ Opened open_table(const SharedJson& json, JsonTable found, const InputOptions& o
     const std::string curve = table->path.substr(0, std::min(table->path.rfind('.'), table->path.size()));
     opened.info = read_curve_info(*json, table->around.back(), curve == table->path ? "" : curve);
   }
-  opened.part = {json, table, meaning_of(json, table, options, opened.info.channels), 0, table->size()};
+  opened.part = {json, table, meaning_of(json, table, options, opened.info), 0, table->size()};
   return opened;
 }
 
@@ -398,17 +401,23 @@ Error unlike_list(const Json& json) {
   const std::size_t second = json.next(1);
   const bool are_lists = json.is(1, Kind::array) && json.is(second, Kind::array);
   return (are_lists
-              ? data_error("another array follows the first one; expected one array of all keys; put them into one, as "
-                           "in jq -s 'add' FILE | tcbsample")
+              ? data_error("another array follows the first one; expected one array of all keys; put the keys into one")
               : data_error("found {} behind the keys; expected nothing; remove it", json.shown(second)))
       .at(json.position(second));
+}
+
+/// Whether an object has a time, as the only key of a text has.
+bool may_be_key(const Json& json, std::size_t object) {
+  return json.is(object, Kind::object) && std::ranges::any_of(json.inside(object), [&](std::size_t value) {
+           return !json.is_nested(value) && is_usual_time(json.name(value));
+         });
 }
 
 /// One value, whose tables are the keys.
 Records open_value(const SharedJson& json, const InputOptions& options) {
   if (json->next(1) < json->size()) throw unlike_list(*json);
   std::vector<JsonTable> tables = find_tables(*json, options);
-  if (tables.empty() && json->is(1, Kind::object)) tables.push_back({.value = 0, .records = {1}});  // it may be a key
+  if (tables.empty() && may_be_key(*json, 1)) tables.push_back({.value = 0, .records = {1}});
   if (tables.empty()) {
     throw data_error(
         "found no list of keys; expected an array of objects or of rows, or an object of columns; give --records if it "

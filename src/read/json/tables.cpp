@@ -107,12 +107,16 @@ class Layouts {
       return is_wanted || ((table.records.size() > 1 || table.value <= 1) && has_number(table.records[0]));
     }
     table.has_names = false;
-    if (!json_.has_only(table.value, Kind::array)) return false;
+    const bool is_whole_text = table.value <= 1 && json_.is(table.records[0], Kind::array) &&
+                               table.records.size() > 1 && json_.count(table.records[0]) > 1 &&
+                               is_row(table.records[0]);
+    if (is_whole_text) is_wanted = true;
+    if (!is_wanted && !json_.has_only(table.value, Kind::array)) return false;
     table.has_times = table.records.size() > 1;
     std::optional<double> before;
     for (const std::size_t row : table.records) {
       if (!is_wanted && (json_.count(row) < 2 || !is_row(row))) return false;
-      if (json_.is_empty(row) || !is_number(json_.first(row))) continue;
+      if (!json_.is(row, Kind::array) || json_.is_empty(row) || !is_number(json_.first(row))) continue;
       const double time = parse_number(json_.text(json_.first(row))).value_or(0);
       table.has_times = table.has_times && (!before || time > *before);
       before = time;
@@ -392,7 +396,8 @@ class TableSearch {
       if (!json_.is(curve, Kind::object)) {
         throw data_error("no curve here; expected an object with \"keys\"; correct the text").at(json_.position(curve));
       }
-      if (!take_own_keys(curve) && number == 1) return false;
+      const bool has_list = json_.member(curve, "keys") || json_.member(curve, "rows");
+      if (!take_own_keys(curve) && number == 1 && !has_list) return false;
       if (tables_.size() < number) {
         throw data_error(
             "found no keys; expected at least two in \"keys\"; add them, remove the curve, or give their path to "
@@ -409,6 +414,7 @@ class TableSearch {
       const auto keys = json_.member(object, name);
       if (!keys || !json_.is(*keys, Kind::array)) continue;
       if (json_.is_empty(*keys)) {
+        if (!path_.empty()) return false;
         throw data_error("found no keys; expected at least two in \"keys\"; add them").at(json_.position(object));
       }
       if (!json_.is(json_.first(*keys), Kind::object)) continue;

@@ -18,6 +18,7 @@ namespace tcb {
 namespace {
 
 constexpr std::string_view json_blanks = " \t\r\n";
+constexpr std::array<std::string_view, 3> json_words{"true", "false", "null"};
 constexpr std::size_t node_size = 12, distance_of_marks = std::size_t{1} << 20;
 
 }  // namespace
@@ -93,11 +94,17 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) override {
-    const bool is_end = text_.find_first_not_of(json_blanks, now_) == text_.npos || from_.at == from_.end;
-    if (is_end) {
+    const std::string_view last = text_.substr(token());
+    const auto begins_with_last = [&](std::string_view word) { return word.starts_with(last); };
+    const bool is_begun = !last.empty() && (last[0] == '"' || last[0] == '-' || is_digit(last[0]) ||
+                                            std::ranges::any_of(json_words, begins_with_last));
+    if (last.empty() || (from_.at == from_.end && is_begun)) {
       throw data_error("not JSON: the text ends too early; expected the rest of the last value; complete it")
           .at(json_.position_at(text_.size()));
     }
+    constexpr int id_of_overflow = 406;  // the number of out_of_range where a number has no double
+    if (error.id == id_of_overflow)
+      throw too_large(last.substr(0, last.find_first_not_of("+-.0123456789eE"))).at(json_.position_at(token()));
     std::string_view what = error.what();
     constexpr std::string_view syntax = "syntax error ", number = "] ";
     for (const std::string_view before : {number, syntax}) {
@@ -326,11 +333,10 @@ void JsonBlocks::refuse_size() {
   std::uint64_t size = left_.text.size();
   for (std::string more; size < most_times * most_ && bytes_.append_to(more, {}); more.clear()) size += more.size();
   throw data_error(
-      "JSON that is one {} is kept as a whole, which needs up to {} MiB of memory here; expected at most {}; {}give "
-      "--max-memory {}GiB",
+      "JSON that is one {0} is kept as a whole, which needs up to {1} MiB of memory here; expected at most {2} MiB; "
+      "{3}give --max-memory {1}MiB",
       is_list ? "array" : "value", bytes_of_byte * size / mebibyte + 1, most_ / mebibyte,
-      is_list ? "make a line of each key, as in jq -c '.[]' FILE | tcbsample, or " : "",
-      bytes_of_byte * size / (1024 * mebibyte) + 1);
+      is_list ? "make a line of each key, as in jq -c '.[]' FILE | tcbsample, or " : "");
 }
 
 std::optional<JsonBlock> JsonBlocks::next() {
