@@ -267,7 +267,7 @@ class LayoutFinder {
     if (has_any([](const JsonColumn& column) { return column.stem == "position" && !column.has_text; })) {
       stem_ = "position";
     } else if (!has_plain_) {
-      stem_ = usual.size() == 1 ? usual[0] : arrays_.size() == 1 && arrays_[0] != "rotation" ? arrays_[0] : "";
+      stem_ = usual.size() == 1 ? usual[0] : arrays_.size() == 1 ? arrays_[0] : "";
     }
   }
 

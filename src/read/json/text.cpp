@@ -19,35 +19,34 @@ namespace {
 
 constexpr std::string_view json_blanks = " \t\r\n";
 constexpr std::array<std::string_view, 3> json_words{"true", "false", "null"};
-constexpr std::size_t node_size = 12, distance_of_marks = std::size_t{1} << 20;
+constexpr std::string_view number_characters = "+-.0123456789eE";
+constexpr std::size_t node_size = 12, distance_of_marks = std::size_t{1} << 20, size_of_nan = 3;
+
+/// A text with a number of the same size in the place of each NaN.
+std::string without_nan(std::string_view text) {
+  constexpr std::string_view before = " \t\r\n[,:", after = " \t\r\n],}";
+  std::string masked(text);
+  bool in_string = false;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (in_string && text[at] == '\\') {
+      ++at;
+    } else if (text[at] == '"') {
+      in_string = !in_string;
+    } else if (!in_string && text[at] == 'N' && text.substr(at, size_of_nan) == "NaN") {
+      const std::size_t end = at + size_of_nan;
+      const bool is_value = (at == 0 || before.find(text[at - 1]) != before.npos) &&
+                            (end == text.size() || after.find(text[end]) != after.npos);
+      if (is_value) masked.replace(at, size_of_nan, "0.0");
+    }
+  }
+  return masked;
+}
 
 }  // namespace
 
 /// Makes nodes of the events of the parser, which come directly after their tokens: so a token begins at the first
 /// character behind the last one that is no blank, comma or colon.
 class Json::Events : public nlohmann::json_sax<nlohmann::json> {
-  /// The characters of a text for the parser, with null in the place of NaN. `at` is behind the last one that it has.
-  struct Characters {
-    const char *at, *end;
-    bool in_string = false, is_escaped = false;
-    std::size_t of_null = 0;  ///< how many characters of null the parser has in the place of NaN
-
-    char get() const { return of_null > 0 || is_nan() ? "null"[of_null] : *at; }
-    void pass() {
-      if (of_null > 0 || is_nan()) {
-        constexpr std::size_t size_of_null = 4, size_of_nan = 3;
-        if (++of_null < size_of_null) return;
-        of_null = 0;
-        at += size_of_nan;
-        return;
-      }
-      if (*at == '"' && !is_escaped) in_string = !in_string;
-      is_escaped = in_string && *at == '\\' && !is_escaped;
-      ++at;
-    }
-    bool is_nan() const { return *at == 'N' && !in_string && std::string_view(at, end).starts_with("NaN"); }
-  };
-
   /// Passes the characters to the parser, which reads each of them once.
   struct CharacterIterator {
     using iterator_category = std::input_iterator_tag;
@@ -55,12 +54,12 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
     using difference_type = std::ptrdiff_t;
     using pointer = const char*;
     using reference = char;
-    Characters* from;  ///< null at the end
+    Events* from;  ///< null at the end
 
-    char operator*() const { return from->get(); }
-    CharacterIterator& operator++() { return from->pass(), *this; }
+    char operator*() const { return *from->at_; }
+    CharacterIterator& operator++() { return ++from->at_, *this; }
     CharacterIterator operator++(int) { return std::exchange(*this, ++CharacterIterator(*this)); }
-    bool is_end() const { return from == nullptr || from->at == from->end; }
+    bool is_end() const { return from == nullptr || from->at_ == from->end_; }
     friend bool operator==(const CharacterIterator& one, const CharacterIterator& other) {
       return one.is_end() == other.is_end();
     }
@@ -68,14 +67,19 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
   };
 
  public:
-  explicit Events(Json& json) : json_(json), text_(json.text_), from_{text_.data(), text_.data() + text_.size()} {}
+  explicit Events(Json& json)
+      : json_(json), text_(json.text_), masked_(text_.find("NaN") == text_.npos ? "" : without_nan(text_)) {
+    const std::string_view parsed = masked_.empty() ? text_ : std::string_view(masked_);
+    begin_ = at_ = parsed.data();
+    end_ = begin_ + parsed.size();
+  }
 
   /// Parses the next value; false at the end.
   bool parse_next() {
     now_ = std::min(text_.find_first_not_of(json_blanks, now_), text_.size());
     if (now_ == text_.size()) return false;
-    from_ = {text_.data() + now_, text_.data() + text_.size()};
-    nlohmann::json::sax_parse(CharacterIterator{&from_}, CharacterIterator{nullptr}, this,
+    at_ = begin_ + now_;
+    nlohmann::json::sax_parse(CharacterIterator{this}, CharacterIterator{nullptr}, this,
                               nlohmann::json::input_format_t::json, false);
     return true;
   }
@@ -98,13 +102,13 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
     const auto begins_with_last = [&](std::string_view word) { return word.starts_with(last); };
     const bool is_begun = !last.empty() && (last[0] == '"' || last[0] == '-' || is_digit(last[0]) ||
                                             std::ranges::any_of(json_words, begins_with_last));
-    if (last.empty() || (from_.at == from_.end && is_begun)) {
+    if (last.empty() || (at_ == end_ && is_begun)) {
       throw data_error("not JSON: the text ends too early; expected the rest of the last value; complete it")
           .at(json_.position_at(text_.size()));
     }
     constexpr int id_of_overflow = 406;  // the number of out_of_range where a number has no double
     if (error.id == id_of_overflow)
-      throw too_large(last.substr(0, last.find_first_not_of("+-.0123456789eE"))).at(json_.position_at(token()));
+      throw too_large(last.substr(0, last.find_first_not_of(number_characters))).at(json_.position_at(token()));
     std::string_view what = error.what();
     constexpr std::string_view syntax = "syntax error ", number = "] ";
     for (const std::string_view before : {number, syntax}) {
@@ -117,7 +121,7 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
  private:
   std::size_t token() const { return std::min(text_.find_first_not_of(" \t\r\n,:", now_), text_.size()); }
 
-  bool add(Kind kind) { return add(kind, static_cast<std::size_t>(from_.at - text_.data())); }
+  bool add(Kind kind) { return add(kind, static_cast<std::size_t>(at_ - begin_)); }
   bool add(Kind kind, std::size_t end) {
     const std::size_t begin = token();
     now_ = end;
@@ -126,7 +130,9 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
   }
   /// The parser has read on to the character behind a number.
   bool add_number() {
-    return add(Kind::number, std::min(text_.find_first_not_of("+-.0123456789eE", token()), text_.size()));
+    const std::size_t begin = token();
+    if (text_[begin] == 'N') return add(Kind::null, begin + size_of_nan);
+    return add(Kind::number, std::min(text_.find_first_not_of(number_characters, begin), text_.size()));
   }
   bool add_text(Kind kind, std::string& text) {
     add(kind);
@@ -147,13 +153,15 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
   bool close() {
     json_.nodes_[open_.back()].extent = static_cast<std::uint32_t>(json_.size() - 1 - open_.back());
     open_.pop_back();
-    now_ = static_cast<std::size_t>(from_.at - text_.data());
+    now_ = static_cast<std::size_t>(at_ - begin_);
     return true;
   }
 
   Json& json_;
   std::string_view text_;
-  Characters from_;
+  const std::string masked_;  ///< the text that is parsed in its place, if it has NaN
+  const char *begin_ = nullptr, *at_ = nullptr,
+             *end_ = nullptr;      ///< of the parsed text, and behind what the parser has
   std::size_t now_ = 0;            ///< behind the last token
   std::vector<std::size_t> open_;  ///< the arrays and objects around the next value
 };
