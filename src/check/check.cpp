@@ -130,7 +130,7 @@ std::vector<Time> expected_places(const SampleOptions& expected, const Compariso
                              .rules = comparison.keys.rules,
                              .fields = fields,
                              .threads = inputs.threads,
-                             .zero = inputs.zero};
+                             .zero = inputs.kept.zero};
   CurvePipeline pipeline(request, schema, inputs.kept.traits, *curve.curve_info, curve.part);
   const CurveSamples samples = pipeline.samples(curve.keys());
   std::vector<Time> places;
@@ -204,7 +204,7 @@ void check_pair(const Pair& pair, const Comparison& comparison, const Comparison
                        .rules = comparison.keys.rules,
                        .fields = columns.fields,
                        .threads = inputs.threads,
-                       .zero = inputs.zero};
+                       .zero = inputs.kept.zero};
   request.samples.from_left = comparison.from_left;
   request.samples.mode = columns.by_length ? Mode::arc_at : Mode::at;
   const spline::Side side = request.samples.side();

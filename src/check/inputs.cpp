@@ -278,7 +278,7 @@ Source<KeyBlock> KeptKeys::keys() const {
   };
 }
 
-KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes, std::optional<CountedFrom>& zero) {
+KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes) {
   InputOptions options = comparison.keys.input;
   options.threads = comparison.threads.count();
   const Input input = open_input(comparison.keys_file, std::move(bytes), options);
@@ -287,11 +287,13 @@ KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes, st
   const auto frames = named_times({}, {}, input.schema.time);
   while (std::optional<InputCurve> curve = curves.next()) {
     if (comparison.time_zero) {
-      if (!zero)
-        zero = {comparison.time_zero->time ? *comparison.time_zero->time : first_time(curve->keys, frames).value_or(0)};
-      zero->has_keys = true;
-      require_times(*zero, input.schema.time);
-      count_from(*curve, zero->time, frames);
+      if (!kept.zero) {
+        const std::optional<Rational>& given = comparison.time_zero->time;
+        kept.zero = {given ? *given : first_time(curve->keys, frames).value_or(0)};
+        kept.zero->has_keys = true;
+      }
+      require_times(*kept.zero, input.schema.time);
+      count_from(*curve, kept.zero->time, frames);
     }
     KeptKeys& one = kept.curves.emplace_back(KeptKeys{curve->group, curve->curve_info, {}});
     while (std::optional<KeyBlock> block = curve->keys()) one.blocks.push_back(std::move(*block));
@@ -312,8 +314,7 @@ ComparisonInputs read_inputs(const Comparison& comparison, const std::vector<std
   const auto bytes_of = [progress](const std::string& path) {
     return progress == nullptr ? read_file(path) : progress->observe_bytes(read_file(path));
   };
-  inputs.kept =
-      in_file(inputs.keys, [&] { return keep_input(comparison, bytes_of(comparison.keys_file), inputs.zero); });
+  inputs.kept = in_file(inputs.keys, [&] { return keep_input(comparison, bytes_of(comparison.keys_file)); });
   in_file(inputs.file, [&] {
     const auto before_time = columns_before_time(chosen, inputs.kept.schema);
     inputs.table = read_samples(comparison, bytes_of(comparison.file), inputs.kept.schema, before_time);

@@ -103,11 +103,11 @@ struct KeptInput {
   Schema schema;
   KeyTraits traits;
   std::vector<KeptKeys> curves;
+  std::optional<CountedFrom> zero = {};  ///< from which their times count, and those of the samples
 };
 
-/// Reads the curves from the bytes of `comparison.keys_file`, whose times count from `zero`, which is set if it is that
-/// of the first key. Throws: Error.
-KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes, std::optional<CountedFrom>& zero);
+/// Reads the curves from the bytes of `comparison.keys_file`. Throws: Error.
+KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes);
 
 /// The error of samples without a column of positions; `channels`: those of the keys.
 Error no_position_column(const std::vector<std::string>& channels);
@@ -119,8 +119,7 @@ struct ComparisonInputs {
   MatchedColumns columns;
   std::string keys, file;  ///< names of the files of keys and of samples for messages
   unsigned threads = 1;
-  FileProgress* progress = nullptr;      ///< of both files, if it is shown
-  std::optional<CountedFrom> zero = {};  ///< from which all times count
+  FileProgress* progress = nullptr;  ///< of both files, if it is shown
 
   /// The column that holds the places of the samples.
   std::string place_name() const { return columns.by_length ? "s" : kept.schema.time.name; }

@@ -52,7 +52,7 @@ class Comparer {
                                .rules = settings_of(convention, rules_, parts_),
                                .fields = inputs_.columns.fields,
                                .threads = inputs_.threads,
-                               .zero = inputs_.zero};
+                               .zero = inputs_.kept.zero};
     CurvePipeline pipeline(request, inputs_.kept.schema, inputs_.kept.traits, *curve.curve_info);
     const TcbOrder& order = orders_[convention.order].order;
     if (order.is_plain()) return pipeline.kept(curve.keys());

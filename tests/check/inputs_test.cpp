@@ -15,8 +15,7 @@ TEST(KeptInput, can_be_read_more_than_once) {
   const Comparing files("id,t,x\na,0,1\nb,0,2\na,1,3\n", "");
   Comparison comparison = files.comparison;
   comparison.keys.input.columns.roles = {{Role::group, {"id"}}};
-  std::optional<CountedFrom> zero;
-  const KeptInput kept = keep_input(comparison, read_file(comparison.keys_file), zero);
+  const KeptInput kept = keep_input(comparison, read_file(comparison.keys_file));
   ASSERT_EQ(kept.curves.size(), 2U);
   EXPECT_EQ(kept.curves[0].blocks.at(0).size(), 2U);
   EXPECT_EQ(kept.curves[1].blocks.at(0).size(), 1U);

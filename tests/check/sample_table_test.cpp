@@ -16,8 +16,7 @@ using testing::ElementsAre;
 SampleTable table_of(const std::string& rows) {
   const Comparing files("t,x\n0,0\n1,1\n", rows);
   const Comparison& comparison = files.comparison;
-  std::optional<CountedFrom> zero;
-  const Schema keys = keep_input(comparison, read_file(comparison.keys_file), zero).schema;
+  const Schema keys = keep_input(comparison, read_file(comparison.keys_file)).schema;
   return read_samples(comparison, read_file(comparison.file), keys, 0);
 }
 
