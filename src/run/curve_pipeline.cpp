@@ -186,7 +186,8 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
                    .only_breaks = schema.groups.empty()},
       part_(std::move(part)),
       may_be_point_(part_ || traits.may_be_point),
-      leaves_gaps_(request.leaves_gaps) {
+      leaves_gaps_(request.leaves_gaps),
+      counts_gap_rows_(request.counts_gap_rows) {
   const auto unit = schema.time.unit;
   const bool has_duration = request_.in_seconds.has_duration || spec_.is_period_in_seconds;
   if (has_duration && unit == TimeUnit::frames)
@@ -385,7 +386,7 @@ bool CurvePipeline::take_places_of_part(const Extent& extent) {
 
 /// What counts rows in gaps, or null where no gap is of interest.
 std::shared_ptr<GapRows> CurvePipeline::new_gap_rows(std::shared_ptr<const Locator> locator, bool in_order) const {
-  const bool counts = spec_.timed && !spec_.closed && !part_ && !by_segment(request_.mode);
+  const bool counts = counts_gap_rows_ && spec_.timed && !spec_.closed && !part_ && !by_segment(request_.mode);
   if (!counts) return nullptr;
   return std::make_shared<GapRows>(std::move(locator), in_order, spec_.retiming.value_or(Retiming{1, 0}),
                                    request_.zero);
@@ -440,8 +441,10 @@ CurveSamples CurvePipeline::samples_in_order(Source<SegmentBlock> segments, std:
   }
   const std::shared_ptr<GapRows> gap_rows = new_gap_rows(sampler, true);
   if (gap_rows != nullptr) {
-    segments = observed(std::move(segments),
-                        [gap_rows](const SegmentBlock& block) { gap_rows->add_steps(block.segments.times); });
+    segments = observed(std::move(segments), [gap_rows](const SegmentBlock& block) {
+      gap_rows->add_steps(block.segments.times);
+      if (block.last) gap_rows->end_steps();
+    });
   }
   Source<SampleBlock> blocks = place(std::move(segments), sampler, spec_.channels(), request_.side());
   return {.blocks = with_gap_rows(std::move(blocks), gap_rows),

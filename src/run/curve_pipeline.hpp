@@ -46,6 +46,7 @@ struct CurveRequest {
   std::optional<Rational> frame_rate = {};         ///< of the rows' frames
   std::optional<CountedFrom> zero = {};            ///< which is subtracted from the times of keys, and of `samples`
   bool leaves_gaps = false;                        ///< cells are empty where a channel has a gap
+  bool counts_gap_rows = false;                    ///< rows between keys that are far apart are counted
 };
 
 /// What a request needs of a curve before its first row.
@@ -141,7 +142,7 @@ class CurvePipeline {
   std::optional<Rational> zero_;            ///< which is subtracted from the times of keys
   std::optional<FrameTimes> given_frames_;  ///< of their times before that
   std::optional<CurvePart> part_;
-  bool may_be_point_, leaves_gaps_;
+  bool may_be_point_, leaves_gaps_, counts_gap_rows_;
 };
 
 std::string in_words(const CurveNeeds& needs);

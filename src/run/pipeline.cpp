@@ -89,7 +89,8 @@ class FileRun {
                                  notation_of_times(job_.rows, input.schema.time),
                                  job_.rows.frame_rate,
                                  zero_,
-                                 may_have_empty_cells()};
+                                 may_have_empty_cells(),
+                                 !job_.verbosity.quiet};
       pipeline_.emplace(request, input.schema, input.keys.traits, *curve.curve_info, curve.part);
     }
     if (curve_info_ == nullptr) {
