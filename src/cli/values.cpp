@@ -137,11 +137,6 @@ Rational positive_ratio(const std::string& text) {
   return value;
 }
 
-std::optional<Rational> broadcast_rate(std::string_view text) {
-  const auto known = std::ranges::find(broadcast_rates, text, &BroadcastRate::decimal);
-  return known == broadcast_rates.end() ? std::nullopt : std::optional(Rational(known->frames * 1000, 1001));
-}
-
 Rational frame_rate(const std::string& text) {
   const auto known = broadcast_rate(text);
   return known ? *known : positive_ratio(text);

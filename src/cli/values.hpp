@@ -55,7 +55,6 @@ TimeValue time_value(std::string_view words, std::string_view text);
 Rational positive_ratio(const std::string& text);
 /// The rate of NTSC video for which a decimal such as "29.97" stands, else a ratio above 0.
 Rational frame_rate(const std::string& text);
-std::optional<Rational> broadcast_rate(std::string_view text);
 Rational step_of_rate(const Rational& rate, std::string_view text);
 /// The seconds of a date, a time of day or timecode; nothing for other texts. Throws: Error (usage) where another
 /// option has to tell its meaning.

@@ -159,4 +159,14 @@ std::optional<std::string> time_in_words(const Rational& seconds, TimeNotation n
   }
 }
 
+std::optional<Rational> broadcast_rate(std::string_view text) {
+  const auto known = std::ranges::find(broadcast_rates, text, &BroadcastRate::decimal);
+  return known == broadcast_rates.end() ? std::nullopt : std::optional(Rational(known->frames * 1000, 1001));
+}
+
+std::optional<Rational> frame_rate_in(std::string_view text) {
+  const auto rate = broadcast_rate(text) ? broadcast_rate(text) : parse_rational(text);
+  return rate && *rate > 0 ? rate : std::nullopt;
+}
+
 }  // namespace tcb

@@ -49,6 +49,12 @@ inline constexpr std::array broadcast_rates{BroadcastRate{"23.976", 24}, Broadca
                                             BroadcastRate{"29.97", 30},  BroadcastRate{"47.952", 48},
                                             BroadcastRate{"59.94", 60},  BroadcastRate{"119.88", 120}};
 
+/// The rate of NTSC video for which a decimal such as "29.97" stands; nothing for other texts.
+std::optional<Rational> broadcast_rate(std::string_view text);
+
+/// The rate of frames that a number is, also such a decimal; nothing for one that is not above 0.
+std::optional<Rational> frame_rate_in(std::string_view text);
+
 enum class TimeNotation {
   seconds,     ///< a number
   frames,      ///< a number of frames

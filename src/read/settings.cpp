@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "numbers/parse_number.hpp"
+#include "numbers/time_notation.hpp"
 #include "schema/columns.hpp"
 #include "schema/parameter_names.hpp"
 #include "schema/roles.hpp"
@@ -121,7 +122,7 @@ class SettingsReader {
     parameters_.clear();
     read_parameters();
     for (const FileMember& member : object_->members) {
-      if (std::ranges::count(parameters_, &member) == 0 && !is_one(member, Kind::missing)) read_member(member);
+      if (!parameters_.contains(&member) && !is_one(member, Kind::missing)) read_member(member);
     }
   }
 
@@ -166,7 +167,7 @@ class SettingsReader {
         if (!set.cells[i]) continue;
         const Origin& origin = origins[*set.cells[i]];
         if (first == nullptr) first = &origin.member;
-        parameters_.push_back(&origin.member);
+        parameters_.insert(&origin.member);
         values[i] = origin.value.text;
       }
       if (has_tcb_) continue;
@@ -310,9 +311,14 @@ class SettingsReader {
     found.curve_info.id = id.kind == Kind::text ? '"' + id.text : id.text;
   }
 
+  /// Whether a member is a number that may be a frame rate, as --input-fps takes it.
+  static bool is_rate(const FileMember& member) {
+    return is_one(member, Kind::number) && frame_rate_in(member.values[0].text);
+  }
+
   /// Numbers of no setting are not used, except those about the rows of an earlier output.
   void read_other(const FileMember& member, std::string_view word) {
-    if (lists_word(rate_names, word) && is_one(member, Kind::number)) {
+    if (lists_word(rate_names, word) && is_rate(member)) {
       found.frame_rate = member.values[0].text;
       found.rate_name = path(member.name);
       return;
@@ -386,9 +392,9 @@ class SettingsReader {
   const GivenSettings given_;
   const bool has_tcb_;
   const TcbScale scale_;
-  const FileObject* object_ = nullptr;              ///< the current one
-  std::string other_spline_;                        ///< a member that names one, and its text
-  std::vector<const FileMember*> parameters_ = {};  ///< of the current object
+  const FileObject* object_ = nullptr;                     ///< the current one
+  std::string other_spline_;                               ///< a member that names one, and its text
+  std::unordered_set<const FileMember*> parameters_ = {};  ///< of the current object
   // What is set, and to which value:
   std::array<std::string, 3> shown_parameters_;
   std::vector<std::string> shown_rules_;

@@ -68,7 +68,7 @@ constexpr spline::Tcb<double> unknown_tcb{std::numeric_limits<double>::quiet_NaN
 InputOptions with_settings(InputOptions options, const FileSettings& settings) {
   if (!options.keys.tcb) options.keys.tcb = settings.tcb;
   if (settings.frame_rate.empty() || options.units.time || options.units.frame_rate) return options;
-  options.units.frame_rate = parse_rational(settings.frame_rate);
+  options.units.frame_rate = frame_rate_in(settings.frame_rate);
   options.units.are_optional = true;
   return options;
 }
@@ -214,7 +214,14 @@ void require_same_columns(const Columns& first, const Columns& columns, const st
 /// It is the object around all curves, which comes last. Throws: Error (data) for settings there.
 bool is_around_curves(const Curve& curve) {
   if (!curve.blocks.empty() || !curve.members.path.empty()) return false;
-  const auto& places = curve.members.settings.curve_info.places;
+  const FileSettings& settings = curve.members.settings;
+  if (settings.tcb) {
+    throw data_error(
+        "the object around the curves sets tension, continuity or bias; expected them in each curve; move them there, "
+        "or give --tcb 0,0,0 to leave them out")
+        .at(curve.members.position);
+  }
+  const auto& places = settings.curve_info.places;
   if (places.empty()) return true;
   throw data_error("this setting is outside the curves; expected it in each curve; move it there")
       .about(places[0].first)
@@ -335,9 +342,11 @@ void take_rate(FileSettings& settings, const UnitOptions& units, Records& record
   const bool counts = unit_of_time(columns.time) == TimeUnit::frames || counts_frames(records.units.notation);
   if (records.units.frame_rate && records.columns.has(Role::time) && counts) {
     records.frame_rate = records.units.frame_rate;
+    const std::string exact =
+        broadcast_rate(rate) ? fmt::format(", which is {},", ratio_text(*broadcast_rate(rate))) : ",";
     columns.doubts.push_back(
-        fmt::format("the file sets {} to {}, by which the times in column {} are frames; --time-unit frames undoes it",
-                    settings.rate_name, rate, in_quotes(columns.time)));
+        fmt::format("the file sets {} to {}{} by which the times in column {} are frames; --time-unit frames undoes it",
+                    settings.rate_name, rate, exact, in_quotes(columns.time)));
     return;
   }
   records.facts.shown_rate = rate;
