@@ -30,7 +30,10 @@ class Point {
   /// Assigns another segment; a sample on it must follow. `arc`: its lengths, if they are known.
   void set(const CurveSegmentOf<S>& segment, const spline::SegmentLength<S>* arc = nullptr) {
     segment_ = &segment;
-    in_rotations_ = spline::in_rotations(segment.rotation_columns, segment.cubics.size());
+    in_rotations_.clear();
+    if (!segment.rotation_columns.empty()) {
+      in_rotations_ = spline::in_rotations(segment.rotation_columns, segment.cubics.size());
+    }
     known_arc_ = arc;
     has_arc_ = false;
   }
@@ -45,7 +48,7 @@ class Point {
   void set_end(const SampleOf<S>* end) { end_ = end; }
 
   const CurveSegmentOf<S>& segment() const { return *segment_; }
-  bool is_in_rotation(std::size_t channel) const { return in_rotations_[channel]; }
+  bool is_in_rotation(std::size_t channel) const { return !in_rotations_.empty() && in_rotations_[channel]; }
   const SampleOf<S>& sample() const { return *sample_; }
   const SampleOf<S>& end() const { return *end_; }
   const OutsideOf<S>* outside() const { return outside_; }
@@ -187,7 +190,7 @@ class Point {
   }
 
   const CurveSegmentOf<S>* segment_ = nullptr;
-  std::vector<bool> in_rotations_;  ///< its channels
+  std::vector<bool> in_rotations_;  ///< its channels; empty: it has no rotations
   const SampleOf<S>* sample_ = nullptr;
   const SampleOf<S>* end_ = nullptr;
   const OutsideOf<S>* outside_ = nullptr;

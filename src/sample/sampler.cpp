@@ -91,6 +91,7 @@ class OnGrid : public Sampler {
   /// Throws: Error where the range of the request leaves the curve.
   void require_bounds(const CurveSegment& segment, const Range& on) const {
     if (request_.origin && !by_length_) return;
+    if (segment.number > 0 && !segment.last) return;
     const Rational& from = spacing_.grid.start();
     const auto bound = [&](const Time& end) { return by_length_ ? exact_time(end) : request_.exact(end); };
     const RangeEnds ends = by_length_ ? RangeEnds::of_length : RangeEnds::of_keys;

@@ -13,7 +13,6 @@
 
 #include "numbers/dates.hpp"
 #include "numbers/time_notation.hpp"
-#include "schema/parameter_names.hpp"
 #include "schema/units.hpp"
 #include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
@@ -293,7 +292,7 @@ bool is_known(const FoundColumns& found, std::size_t cell) {
 
 /// The columns that are, or may be, parameters by their names.
 std::vector<ParameterSet> sets_of_parameters(const FoundColumns& found) {
-  std::vector<ParameterSet> sets = parameter_sets(found.names, found.numeric, found.requested);
+  std::vector<ParameterSet> sets = found.parameters;
   std::erase_if(sets, [&](const ParameterSet& set) {
     return std::ranges::any_of(set.cells, [&](const auto& cell) { return cell && is_known(found, *cell); });
   });

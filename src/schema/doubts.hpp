@@ -13,6 +13,7 @@
 
 #include "numbers/parse_number.hpp"
 #include "schema/columns.hpp"
+#include "schema/parameter_names.hpp"
 #include "schema/schema.hpp"
 
 namespace tcb {
@@ -24,6 +25,7 @@ struct FoundColumns {
   const std::vector<bool>& numeric;                     ///< for each column, whether it holds numbers
   const Columns& columns;
   const ColumnOptions& requested;
+  std::vector<ParameterSet> parameters = {};  ///< those of the names
   NumberMarks marks = {};
   char delimiter = 0;                   ///< between cells of text; 0: there is none
   bool has_rotations = false;           ///< rotations are requested, or none

@@ -132,6 +132,25 @@ struct Readings {
   std::array<std::vector<std::pair<std::size_t, Meaning>>, 3> parameters = {};
   std::array<std::vector<std::size_t>, 4> places = {};  ///< by their number in an array
   std::string letters = {};                             ///< others in the place of the parameter
+
+  /// Letters of one parameter say nothing, but beside "tcb".
+  bool says_nothing() const {
+    const auto has_letters_alone = [](const auto& columns) {
+      return std::ranges::all_of(columns, [](const auto& one) { return one.second.kind == Kind::letter; });
+    };
+    const auto is_empty = [](const auto& columns) { return columns.empty(); };
+    return std::ranges::all_of(places, is_empty) && std::ranges::count_if(parameters, is_empty) > 1 &&
+           std::ranges::all_of(parameters, has_letters_alone) && meaning_of_rest(rest) != Rest::of_tcb;
+  }
+
+  /// The names are the words for tension, continuity and bias.
+  bool has_words_alone() const {
+    const auto are_words = [](const auto& columns) {
+      return std::ranges::all_of(columns, [](const auto& one) { return one.second.kind == Kind::word; });
+    };
+    return rest == "|" && letters.empty() && std::ranges::all_of(parameters, are_words) &&
+           std::ranges::all_of(places, [](const auto& columns) { return columns.empty(); });
+  }
 };
 
 class SetFinder {
@@ -139,14 +158,18 @@ class SetFinder {
   SetFinder(std::span<const std::string> names, const std::vector<bool>& usable, const ColumnOptions& requested)
       : names_(names), has_time_(requested.timeless || requested.has(Role::time)) {
     for (std::size_t cell = 0; cell < names.size(); ++cell) {
-      if (is_time_by_name(names[cell])) ++times_;
       if (usable[cell] && may_be_parameter(names[cell])) read(cell);
     }
-    for (std::size_t cell = 0; cell < names.size() && !readings_.empty(); ++cell) {
-      const bool may_be_channel =
-          usable[cell] && role_of_name(names[cell]) == Role::position && !is_time_by_name(names[cell]);
+    std::erase_if(readings_, [](const Readings& readings) { return readings.says_nothing(); });
+    const bool are_words = std::ranges::all_of(readings_, [](const Readings& one) { return one.has_words_alone(); });
+    are_times_.resize(names.size());
+    if (are_words) return;  // whose meaning no other column changes
+    for (std::size_t cell = 0; cell < names.size(); ++cell) {
+      are_times_[cell] = is_time_by_name(names[cell]);
+      const bool may_be_channel = usable[cell] && role_of_name(names[cell]) == Role::position && !are_times_[cell];
       if (may_be_channel) channels_.emplace(fmt::format("{}", fmt::join(words_of(names[cell]), " ")), cell);
     }
+    times_ = std::ranges::count(are_times_, true);
   }
 
   std::vector<ParameterSet> find() const {
@@ -236,12 +259,12 @@ class SetFinder {
   }
   bool is_capital(std::size_t cell) const { return names_[cell].find('T') != std::string::npos; }
 
-  bool is_time_of_all(std::size_t cell) const { return !has_time_ && times_ == 1 && is_time_by_name(names_[cell]); }
+  bool is_time_of_all(std::size_t cell) const { return !has_time_ && times_ == 1 && are_times_[cell]; }
 
   /// Letters count only where all three are there, or beside another time a t and one more.
   void leave_letters(ParameterSet& set) const {
     const auto is_letter = [&](std::size_t i) { return set.cells[i] && set.kinds[i] == Kind::letter; };
-    const bool is_second_time = is_letter(0) && is_time_by_name(names_[*set.cells[0]]) && set.count() > 1;
+    const bool is_second_time = is_letter(0) && are_times_[*set.cells[0]] && set.count() > 1;
     if (set.is_complete() || set.rest == Rest::of_tcb || is_second_time) return;
     for (std::size_t i = 0; i < set.cells.size(); ++i) {
       if (is_letter(i)) set.cells[i].reset();
@@ -269,7 +292,8 @@ class SetFinder {
 
   const std::span<const std::string> names_;
   const bool has_time_;                                       ///< it is requested, or none is
-  std::size_t times_ = 0;                                     ///< the number of columns that are times by their names
+  std::vector<bool> are_times_ = {};                          ///< the columns that are times by their names
+  std::ptrdiff_t times_ = 0;                                  ///< their number
   std::map<std::string, std::size_t> channels_ = {};          ///< columns that may be positions, by their words
   std::unordered_map<std::string, std::size_t> places_ = {};  ///< of readings, by their rests
   std::deque<Readings> readings_ = {};

@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -632,13 +633,17 @@ class RolesByCells {
         requested_cells_(requested_cells(names, numeric.size(), requested)),
         is_parameter_(numeric.size()),
         has_rate_(has_rate) {
+    std::unordered_map<std::string, Role> roles;
     for (const RoleRequest& request : parameters) {
       requested_.roles.push_back(request);
-      for (std::size_t cell = 0; cell < names.size(); ++cell) {
-        if (names[cell] != request.columns[0] && fmt::format("{}", cell + 1) != request.columns[0]) continue;
-        requested_cells_[cell] = true;
-        is_parameter_[cell] = request.role != Role::time;
-      }
+      roles.emplace(request.columns[0], request.role);
+    }
+    for (std::size_t cell = 0; cell < names.size() && !roles.empty(); ++cell) {
+      auto found = roles.find(names[cell]);
+      if (found == roles.end()) found = roles.find(fmt::format("{}", cell + 1));
+      if (found == roles.end()) continue;
+      requested_cells_[cell] = true;
+      is_parameter_[cell] = found->second != Role::time;
     }
   }
 
@@ -949,6 +954,7 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
         .numeric = numeric,
         .columns = head.columns,
         .requested = options.columns,
+        .parameters = parameter_sets(names, numeric, options.columns),
         .marks = head.marks,
         .delimiter = head.dialect.delimiter,
         .has_rotations = options.rotation.none || !options.rotation.requests.empty(),

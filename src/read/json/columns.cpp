@@ -1020,6 +1020,7 @@ class FirstKey {
         .numeric = numeric,
         .columns = columns.columns,
         .requested = requested_,
+        .parameters = parameter_sets(header, numeric, requested_),
         .has_rotations = options_.rotation.none || !options_.rotation.requests.empty(),
         .has_tcb_scale = options_.keys.tcb_scale != TcbScale::unknown || options_.has_shown_tcb_scale,
         .has_header = true,
