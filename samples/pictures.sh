@@ -19,6 +19,7 @@ draw camera --step 0.25 camera.csv
 draw pictures/arm --count 51 arm.tsv
 draw pictures/ball --step 0.06 ball.csv
 draw pictures/loop --arc-step 5 loop.txt
+draw pictures/pace --pace ease --fps 4 --columns position=x:y:z camera.csv
 draw pictures/animation --step 1 --axes hip_z:hip_y animation.json
 draw pictures/events --count 51 events.jsonl
 draw pictures/poses --step 0.25 poses.csv

@@ -183,6 +183,26 @@ constexpr Conflict conflicts[] = {
     {{"--count", "--arc-count"}, disables, {"--end"}},
     {{"--per-segment", "--at", "--arc-at"}, disables, place_options},
     {{"--tolerance"}, disables, {"--from", "--to", "--end"}},
+    {{"--pace"},
+     excludes,
+     {"--arc-step", "--arc-count", "--arc-at", "--tolerance", "--emit", "--fit"},
+     ", as the pace places rows at times along the curve"},
+    {{"--pace"}, excludes, {"--keys"}, ", as a pace replaces the times of the keys"},
+    {{"--pace"}, excludes, {"--extrapolate"}, ", as a pace stays on the curve"},
+    {{"--pace"}, excludes, {"--limits", "--retime"}, ", as limits are those of the motion by the times of the keys"},
+    {{"--pace"}, excludes, {"--check", "--identify"}, ", as rows are compared with those by the times of the keys"},
+    {{"--pace"},
+     excludes,
+     {"--fields"},
+     ", as jerk is that of the times of the keys",
+     [](const Typed& typed) { return any_field(typed, [](const Field& field) { return field.name == "jerk"; }); }},
+    {{"--pace"},
+     excludes,
+     {"--time-zero"},
+     ", as the times and distances are those of the profile",
+     [](const Typed& typed) { return typed.pace_profile.has_value(); }},
+    {{"--pace"}, excludes, {"--golden"}, ", which takes no length of the curve times a part"},
+    {{"--pace"}, needs, {"--step", "--rate", "--fps", "--count", "--per-segment", "--at"}, ", rows at times"},
     {{"--emit"}, disables, {"--end", "--keys"}},
     {{"--emit"}, disables, {"--extrapolate"}, ", whose pieces lie between keys", extends_curve},
     {{"--fit"},
@@ -334,7 +354,7 @@ bool prints_limits(const TypedOptions& typed) { return typed.has("--limits") && 
 
 bool needs_no_metric(const TypedOptions& typed) {
   const bool by_metric =
-      by_length(typed.sampling.mode) || typed.has("--tolerance") || typed.has("--fit") || needs_all_channels(typed);
+      by_length(typed.sampling) || typed.has("--tolerance") || typed.has("--fit") || needs_all_channels(typed);
   return !is_comparison(typed) && !typed.has("--limits") && !writes_picture(typed) && !by_metric &&
          !any_field(typed, [](const Field& field) { return field.needs_lengths || field.over_metric; });
 }

@@ -417,6 +417,12 @@ constexpr OptionRow option_rows[] = {
     {"--keys", "", "", sampling_group,
      "Adds every key as a sample, in place of one within a billionth of a step of it",
      "", flag, [](Typed& to, Text) { to.sampling.keys = true; }},
+    {"--pace", "", "PACE", sampling_group,
+     "Moves rows at times along the curve by arc length, whatever the times between the first and the last key: "
+     "constant is at one speed; ease starts and stops softly, each in a quarter of the duration, and ease=A,B in the "
+     "parts A and B of it; @FILE is a profile of keys with a time and an arc length s, or a fraction of the length; "
+     "@FILE:COLUMN names its column",
+     "", other, [](Typed& to, Text text) { store_pace(to, text); }},
     {"--max-rows", "", "N", sampling_group,
      "Fails if there are more than N samples",
      "1e9", other, [](Typed& to, Text text) { to.sampling.max_rows = count_between(text, 1, INT64_MAX); }},

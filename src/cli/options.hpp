@@ -21,6 +21,7 @@
 #include "picture/picture.hpp"
 #include "run/job.hpp"
 #include "run/key_options.hpp"
+#include "run/pace_profile.hpp"
 #include "write/writer_options.hpp"
 
 namespace tcb {
@@ -51,6 +52,7 @@ struct TypedOptions {
   KeyOptions keys;
   SamplingRequest sampling;
   PlacesOption places;
+  std::optional<PaceFile> pace_profile = {};  ///< of --pace
   FitOptions fit;
   Comparison comparison;
   LimitOptions limits;

@@ -302,6 +302,31 @@ void store_places(TypedOptions& typed, std::string_view option, const std::strin
   typed.sampling.range_like_clock = std::move(places.range);
 }
 
+void store_pace(TypedOptions& typed, const std::string& text) {
+  typed.sampling.pace.emplace();
+  if (text.starts_with('@') && text.size() > 1) {
+    const auto column = place_column(text, "--pace");
+    typed.pace_profile = column ? PaceFile{column->path, column->name} : PaceFile{text.substr(1)};
+    typed.files.other_inputs.push_back(typed.pace_profile->path);
+    return;
+  }
+  if (text == "constant") return;
+  const std::vector<std::string_view> ramps =
+      split(std::string_view(text).substr(std::min<std::size_t>(text.size(), 5)), ',');
+  const bool has_ramps = text.starts_with("ease=") && ramps.size() == 2;
+  if (text != "ease" && !has_ramps) {
+    throw usage_error("{} is no pace; expected constant, ease, ease=A,B, @FILE or @FILE:COLUMN", in_quotes(text));
+  }
+  constexpr std::string_view not_a_part =
+      "is not a part of the duration; expected two numbers from 0 whose sum is 1 at most, such as ease=0.25,0.25";
+  const auto ramp = [&](std::size_t i) { return has_ramps ? ratio_or(not_a_part, ramps[i]) : Rational(1, 4); };
+  Pace& pace = *typed.sampling.pace;
+  pace.rise = ramp(0);
+  pace.fall = ramp(1);
+  if (pace.rise < 0 || pace.fall < 0 || pace.rise + pace.fall > 1)
+    throw usage_error("{} {}", in_quotes(text), not_a_part);
+}
+
 void read_place_column(TypedOptions& typed) {
   if (!typed.places.column) return;
   const PlaceColumn& column = *typed.places.column;

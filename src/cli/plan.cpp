@@ -91,6 +91,7 @@ void require_one_reader(const TypedOptions& typed) {
   };
   require(typed.files.list == "-" && names_input, "--files");
   require(typed.places.from_input && (keys_from_input || samples_from_input), typed.has("--at") ? "--at" : "--arc-at");
+  require(typed.pace_profile && typed.pace_profile->path == "-" && keys_from_input, "--pace");
   require(samples_from_input && keys_from_input, typed.has("--check") ? "--check" : "--identify");
 }
 
@@ -223,6 +224,13 @@ SampleOptions samples_of(const TypedOptions& typed) {
   return samples;
 }
 
+/// Reads the profile of a pace. Throws: Error.
+void read_pace(TypedOptions& typed) {
+  SamplingRequest request = samples_of(typed).request;
+  request.pace.reset();
+  typed.sampling.pace->profile = read_pace_profile(*typed.pace_profile, request, keys_of(typed));
+}
+
 std::optional<GoldenOptions> golden_of(const TypedOptions& typed) {
   if (!typed.has("--golden")) return std::nullopt;
   return GoldenOptions{typed.has("--exact-input"), typed.output.notation};
@@ -342,7 +350,6 @@ RetimeJob retime_job(const TypedOptions& typed) {
 
 /// The job of these options. Requires: no conflict. Throws: Error (usage) if they do not fit each other.
 Job make_job(const TypedOptions& typed) {
-  require_one_reader(typed);
   if (is_comparison(typed)) return compare_job(typed);
   if (typed.has("--retime")) return retime_job(typed);
   if (typed.has("--limits")) return limits_job(typed);
@@ -362,7 +369,9 @@ Job parse(const std::vector<std::string>& words, ColorWhen* color) {
   set_output_format(typed);
   if (!has_sampling_option(typed) && typed.output.format->has_nodes) set_exact_pieces(typed);
   require_no_conflict(typed);
+  require_one_reader(typed);
   read_place_column(typed);
+  if (typed.pace_profile) read_pace(typed);
   return make_job(typed);
 }
 

@@ -124,6 +124,9 @@ const auto& named_row(const Table& table, std::string_view name) {
 /// the name of the option.
 void store_places(TypedOptions& typed, std::string_view option, const std::string& text);
 
+/// Stores constant, ease, ease=A,B or the file of a profile, which is only named. Throws: Error (usage) for others.
+void store_pace(TypedOptions& typed, const std::string& text);
+
 /// Reads the column of a file that an option names, if one does. Throws: Error.
 void read_place_column(TypedOptions& typed);
 

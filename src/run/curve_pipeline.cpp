@@ -5,6 +5,7 @@
 #include "run/curve_pipeline.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -64,10 +65,10 @@ CurveNeeds curve_needs(const SamplingRequest& request, std::span<const std::size
   const bool is_near_path = mode == Mode::tolerance && request.tolerance.limits_distance();
   const bool is_count = mode == Mode::count || mode == Mode::arc_count;
   CurveNeeds needs;
-  needs.random_access =
-      mode == Mode::at || mode == Mode::arc_at || mode == Mode::tolerance || spec.extrapolations.extend_curve();
+  needs.random_access = request.pace || mode == Mode::at || mode == Mode::arc_at || mode == Mode::tolerance ||
+                        spec.extrapolations.extend_curve();
   needs.all_keys = spec.closed || needs.random_access || may_miss || exact || needs_end(request);
-  needs.lengths = by_length(mode) || any_field([](const Field& field) { return field.needs_lengths; });
+  needs.lengths = by_length(request) || any_field([](const Field& field) { return field.needs_lengths; });
   needs.whole_length = needs.all_keys && !needs.random_access && by_length(mode);
   needs.single_key = (is_count && request.count == 1) || request.places.size() == 1;
   needs.angle_signs = !spec.angles.empty();
@@ -126,6 +127,26 @@ class RowEstimate {
   std::uint64_t segments_;
   double length_;  ///< of the segments
 };
+
+/// Of a curve that is measured, and the rows on it.
+PaceFacts pace_facts(const Pace& pace, const KeptCurve& curve, const RowPlaces& rows) {
+  PaceFacts facts;
+  if (pace.profile == nullptr) {
+    facts.duration = (*curve.extent().last - curve.extent().first).hi;
+    facts.mean_speed = facts.duration > 0 ? curve.length() / facts.duration : 0;
+    facts.largest_speed = facts.mean_speed * nearest_double(pace.top_speed());
+    return facts;
+  }
+  if (rows.motions.empty()) return facts;
+  facts.duration = (rows.motions.back().time - rows.motions.front().time).hi;
+  double way = 0;
+  for (std::size_t row = 0; row < rows.places.size(); ++row) {
+    if (row > 0) way += std::abs((rows.places[row] - rows.places[row - 1]).hi);
+    facts.largest_speed = std::max(facts.largest_speed, std::abs(rows.motions[row].speed));
+  }
+  if (facts.duration > 0) facts.mean_speed = way / facts.duration;
+  return facts;
+}
 
 Source<SampleBlock> with_gap_rows(Source<SampleBlock> blocks, const std::shared_ptr<GapRows>& gap_rows) {
   if (gap_rows == nullptr) return blocks;
@@ -386,7 +407,8 @@ bool CurvePipeline::take_places_of_part(const Extent& extent) {
 
 /// What counts rows in gaps, or null where no gap is of interest.
 std::shared_ptr<GapRows> CurvePipeline::new_gap_rows(std::shared_ptr<const Locator> locator, bool in_order) const {
-  const bool counts = counts_gap_rows_ && spec_.timed && !spec_.closed && !part_ && !by_segment(request_.mode);
+  const bool counts =
+      counts_gap_rows_ && !request_.pace && spec_.timed && !spec_.closed && !part_ && !by_segment(request_.mode);
   if (!counts) return nullptr;
   return std::make_shared<GapRows>(std::move(locator), in_order, spec_.retiming.value_or(Retiming{1, 0}),
                                    request_.zero);
@@ -473,7 +495,12 @@ CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const 
   const std::size_t rows = places.places.size();
   facts.least_rows = places.least_rows;
   if (facts.least_rows) facts.rows = rows;
-  FoundRows found = find_rows(kept, std::move(places), request_.mode == Mode::arc_at, request_.side());
+  if (request_.pace) {
+    facts.length = kept->length();
+    facts.pace = pace_facts(*request_.pace, *kept, places);
+  }
+  const std::optional<Rational> remainder = places.remainder;
+  FoundRows found = find_rows(kept, std::move(places), request_.mode == Mode::arc_at || request_.pace, request_.side());
   const std::shared_ptr<GapRows> gap_rows = new_gap_rows(found.locator, false);
   if (gap_rows != nullptr) {
     gap_rows->add_steps(kept->curve().times());
@@ -485,7 +512,8 @@ CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const 
           .expected_rows = [rows] { return static_cast<double>(rows); },
           .limited_tangents = [kept] { return kept->curve().limited_tangents(); },
           .gap_rows = gap_rows,
-          .locator = found.locator};
+          .locator = found.locator,
+          .remainder = [remainder] { return remainder; }};
 }
 
 /// The exact time of the end of a closed curve.

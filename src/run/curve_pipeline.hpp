@@ -60,6 +60,11 @@ struct CurveNeeds {
   bool metric = false;
 };
 
+/// How fast rows move at a pace.
+struct PaceFacts {
+  double duration = 0, mean_speed = 0, largest_speed = 0;
+};
+
 /// The extent of a curve and its samples, as far as they are known before the first row.
 struct SampleFacts {
   std::optional<Time> first, last;  ///< times of the first and the last key
@@ -67,6 +72,7 @@ struct SampleFacts {
   std::optional<Time> step;                                ///< of time or of arc length
   std::optional<std::uint64_t> rows = std::nullopt;        ///< within a distance
   std::optional<std::uint64_t> least_rows = std::nullopt;  ///< of any polyline within it
+  std::optional<PaceFacts> pace = std::nullopt;
 };
 
 /// The samples of a curve in blocks, and how they are evaluated. Functions are of the segments that were made so far.

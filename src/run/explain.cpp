@@ -276,6 +276,11 @@ Facts lines_of(const CurveOutcome& outcome) {
     lines.emplace_back("largest overshoot", fmt::format("{}; --no-overshoot removes it", outcome.overshoot));
   }
   if (outcome.facts.length) lines.emplace_back("length", fmt::format("{}", *outcome.facts.length));
+  if (const auto& pace = outcome.facts.pace) {
+    lines.emplace_back("duration", fmt::format("{}", pace->duration));
+    lines.emplace_back("mean speed", fmt::format("{}", pace->mean_speed));
+    lines.emplace_back("largest speed", fmt::format("{}", pace->largest_speed));
+  }
   if (outcome.facts.step) lines.emplace_back("step", time_text(*outcome.facts.step));
   if (outcome.limited) lines.emplace_back("limited tangents", fmt::format("{}", *outcome.limited));
   if (outcome.rows) lines.emplace_back("rows", fmt::format("{}", *outcome.rows));
@@ -295,6 +300,10 @@ std::string line_of(const CurveOutcome& outcome) {
   if (const std::string gap = gap_text(outcome); !gap.empty()) text += ", largest gap " + gap;
   if (!outcome.overshoot.empty()) text += ", largest overshoot " + outcome.overshoot;
   if (outcome.facts.length) text += fmt::format(", length {}", *outcome.facts.length);
+  if (const auto& pace = outcome.facts.pace) {
+    text += fmt::format(", duration {}, mean speed {}, largest speed {}", pace->duration, pace->mean_speed,
+                        pace->largest_speed);
+  }
   if (outcome.facts.step) text += ", step " + time_text(*outcome.facts.step);
   if (outcome.limited) text += ", " + number_of(*outcome.limited, "limited tangent");
   return outcome.rows ? text + ", " + number_of(*outcome.rows, "row") : text;

@@ -63,7 +63,7 @@ std::string range_of_numbers(const ColumnOptions& requested) {
 RequestNeeds needs_of(const Input& input, const KeyOptions& options, const SamplingRequest& request,
                       std::span<const std::size_t> chosen) {
   RequestNeeds needs;
-  needs.lengths = by_length(request.mode) || options.rules.equal_speed ||
+  needs.lengths = by_length(request) || options.rules.equal_speed ||
                   std::ranges::any_of(chosen, [](std::size_t field) { return fields()[field].over_metric; });
   const bool is_of_format = !input.facts.format->has_marks && !input.facts.format->is_json;
   needs.chooses_metric = options.rules.metric || input.keys.curve_info.settings.metric || is_of_format;
@@ -336,7 +336,25 @@ Facts preset_in_words(const CurveSpec& spec) {
   return words;
 }
 
+namespace {
+
+std::string pace_in_words(const Pace& pace) {
+  if (pace.profile != nullptr) return pace.profile->are_parts ? "parts of the length" : "arc lengths";
+  if (pace.rise == 0 && pace.fall == 0) return "a constant speed";
+  return fmt::format("a speed that rises in {} of the duration, and falls in {}", ratio_text(pace.rise),
+                     ratio_text(pace.fall));
+}
+
+}  // namespace
+
 std::string samples_in_words(const SamplingRequest& request) {
+  if (request.pace) {
+    SamplingRequest times = request;
+    times.pace.reset();
+    return fmt::format("{}; at {}{}", samples_in_words(times),
+                       request.pace->profile == nullptr ? "" : "the times of a profile of ",
+                       pace_in_words(*request.pace));
+  }
   const std::string_view of = by_length(request.mode) ? "arc length" : "time";
   switch (request.mode) {
     case Mode::step:

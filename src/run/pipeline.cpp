@@ -148,7 +148,7 @@ class FileRun {
 
   /// The rows of a curve as text.
   Source<std::string> printed(const CurveSamples& samples, const std::shared_ptr<Labels>& labels) const {
-    const bool shares_lengths = job_.golden && by_length(job_.samples.request.mode);  // with earlier rows
+    const bool shares_lengths = job_.golden && by_length(job_.samples.request);  // with earlier rows
     const unsigned threads = shares_lengths ? 1 : threads_;
     if (labels == nullptr) {
       const auto print = [this, &samples](const SampleBlock& block) {

@@ -162,6 +162,7 @@ void write_rows(Cell* rows, std::size_t width, std::span<const std::size_t> chos
   point.set(segment);
   for (std::size_t i = 0; i < located.samples.size(); ++i) {
     point.set(located.samples[i], located.outside.empty() ? nullptr : &located.outside[i]);
+    point.set_motion(located.motions.empty() ? nullptr : &located.motions[i]);
     point.set_end(located.ends.empty() ? nullptr : &located.ends[i]);
     for (const auto& [write, cells] : by_row) write(point, CellWriter<double>(cells + i * width));
   }

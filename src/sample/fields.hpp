@@ -66,12 +66,29 @@ void write_position(Point<S>& point, CellWriter<S> out) {
     }
   }
 }
-template <class S, std::vector<S> spline::Derivatives<S>::*derivative>
-void write_derivative(Point<S>& point, CellWriter<S> out) {
-  const std::vector<S>& values = point.derivatives().*derivative;
+/// A derivative of the channels that are in no rotation; empty where it is not defined.
+template <class S>
+void write_derivative(Point<S>& point, CellWriter<S> out, const std::vector<S>& values, bool defined = true) {
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!point.is_in_rotation(i)) out.add_of_channel(values[i], i, true);
+    if (point.is_in_rotation(i)) continue;
+    if (defined) {
+      out.add_of_channel(values[i], i, true);
+    } else {
+      out.add(Quantity<S>{values[i], false});
+    }
   }
+}
+template <class S>
+void write_velocity(Point<S>& point, CellWriter<S> out) {
+  write_derivative(point, out, point.row_velocity(), point.has_row_velocity());
+}
+template <class S>
+void write_acceleration(Point<S>& point, CellWriter<S> out) {
+  write_derivative(point, out, point.row_acceleration(), point.has_row_acceleration());
+}
+template <class S>
+void write_jerk(Point<S>& point, CellWriter<S> out) {
+  write_derivative(point, out, point.derivatives().jerk);
 }
 template <class S>
 void write_tangent(Point<S>& point, CellWriter<S> out) {
@@ -83,7 +100,7 @@ template <class S>
 void write_angular_velocity(Point<S>& point, CellWriter<S> out) {
   if constexpr (spline::has_roots<S>) {
     for (std::size_t i = 0; i < point.segment().rotations.size(); ++i) {
-      for (const S& number : point.angular_velocity(i)) out.add(number);
+      for (const S& number : point.angular_velocity(i)) out.add(Quantity<S>{number, point.has_row_velocity()});
     }
   }
 }
@@ -93,7 +110,7 @@ void write_angular_speed(Point<S>& point, CellWriter<S> out) {
     using std::sqrt;
     for (std::size_t i = 0; i < point.segment().rotations.size(); ++i) {
       const auto [x, y, z] = point.angular_velocity(i);
-      out.add(S(sqrt(x * x + (y * y + z * z))));
+      out.add(Quantity<S>{S(sqrt(x * x + (y * y + z * z))), point.has_row_velocity()});
     }
   }
 }
@@ -231,11 +248,11 @@ inline constexpr std::array field_table{
     FieldOf<S>{{.name = "s", .needs_lengths = true, .over_metric = true, .is_rational = false},
                [](Point<S>& point, CellWriter<S> out) { out.add(point.length()); }},
     FieldOf<S>{{.name = "velocity", .suffix = "_v", .per_channel = true, .of_motion = true, .has_side = true},
-               write_derivative<S, &spline::Derivatives<S>::velocity>},
+               write_velocity<S>},
     FieldOf<S>{{.name = "acceleration", .suffix = "_a", .per_channel = true, .of_motion = true, .has_side = true},
-               write_derivative<S, &spline::Derivatives<S>::acceleration>},
+               write_acceleration<S>},
     FieldOf<S>{{.name = "jerk", .suffix = "_j", .per_channel = true, .of_motion = true, .has_side = true},
-               write_derivative<S, &spline::Derivatives<S>::jerk>},
+               write_jerk<S>},
     FieldOf<S>{{.name = "speed", .over_metric = true, .has_side = true},
                [](Point<S>& point, CellWriter<S> out) { out.add(point.speed()); }},
     FieldOf<S>{{.name = "tangent",

@@ -81,12 +81,106 @@ std::vector<Rational> exact_times(const SamplingRequest& request, const KeptCurv
                              Rational(1, 1'000'000'000));
 }
 
+/// The times of rows that move at a pace, rounded and exact, in the range of the keys.
+struct PacedTimes {
+  std::vector<Time> rounded;
+  std::vector<Rational> exact;
+  std::optional<Rational> remainder = {};  ///< of the range after the last one
+};
+
+/// Throws: Error (usage) for a range that leaves the curve.
+void require_on_curve(const SamplingRequest& request, const Rational& first, const Rational& last) {
+  const auto require = [&](std::string_view option, const Rational& time) {
+    require_not_before(option, time + request.zero, RangeEnds::of_pieces, first + request.zero);
+    require_not_after(option, time + request.zero, RangeEnds::of_pieces, last + request.zero);
+  };
+  for (const Rational& place : request.places) require("--at", place);
+  if (request.from && !request.origin) require("--from", *request.from);
+  if (request.to && !request.origin) require("--to", *request.to);
+}
+
+/// Rows at equal parts of each segment.
+std::vector<Rational> times_per_segment(const SamplingRequest& request, std::span<const Time> keys) {
+  require_rows(Rational(keys.size() - 1) * request.count, request.max_rows);
+  std::vector<Rational> times;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    const Rational start = request.exact(keys[i]), step = (request.exact(keys[i + 1]) - start) / request.count;
+    for (std::uint64_t row = 0; row < request.count; ++row) times.push_back(start + step * row);
+  }
+  times.push_back(request.exact(keys.back()));
+  return times;
+}
+
+PacedTimes paced_times(const SamplingRequest& request, const KeptCurve& curve) {
+  const Extent& extent = curve.extent();
+  const Rational first = request.exact(extent.first), last = request.exact(*extent.last);
+  require_on_curve(request, first, last);
+  PacedTimes times;
+  if (request.mode == Mode::at || request.mode == Mode::per_segment) {
+    times.exact = request.mode == Mode::at ? request.places : times_per_segment(request, curve.curve().times());
+    for (const Rational& time : times.exact) times.rounded.push_back(nearest_time(time, extent.decimals));
+    return times;
+  }
+  times.rounded = grid_times(request, extent);
+  const Spacing on = spacing(request, extent);
+  for (std::uint64_t row = 0; row < times.rounded.size(); ++row) {
+    const bool is_on_grid = times.rounded[row] == on.grid.time(row, extent.decimals);
+    times.exact.push_back(is_on_grid ? on.grid.start() + on.grid.step() * row : *on.end);
+  }
+  const bool may_stop_before = request.mode == Mode::step && !times.rounded.empty();
+  if (may_stop_before && times.rounded.back() < nearest_time(*on.end, extent.decimals)) {
+    times.remainder = *on.end - times.exact.back();
+  }
+  return times;
+}
+
+/// Rows whose times are parts of the duration of the curve, at parts of its length.
+RowPlaces paced_places(const SamplingRequest& request, const KeptCurve& curve) {
+  const PacedTimes times = paced_times(request, curve);
+  const Rational first = request.exact(curve.extent().first);
+  const Rational duration = request.exact(*curve.extent().last) - first;
+  const double length = curve.length();
+  RowPlaces result{.zero = request.zero, .remainder = times.remainder};
+  for (std::size_t row = 0; row < times.exact.size(); ++row) {
+    if (duration == 0) {  // of a single key
+      result.places.emplace_back(0.0);
+      result.motions.push_back({times.rounded[row]});
+      continue;
+    }
+    const Rational passed = std::clamp<Rational>((times.exact[row] - first) / duration, 0, 1);
+    const PacePart part = request.pace->at(passed);
+    result.places.push_back(part.distance == 1 ? Time(length) : nearest_time(part.distance) * Time(length));
+    result.motions.push_back({times.rounded[row], nearest_double(part.speed / duration) * length,
+                              nearest_double(part.acceleration / (duration * duration)) * length});
+  }
+  return result;
+}
+
+/// Rows at the distances of a profile. Throws: Error (data) for one beyond the curve.
+RowPlaces profiled_places(const PaceProfile& profile, const KeptCurve& curve) {
+  const double length = curve.length(), scale = profile.are_parts ? length : 1;
+  if (!profile.are_parts && profile.largest > length) {
+    throw data_error(
+        "the arc length {} is beyond the length of the curve, {}; expected lengths up to it; correct the profile, or "
+        "give parts of the length, from 0 to 1, in a column called fraction",
+        profile.largest, length)
+        .at(profile.largest_place);
+  }
+  RowPlaces result;
+  for (const auto& [motion, distance] : profile.rows) {
+    result.places.emplace_back(std::clamp(distance * scale, 0.0, length));
+    result.motions.push_back({motion.time, motion.speed * scale, motion.acceleration * scale});
+  }
+  return result;
+}
+
 /// Rows at the places of a list: arc lengths, or times, which may be outside the curve.
 class AtPlaces : public Locator {
  public:
   AtPlaces(RowPlaces places, bool by_length, const std::shared_ptr<const KeptCurve>& curve)
       : places_(std::move(places.places)),
         exact_(std::move(places.exact)),
+        motions_(std::move(places.motions)),
         by_length_(by_length),
         curve_(curve),
         first_(curve->extent().first),
@@ -115,7 +209,9 @@ class AtPlaces : public Locator {
     if (by_length_) {
       located.coordinates.assign(places_.begin() + static_cast<std::ptrdiff_t>(first),
                                  places_.begin() + static_cast<std::ptrdiff_t>(last));
-      return locate_lengths(segment, located);
+      locate_lengths(segment, located);
+      if (!motions_.empty()) set_motions(first, last, located);
+      return;
     }
     const spline::TimeMap<double> locate = segment.time_map();
     located.outside.clear();
@@ -134,6 +230,12 @@ class AtPlaces : public Locator {
   }
 
  private:
+  void set_motions(std::uint64_t first, std::uint64_t last, Located& located) const {
+    located.motions.assign(motions_.begin() + static_cast<std::ptrdiff_t>(first),
+                           motions_.begin() + static_cast<std::ptrdiff_t>(last));
+    for (std::size_t i = 0; i < located.samples.size(); ++i) located.samples[i].t = located.motions[i].time;
+  }
+
   /// Where times are frames, the time on the curve is a double, as all are.
   Outside outside(const Time& t) const {
     const Extrapolations& rules = curve_->extrapolations();
@@ -146,6 +248,7 @@ class AtPlaces : public Locator {
 
   std::vector<Time> places_;
   std::vector<Rational> exact_;
+  std::vector<Motion> motions_;
   bool by_length_;
   std::shared_ptr<const KeptCurve> curve_;
   Time first_, last_;
@@ -161,6 +264,9 @@ void require_extended_to(std::string_view option, const Rational& time, const Ex
 }
 
 RowPlaces row_places(const SamplingRequest& request, const KeptCurve& curve, bool exact) {
+  if (request.pace) {
+    return request.pace->profile ? profiled_places(*request.pace->profile, curve) : paced_places(request, curve);
+  }
   const Extent& extent = curve.extent();
   RowPlaces result{.zero = request.zero};
   if (exact) result.exact = exact_times(request, curve);

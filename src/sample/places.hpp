@@ -23,6 +23,8 @@ struct RowPlaces {
   std::vector<Rational> exact = {};                        ///< the same, if they do not follow from the rows; or none
   std::optional<std::uint64_t> least_rows = std::nullopt;  ///< of any polyline within a distance
   Rational zero = 0;                                       ///< as in the request
+  std::vector<Motion> motions = {};                        ///< of rows at a pace, whose places are arc lengths
+  std::optional<Rational> remainder = std::nullopt;        ///< as Sampler::remainder(), of rows at a pace
 };
 
 // tolerance.cpp

@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <optional>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "sample/curve_segment.hpp"
+#include "sample/pace.hpp"
 #include "tcb/spline/derivatives.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/segment_length.hpp"
@@ -42,8 +45,12 @@ class Point {
     sample_ = &sample;
     outside_ = outside;
     has_derivatives_ = false;
+    has_moved_ = false;
+    motion_ = nullptr;
     shape_.reset();
   }
+  /// How the row moves along the curve, after its sample was set; null: as the curve does.
+  void set_motion(const Motion* motion) { motion_ = motion; }
   /// The end of the piece that begins at the sample; null: there is none.
   void set_end(const SampleOf<S>* end) { end_ = end; }
 
@@ -103,8 +110,25 @@ class Point {
     return outside_->cycles == S(0) ? q : spline::normalized(turn_of_cycles(index) * q);
   }
 
+  /// The velocity and acceleration of the row. At a pace, with the curve X at its arc length s, they are X' s' and
+  /// X'' s'^2 + X' s''.
+  const std::vector<S>& row_velocity() { return motion_ == nullptr ? derivatives().velocity : moved().velocity; }
+  const std::vector<S>& row_acceleration() {
+    return motion_ == nullptr ? derivatives().acceleration : moved().acceleration;
+  }
+  /// At a pace they are not where the curve rests, unless the row does.
+  bool has_row_velocity() { return motion_ == nullptr || has_direction() || motion_->speed == 0; }
+  bool has_row_acceleration() {
+    return motion_ == nullptr || has_direction() || (motion_->speed == 0 && motion_->acceleration == 0);
+  }
+
   /// The angular velocity of a rotation, in the frame in which it is given, per unit of time.
-  spline::Vector3<S> angular_velocity(std::size_t index) const {
+  spline::Vector3<S> angular_velocity(std::size_t index) {
+    if (motion_ != nullptr) {  // the rate by u, times s' / (ds/du)
+      const S factor = has_direction() ? S(motion_->speed) / local_speed_ : S(0);
+      const auto rate = segment_->rotations[index].rate(sample_->at);
+      return {rate[0] * factor, rate[1] * factor, rate[2] * factor};
+    }
     if (segment_->start == segment_->end || (outside_ != nullptr && outside_->holds)) return {S(0), S(0), S(0)};
     const spline::Vector3<S> rate = rate_on_curve(index);
     if (outside_ == nullptr) return rate;
@@ -141,7 +165,10 @@ class Point {
   }
 
   // Over the metric channels:
-  Quantity<S> speed() { return shape_.speed(*this); }
+  Quantity<S> speed() {
+    using std::abs;
+    return motion_ == nullptr ? shape_.speed(*this) : Quantity<S>{S(abs(motion_->speed))};
+  }
   Quantity<S> tangent(std::size_t channel) { return shape_.tangent(*this, channel); }
   Quantity<S> curvature() { return shape_.curvature(*this); }
   Quantity<S> torsion() { return shape_.torsion(*this); }
@@ -152,6 +179,35 @@ class Point {
     if (!has_arc_) arc_.assign(segment_->cubics, segment_->metric);
     has_arc_ = true;  // only now: some scalars throw
     return arc_;
+  }
+
+  /// Whether the curve moves at the place of a row, so that its direction is known there.
+  bool has_direction() {
+    (void)moved();
+    return local_speed_ > S(0);
+  }
+
+  const spline::Derivatives<S>& moved() {
+    if constexpr (std::is_same_v<S, double>) {
+      if (!std::exchange(has_moved_, true)) set_moved();
+    }
+    return moved_;
+  }
+
+  void set_moved() {
+    spline::set_derivatives<S>(moved_, segment_->cubics, sample_->at, {}, S(0), S(1));
+    const auto shape = spline::shape(moved_, segment_->metric);
+    local_speed_ = shape.moves ? shape.speed : S(0);
+    const S speed(motion_->speed), ratio = shape.moves ? speed / local_speed_ : S(0);
+    S along(0);
+    const spline::MetricView<S> v(moved_.velocity, segment_->metric), a(moved_.acceleration, segment_->metric);
+    for (std::size_t i = 0; i < v.size() && shape.moves; ++i) along += v[i] / local_speed_ * a[i];
+    for (std::size_t i = 0; i < moved_.velocity.size(); ++i) {
+      const S direction = shape.moves ? moved_.velocity[i] / local_speed_ : S(0);
+      const S across = moved_.acceleration[i] - direction * along;
+      moved_.velocity[i] = direction * speed;
+      moved_.acceleration[i] = across * ratio * ratio + direction * S(motion_->acceleration);
+    }
   }
 
   void set_derivatives() {
@@ -194,11 +250,15 @@ class Point {
   const SampleOf<S>* sample_ = nullptr;
   const SampleOf<S>* end_ = nullptr;
   const OutsideOf<S>* outside_ = nullptr;
+  const Motion* motion_ = nullptr;
   const spline::SegmentLength<S>* known_arc_ = nullptr;
   spline::SegmentLength<S> arc_;
   bool has_arc_ = false;
   spline::Derivatives<S> derivatives_;
   bool has_derivatives_ = false;
+  spline::Derivatives<S> moved_;  ///< of the row at a pace
+  S local_speed_{};               ///< of the curve by u, 0 where it rests
+  bool has_moved_ = false;
   PathShape<S> shape_;
 };
 

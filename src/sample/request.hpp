@@ -12,6 +12,7 @@
 #include "numbers/frame_times.hpp"
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
+#include "sample/pace.hpp"
 #include "tcb/spline/key.hpp"
 #include "text/suggest.hpp"
 
@@ -70,6 +71,7 @@ struct SamplingRequest {
   bool keys = false;                 ///< every key is a row too
   bool from_left = true;             ///< a row at a key is on the segment before it, not on the one after
   std::uint64_t max_rows = 1'000'000'000;
+  std::optional<Pace> pace = {};          ///< of rows at times, which are then placed by arc length
   std::optional<FrameTimes> frames = {};  ///< where the times of the keys are frames in seconds
 
   Rational zero = 0;  ///< which was subtracted from times, for messages
@@ -105,11 +107,15 @@ constexpr bool by_length(Mode mode) {
   return mode == Mode::arc_step || mode == Mode::arc_count || mode == Mode::arc_at;
 }
 
+/// So it is for rows at times that move along the curve at a pace.
+inline bool by_length(const SamplingRequest& request) { return by_length(request.mode) || request.pace.has_value(); }
+
 /// The rows of a segment do not depend on the other segments.
 constexpr bool by_segment(Mode mode) { return mode == Mode::per_segment || mode == Mode::emit; }
 
 /// Samples may be before the first key or after the last one.
 inline bool may_leave_curve(const SamplingRequest& request) {
+  if (request.pace) return false;
   const bool has_range = request.from.has_value() || request.to.has_value();
   const bool is_inside = by_length(request.mode) || by_segment(request.mode) || request.mode == Mode::tolerance;
   return request.mode == Mode::at || (has_range && !is_inside);

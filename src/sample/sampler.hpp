@@ -36,6 +36,7 @@ struct Located {
   std::vector<Sample> samples;
   std::vector<Sample> ends = {};       ///< of the pieces that begin at the samples, or none where rows are samples
   std::vector<Outside> outside = {};   ///< one per sample, or none where all samples must be on the curve
+  std::vector<Motion> motions = {};    ///< one per sample, or none where samples move as the curve does
   std::vector<Time> coordinates = {};  ///< the times or arc lengths of the samples
   std::vector<spline::LocalParameter<double>> places = {};
   spline::SegmentLength<double> arc = {};

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 _BLOCK = 1 << 13  # places that are evaluated together, which fit into the cache of a processor
 _RUN = 1 << 10  # so many places on a piece are faster together than with those of other pieces
 _OF_ROWS = {"step", "rate", "fps", "count", "segments", "per_segment", "at", "arc_step", "arc_count", "arc_at", "tolerance",
-            "emit", "fit_keys", "keep_times", "corner", "from_", "to", "end", "keys", "fields", "digits", "fixed",
+            "pace", "emit", "fit_keys", "keep_times", "corner", "from_", "to", "end", "keys", "fields", "digits", "fixed",
             "time_format", "time_zero", "file_column"}  # fmt: skip
 _TIME = re.compile(r"-?\d+(:\d\d|-\d\d-\d\dT)")
 _DERIVATIVES = ("position", "velocity", "acceleration", "jerk")

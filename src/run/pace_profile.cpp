@@ -1,0 +1,105 @@
+// Pace profiles: files of keys whose curve tells where rows are on another one.
+#include "run/pace_profile.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "formats/formats.hpp"
+#include "io/input_file.hpp"
+#include "keys/curves.hpp"
+#include "read/input.hpp"
+#include "run/curve_pipeline.hpp"
+#include "sample/fields.hpp"
+#include "sample/rows.hpp"
+
+namespace tcb {
+namespace {
+
+constexpr std::string_view part_of_length = "fraction";
+
+/// The channel of the distances. Throws: Error (data) where its name does not tell it.
+std::size_t distance_channel(const Schema& schema, const PaceFile& file) {
+  const auto& names = schema.channels;
+  if (!file.column.empty()) return 0;
+  const auto found =
+      std::ranges::find_if(names, [](std::string_view name) { return name == "s" || name == part_of_length; });
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  throw data_error(
+      "a profile has no column s or fraction; expected arc lengths, or parts of the length from 0 to 1; name their "
+      "column, as in --pace @FILE:COLUMN");
+}
+
+/// What the rules of the keys are for a single open channel.
+CurveSettings rules_of(CurveSettings rules) {
+  rules.closed.reset();
+  rules.period.reset();
+  rules.extrapolate.reset();
+  rules.metric.reset();
+  rules.parameter.reset();
+  rules.no_overshoot = rules.tangents != spline::TangentRule::linear;
+  return rules;
+}
+
+/// Notes the largest distance of the keys. Throws: Error (data) for a distance that no curve has.
+void observe(PaceProfile& profile, const KeyBlock& block, std::size_t channel) {
+  for (std::size_t key = 0; key < block.keys.size(); ++key) {
+    const double distance = block.keys.position(key)[channel];
+    const TextPosition place{"", block.text_positions.lines[key], 0};
+    if (distance < 0 || (profile.are_parts && distance > 1)) {
+      throw data_error("the distance {} is not on the curve; expected {}; correct the profile", distance,
+                       profile.are_parts ? "a part of the length from 0 to 1" : "an arc length of 0 or more")
+          .at(place);
+    }
+    if (distance <= profile.largest) continue;
+    profile.largest = distance;
+    profile.largest_place = place;
+  }
+}
+
+PaceProfile read(const PaceFile& file, const SamplingRequest& request, const KeyOptions& keys) {
+  InputOptions options;
+  options.units = keys.input.units;
+  options.units.are_optional = true;
+  options.keys.tcb = keys.input.keys.tcb;
+  options.rotation.none = true;
+  if (!file.column.empty()) {
+    options.columns.roles = {{.role = Role::position, .columns = {file.column}, .option = "--pace"}};
+  }
+  const Input input = open_input(file.path, keys.bytes_of(file.path), options);
+  const std::size_t channel = distance_channel(input.schema, file);
+  const CurveRequest samples{
+      .samples = request,
+      .rules = rules_of(keys.rules),
+      .fields = {field_of("time"), field_of("position"), field_of("velocity"), field_of("acceleration")}};
+  PaceProfile profile{.are_parts = input.schema.channels[channel] == part_of_length};
+  Curves curves(input.schema, input.keys, keys.curves, false);
+  std::optional<InputCurve> curve = curves.next();
+  if (!curve) throw data_error("found no keys; expected at least two; add them");
+  CurvePipeline pipeline(samples, input.schema, input.keys.traits, *curve->curve_info);
+  const CurveSamples rows = pipeline.samples(
+      observed(std::move(curve->keys), [&](const KeyBlock& block) { observe(profile, block, channel); }));
+  const std::size_t channels = input.schema.channels.size();
+  while (const std::optional<SampleBlock> block = rows.blocks()) {
+    const Table table = rows.evaluate(*block, samples.fields);
+    const std::size_t width = 1 + 3 * channels;
+    for (std::size_t row = 0; row < table.cells.size(); row += width) {
+      const auto value = [&](std::size_t field) { return table.cells[row + 1 + field * channels + channel].hi; };
+      profile.rows.push_back({{table.cells[row], value(1), value(2)}, value(0)});
+    }
+  }
+  if (curves.next()) throw data_error("a profile has several curves; expected one; remove the others");
+  return profile;
+}
+
+}  // namespace
+
+std::shared_ptr<const PaceProfile> read_pace_profile(const PaceFile& file, const SamplingRequest& request,
+                                                     const KeyOptions& keys) {
+  const std::string name = shown_name(file.path);
+  PaceProfile profile = in_file(name, [&] { return read(file, request, keys); });
+  profile.largest_place.file = name;
+  return std::make_shared<const PaceProfile>(std::move(profile));
+}
+
+}  // namespace tcb
