@@ -21,6 +21,9 @@ struct DelimitedOptions {
   std::optional<bool> header = {};       ///< nothing: found in the first records
   std::string comment = "#";             ///< the prefix of lines to skip; empty: none
   NumberMarks marks = {};                ///< in numbers
+  bool is_plain = false;                 ///< the text is a table that the program made; a blank line ends a curve
+  std::vector<std::string> meant = {};   ///< names of columns that are in no doubt
+  std::string array = {};                ///< the name of the only array of positions; empty: there is none
   bool has_decimal = false;              ///< the decimal mark is given, so a comma is no other one
   std::uint64_t skipped_lines = 0;       ///< at the beginning, which are not part of the table
   std::vector<std::string> names = {};   ///< of the columns of a format; empty: the text may have names

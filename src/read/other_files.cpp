@@ -169,7 +169,6 @@ constexpr OtherFile other_files[] = {
      "a motion of Live2D, whose segments are a type and 2 or 6 numbers, of which the last 2 are a key",
      write_keys},
     {{}, {.members = {"layers", "ip", "op"}}, "a Lottie animation", "export its keyframes as a table"},
-    {{}, {.members = {"tracks", "times", "values"}}, "a clip of three.js, whose values are not by key", write_keys},
     {{}, {.members = {"sheetsById"}}, "a project of Theatre.js", "give WORD--columns time=position,position=value"},
     {{},
      {.members = {"fileType", "mission"}},

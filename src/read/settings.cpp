@@ -116,7 +116,7 @@ class SettingsReader {
   void read() {
     std::unordered_set<std::string_view> names;
     for (const FileMember& member : object_->members) {
-      if (!names.insert(member.name).second && is_setting(member))
+      if (!names.insert(member.name).second && is_setting_name(member.name))
         throw at_name(member, data_error("the object has this member twice; expected it once; remove one"));
     }
     parameters_.clear();
@@ -124,11 +124,6 @@ class SettingsReader {
     for (const FileMember& member : object_->members) {
       if (!parameters_.contains(&member) && !is_one(member, Kind::missing)) read_member(member);
     }
-  }
-
-  static bool is_setting(const FileMember& member) {
-    const std::string word = compact(member.name);
-    return lists_word(closing_names, word) || std::ranges::count(own_names, word) > 0;
   }
 
   // Tension, continuity and bias.
@@ -404,6 +399,11 @@ class SettingsReader {
 }  // namespace
 
 bool may_hold_settings(std::string_view name) { return lists_word(inner_names, compact(name)); }
+
+bool is_setting_name(std::string_view name) {
+  const std::string word = compact(name);
+  return lists_word(closing_names, word) || std::ranges::count(own_names, word) > 0;
+}
 
 FileSettings read_settings(std::span<const FileObject> objects, const InputOptions& options) {
   return std::move(SettingsReader(objects, options).found);

@@ -35,6 +35,9 @@ struct FileMember {
 /// Whether an object of this name holds settings of the object around it, as "params" and "defaults" do.
 bool may_hold_settings(std::string_view name);
 
+/// Whether a member of this name is a setting that closes a curve or is known as the program writes it.
+bool is_setting_name(std::string_view name);
+
 /// An object on the way from the root of a file to the list of keys, or one in it that may hold settings.
 struct FileObject {
   std::string path = {};  ///< of the object in the file, as "spline.params"; empty: the root

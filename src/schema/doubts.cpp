@@ -115,9 +115,8 @@ Doubt error(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
 
 // Names that are nearly those of roles.
 
-/// The role of which this name is a near miss: with a letter dropped, added or changed, or two letters swapped. In
-/// names of four letters a changed letter is no near miss, as it often makes another word, such as tide. Nothing for
-/// others, and for those of tension, continuity and bias.
+}  // namespace
+
 std::optional<Role> near_role(std::string_view name) {
   if (role_of_name(name) != Role::position) return std::nullopt;
   const std::string_view alone = without_unit(name);
@@ -128,6 +127,8 @@ std::optional<Role> near_role(std::string_view name) {
   });
   return meant == role_names.end() ? std::nullopt : std::optional(meant->role);
 }
+
+namespace {
 
 /// The name of the role of which a channel's name is a near miss, unless a column has that role or channels were
 /// requested.

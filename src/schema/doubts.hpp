@@ -78,4 +78,9 @@ struct RequestNeeds {
 /// The notes of the doubts about a request. Throws: Error (data) for a doubt that the request has to decide.
 std::vector<std::string> doubts_of_request(const Schema& schema, const RequestNeeds& needs);
 
+/// The role of which this name is a near miss: with a letter dropped, added or changed, or two letters swapped. In
+/// names of four letters a changed letter is no near miss, as it often makes another word, such as tide. Nothing for
+/// others, and for those of tension, continuity and bias.
+std::optional<Role> near_role(std::string_view name);
+
 }  // namespace tcb

@@ -14,6 +14,7 @@
 #include "read/csv/tokenizer.hpp"
 #include "read/csv/vector_cells.hpp"
 #include "read/input.hpp"
+#include "read/json/text.hpp"
 #include "read/key_builder.hpp"
 #include "schema/pose_formats.hpp"
 #include "schema/usual_names.hpp"
@@ -40,6 +41,18 @@ std::string text_of(std::string_view cell) {
   const bool is_digits = !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
   const bool whole = is_digits && (digits == "0" ? digits.size() == cell.size() : digits[0] != '0');
   return (whole ? "" : "\"") + unquoted(cell);
+}
+
+/// A cell of a table that the program made, as a text of a key: a number or a word, unless it is in quotes.
+std::string plain_text(std::string_view cell) {
+  if (cell.starts_with('"')) return '"' + unquoted(cell);
+  return cell == "null" ? "" : parse_number(cell) ? json_number_text(cell) : std::string(cell);
+}
+
+/// Whether a number of this role may be missing, as the curve has one for all keys.
+bool shapes_curve(Role role) {
+  return (role >= Role::tension && role <= Role::ease_out) ||
+         (role >= Role::channel_tension && role <= Role::channel_bias);
 }
 
 /// Reads the records of a chunk as keys.
@@ -91,7 +104,9 @@ class RecordReader {
   void read_cell(std::string_view cell, const Columns::Column& column) {
     switch (column.role) {
       case Role::ignored:
-        if (column.is_empty || (column.is_text && tokenizer_.line() <= last_line_of_roles)) require_text(cell, column);
+        if (column.is_empty || (column.is_text && !head_.is_plain && tokenizer_.line() <= last_line_of_roles)) {
+          require_text(cell, column);
+        }
         keys_.set_mark(column, cell);
         break;
       case Role::group:
@@ -110,6 +125,7 @@ class RecordReader {
 
   void read_number(std::string_view cell, const Columns::Column& column) {
     const std::string_view text = bare(cell);
+    if (cell.empty() && head_.is_plain && shapes_curve(column.role)) return;  // it is that of the curve
     if (is_given_sign(text)) return read_no_number(cell, column);
     if (column.role == Role::time) {
       const auto time = decimals_.time(text);
@@ -202,7 +218,8 @@ class RecordReader {
       const Error fault = why_not_number(name, text, head_.marks);
       add_fault(cell, data_error("{}{}", fault.message(), if_no_key()));
     } else if (is_word(text, column)) {
-      const std::string request = requested_as(column.role == Role::position ? name : "", index_of(column));
+      const bool has_name = column.role == Role::position || head_.is_plain;
+      const std::string request = requested_as(has_name ? name : "", index_of(column));
       add_fault(cell, data_error("{}: {} is not a number; expected a decimal such as -1.5 or 2e3; correct the cell, or "
                                  "give it to --na, along with --missing, if it stands for a missing number, "
                                  "--columns {} to leave the column out, or --group {} if it tells curves apart",
@@ -219,8 +236,8 @@ class RecordReader {
   /// Whether a record begins with a word where the rows above have a number or a time, as totals and repeated names do.
   bool is_footer() const {
     const Role role = head_.columns.cells[0].role;
-    if (!head_.begins_with_value || head_.is_of_format || role == Role::ignored || role == Role::group ||
-        role == Role::carry) {
+    if (!head_.begins_with_value || head_.is_of_format || head_.is_plain || role == Role::ignored ||
+        role == Role::group || role == Role::carry) {
       return false;
     }
     const std::string_view word = bare(cells_[0]);
@@ -245,7 +262,7 @@ class RecordReader {
   }
 
   void read_text(std::string_view cell, const Columns::Column& column) {
-    std::string text = text_of(cell);
+    std::string text = head_.is_plain ? plain_text(cell) : text_of(cell);
     if (!head_.facts.encoding.empty()) text = in_utf8(text, Encoding::windows_1252).value_or(text);
     const std::size_t invalid = find_invalid_utf8(text);
     if (invalid != std::string::npos)

@@ -30,6 +30,7 @@ struct DelimitedHead {
   NumberMarks marks = {};
   InputFacts facts = {};                   ///< about names, texts and times
   std::optional<TimeUnit> time_unit = {};  ///< from a row of units
+  bool is_plain = false;                   ///< an empty parameter is that of the curve
   bool is_of_format = false;               ///< the format has the columns, not the text
   bool begins_with_value = false;          ///< the first cell of the first record is a number or a time
 };

@@ -914,7 +914,10 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
   std::vector<RoleRequest> parameters;
   if (!names.empty() && !head.is_of_format) {
     std::vector<bool> usable = numeric;
-    for (std::size_t cell = 0; cell < usable.size(); ++cell) usable[cell] = usable[cell] && !is_requested[cell];
+    const std::unordered_set<std::string_view> meant(options.delimited.meant.begin(), options.delimited.meant.end());
+    for (std::size_t cell = 0; cell < usable.size(); ++cell) {
+      usable[cell] = usable[cell] && !is_requested[cell] && !meant.contains(names[cell]);
+    }
     parameters = parameters_by_name(names, usable, requested);
   }
   if (!rows.empty() && !head.is_of_format) {
@@ -956,11 +959,13 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
         .requested = options.columns,
         .parameters = parameter_sets(names, numeric, options.columns),
         .marks = head.marks,
-        .delimiter = head.dialect.delimiter,
+        .delimiter = head.is_plain ? '\0' : head.dialect.delimiter,
         .has_rotations = options.rotation.none || !options.rotation.requests.empty(),
         .has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown || options.has_shown_tcb_scale,
         .has_header = options.delimited.header.has_value(),
-        .has_time_unit = options.units.time.has_value()};
+        .has_time_unit = options.units.time.has_value(),
+        .meant = options.delimited.meant,
+        .array = options.delimited.array};
     std::ranges::copy(doubts_of_columns(found), std::back_inserter(notes));
     head.columns.time_gap = first_time_gap(found);
   }
@@ -975,6 +980,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   HeadRecords first(chunks, dialect);
   DelimitedHead head{dialect, {}, options.keys, {}, options.delimited.marks};
   head.is_of_format = !options.delimited.names.empty();
+  head.is_plain = options.delimited.is_plain;
   if (first.records.empty() && first.ends_in_comment() && options.delimited.names.empty()) {
     throw data_error(
         "all lines begin with {}, as comments do; expected a row for each key; give --comment none if they are keys",
@@ -998,7 +1004,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   TextPosition position{"", first.records[0].line, 0};  // of the names
   if (header && !options.delimited.header) require_clear_header(first, head, columns);
   const std::size_t below = data;
-  if (header && !columns.samples) data = first_key(first.records);
+  if (header && !columns.samples && !head.is_plain) data = first_key(first.records);
   if (data == first.records.size()) refuse_header_alone(first.records[0]);
   std::span<const HeadRecords::Record> described = std::span(first.records).subspan(below, data - below);
   HeadRecords::Record units;

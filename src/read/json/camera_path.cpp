@@ -16,20 +16,19 @@
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
 #include "read/input.hpp"
-#include "read/json/keys.hpp"
-#include "read/json/tape.hpp"
+#include "read/json/text.hpp"
 #include "read/key_builder.hpp"
-#include "read/text_bytes.hpp"
 #include "schema/pose_formats.hpp"
 #include "tcb/spline/rules.hpp"
 
 namespace tcb {
 namespace {
 
-using Kind = JsonNode::Kind;
+using Kind = Json::Kind;
 
 constexpr std::string_view keyframe_list = "keyframes";
 constexpr std::size_t matrix_size = 16;  // 4 x 4, row by row
+constexpr std::size_t root = 1;
 
 Error no_keyframes() {
   return data_error(
@@ -39,73 +38,73 @@ Error no_keyframes() {
 
 class CameraValues {
  public:
-  explicit CameraValues(const JsonTape& tape) : tape_(tape) {}
+  explicit CameraValues(const Json& json) : json_(json) {}
 
   WrittenNumber number_of(std::size_t value) const {
-    if (tape_[value].is_nested())
+    if (json_.is_nested(value))
       throw at(value, data_error("this is not a number; expected one, as in the first key; correct it"));
-    if (tape_.kind(value) != Kind::number)
-      throw at(value, data_error("{} is not a number; expected a number; correct it", in_quotes(tape_.shown(value))));
-    const std::string_view decimal = tape_.written(value);
+    if (json_.kind(value) != Kind::number)
+      throw at(value, data_error("{} is not a number; expected a number; correct it", in_quotes(json_.text(value))));
+    const std::string_view decimal = json_.text(value);
     return {parse_number(decimal).value_or(0), std::string(decimal)};
   }
 
   /// The number of a member; nothing where it is null or not there.
   std::optional<WrittenNumber> number(std::size_t object, std::string_view name) const {
-    const auto value = tape_.member(object, name);
-    return value && tape_.kind(*value) != Kind::null ? std::optional(number_of(*value)) : std::nullopt;
+    const auto value = json_.member(object, name);
+    return value && json_.kind(*value) != Kind::null ? std::optional(number_of(*value)) : std::nullopt;
   }
 
   /// A number among the members around the keyframes, of which arrays are none.
   std::optional<WrittenNumber> number_around(std::string_view name) const {
-    const auto value = tape_.member(0, name);
-    return value && tape_.kind(*value) == Kind::array ? std::nullopt : number(0, name);
+    const auto value = json_.member(root, name);
+    return value && json_.kind(*value) == Kind::array ? std::nullopt : number(root, name);
   }
 
   /// A member around the keyframes, if it is a number.
   std::optional<WrittenNumber> number_if_any(std::string_view name) const {
-    const auto value = tape_.member(0, name);
-    return value && tape_.kind(*value) == Kind::number ? std::optional(number_of(*value)) : std::nullopt;
+    const auto value = json_.member(root, name);
+    return value && json_.kind(*value) == Kind::number ? std::optional(number_of(*value)) : std::nullopt;
   }
 
   /// Whether a member is true. One that is null or an object, or not there, is false.
   bool is_true(std::size_t object, std::string_view name) const {
-    const auto value = tape_.member(object, name);
-    if (!value || tape_.kind(*value) == Kind::null || tape_.kind(*value) == Kind::object) return false;
-    if (tape_.kind(*value) != Kind::boolean) {
-      throw at(*value, data_error("found {}; expected true or false; correct it", in_quotes(tape_.shown(*value))));
+    const auto value = json_.member(object, name);
+    if (!value || json_.kind(*value) == Kind::null || json_.kind(*value) == Kind::object) return false;
+    if (json_.kind(*value) != Kind::boolean) {
+      throw at(*value, data_error("found {}; expected true or false; correct it", in_quotes(json_.text(*value))));
     }
-    return tape_.written(*value) == "true";
+    return json_.text(*value) == "true";
   }
 
   /// The 4 x 4 matrix of a keyframe, row by row.
   std::vector<WrittenNumber> matrix_of(std::size_t keyframe) const {
-    const auto value = tape_.member(keyframe, "matrix");
+    const auto value = json_.member(keyframe, "matrix");
     if (!value) {
       throw data_error(
           "the keyframe has no matrix; expected a 4 x 4 matrix of 16 numbers, row by row; add it, or remove the "
           "keyframe");
     }
-    if (tape_.kind(*value) == Kind::string) {
+    if (json_.kind(*value) == Kind::string) {
       throw at(
           *value,
           data_error("the matrix is a text, as in files of nerfstudio before version 1, whose curve is another one; "
                      "expected 16 numbers; give --input-format json --records camera_path --parameter uniform "
                      "--columns 'position=camera_to_world[3]:camera_to_world[7]:camera_to_world[11]' for its frames"));
     }
-    if (tape_.kind(*value) != Kind::array)
+    if (json_.kind(*value) != Kind::array)
       throw at(*value, data_error("this is not an array; expected one of numbers, as in the first key; correct it"));
-    if (const std::size_t size = tape_.count(*value); size != matrix_size) {
+    if (const std::size_t size = json_.count(*value); size != matrix_size) {
       throw at(*value, data_error("the matrix has {}; expected 16, row by row; correct it", how_many(size, "number")));
     }
     std::vector<WrittenNumber> numbers;
-    for (const std::size_t element : tape_.inside(*value)) numbers.push_back(number_of(element));
+    for (const std::size_t element : json_.inside(*value)) numbers.push_back(number_of(element));
     for (std::size_t i = 12; i < matrix_size; ++i) {
       if (numbers[i].value == (i == 15 ? 1 : 0)) continue;
       throw data_error(
           "the last row of the matrix is not 0, 0, 0, 1; expected the 4 x 4 matrix of a pose, row by row; correct it, "
           "or transpose the matrix")
-          .about(tape_.path(0, *value).substr(1));
+          .about(json_.path(root, *value));
     }
     return numbers;
   }
@@ -114,45 +113,45 @@ class CameraValues {
   std::string members_besides_cameras() const {
     std::string all;
     std::unordered_set<std::string_view> names;
-    for (const std::size_t name : tape_.inside(0)) {
-      const std::string_view text = tape_.text(name);
-      if (!names.insert(text).second) throw at(name, twice_in("object"));
-      if (text == "camera_path" || text == "fps" || text == "seconds") continue;
-      all += fmt::format("{}{}:", all.empty() ? "" : ",", tape_.written(name));
-      append(all, name + 1);
+    for (const std::size_t value : json_.inside(root)) {
+      const std::string_view name = json_.name(value);
+      if (!names.insert(name).second) throw at(value - 1, twice_in("object"));
+      if (name == "camera_path" || name == "fps" || name == "seconds") continue;
+      all += fmt::format("{}{}:", all.empty() ? "" : ",", json_.written(value - 1));
+      append(all, value);
     }
     return "{" + all + "}";
   }
 
  private:
   Error at(std::size_t value, const Error& error) const {
-    return error.about(tape_.path(0, value).substr(1)).at(tape_.position(value));
+    return error.about(json_.path(root, value)).at(json_.position(value));
   }
 
   /// Appends a value as it is written, but for NaN, which JSON does not have.
   void append(std::string& text, std::size_t value) const {
-    const std::string_view written = tape_.written(value);
+    const std::string_view written = json_.written(value);
     std::size_t from = 0;
-    for (std::size_t i = value; i < tape_[value].next; ++i) {
-      if (tape_.kind(i) != Kind::null) continue;
-      const std::size_t begin = tape_[i].begin - tape_[value].begin;
+    for (std::size_t i = value; i < json_.next(value); ++i) {
+      if (!json_.is(i, Kind::null)) continue;
+      const std::size_t begin = json_.offset(i) - json_.offset(value);
       text.append(written.substr(from, begin - from)).append("null");
-      from = begin + tape_.written(i).size();
+      from = begin + json_.written(i).size();
     }
     text += written.substr(from);
   }
 
-  const JsonTape& tape_;
+  const Json& json_;
 };
 
 /// Adds keyframes to the keys.
 class KeyframeReader {
  public:
   /// `transition` and `fov` are those of keyframes that have none.
-  KeyframeReader(const JsonTape& tape, KeyBuilder& keys, const Columns& columns, WrittenNumber transition,
+  KeyframeReader(const Json& json, KeyBuilder& keys, const Columns& columns, WrittenNumber transition,
                  std::optional<WrittenNumber> fov)
-      : tape_(tape),
-        values_(tape),
+      : json_(json),
+        values_(json),
         keys_(keys),
         columns_(columns),
         transition_(std::move(transition)),
@@ -160,7 +159,8 @@ class KeyframeReader {
 
   /// Adds a keyframe at a time after that of the one before. Its faults are those of the keys.
   void add(std::size_t number, std::size_t keyframe) {
-    position_ = lines_.to(tape_.part().chunk.text, tape_[keyframe].begin);
+    const TextPosition position = json_.position(keyframe);
+    position_ = {position.line, position.column};
     keys_.begin_key();
     try {
       read(number, keyframe);
@@ -184,9 +184,9 @@ class KeyframeReader {
       return error.about(fmt::format("{}[{}].{}", keyframe_list, number, member));
     };
     std::unordered_set<std::string_view> names;
-    for (const std::size_t name : tape_.inside(keyframe)) {
-      if (names.insert(tape_.text(name)).second) continue;
-      throw of_member(tape_.text(name), twice_in("key")).at(tape_.position(name));
+    for (const std::size_t value : json_.inside(keyframe)) {
+      if (names.insert(json_.name(value)).second) continue;
+      throw of_member(json_.name(value), twice_in("key")).at(json_.position(value - 1));
     }
     const std::vector<WrittenNumber> matrix = values_.matrix_of(keyframe);
     const bool is_own = values_.is_true(keyframe, "override_transition_enabled");
@@ -220,13 +220,12 @@ class KeyframeReader {
     }
   }
 
-  const JsonTape& tape_;
+  const Json& json_;
   const CameraValues values_;
   KeyBuilder& keys_;
   const Columns& columns_;
   const WrittenNumber transition_;
   const std::optional<WrittenNumber> fov_;
-  LineCounter lines_;
   LinePosition position_;  ///< of the current keyframe
   Rational seconds_ = Rational(0), first_transition_ = Rational(0);
 };
@@ -288,34 +287,35 @@ InputOptions options_of_camera_path(const Format&, Source<std::string>&, InputOp
 /// Keys with x, y, z, the matrix r11 to r33, fov in degrees, and render_time where the keyframes have it; the first one
 /// is at 0 seconds.
 Records open_camera_path(const Format&, Source<std::string> bytes, InputOptions options) {
-  TextBytes text_bytes(std::move(bytes));
-  JsonPart part{JsonPart::Kind::whole, {}};
-  while (text_bytes.append_to(part.chunk.text, {1, 1})) MemoryUse(options.max_memory).add(part.chunk.text.size());
-  if (std::ranges::all_of(part.chunk.text, is_json_blank)) throw no_keyframes();
-  const JsonTape tape(part, options.max_memory);
-  if (tape.kind(0) != Kind::object) throw no_keyframes();
-  const TextPosition position = tape.position(0);
-  const auto list = tape.member(0, keyframe_list);
-  if (!list || tape.kind(*list) != Kind::array) throw no_keyframes().at(position);
-  const std::vector<std::uint32_t> keyframes = tape.elements(*list);
+  std::optional<JsonBlock> block = JsonBlocks(std::move(bytes), options.max_memory).whole();
+  if (!block) throw no_keyframes();
+  const Json json(std::move(block->text), block->begin, block->nodes);
+  if (!json.is(root, Kind::object) || json.count(0) > 1) throw no_keyframes();
+  const TextPosition position = json.position(root);
+  const auto list = json.member(root, keyframe_list);
+  if (!list || !json.is(*list, Kind::array)) throw no_keyframes().at(position);
+  const std::vector<std::uint32_t> keyframes = json.values(*list);
   std::vector<std::string> names{"t", "x", "y", "z"};
   for (const std::string_view name : rotation_columns_of(nerfstudio_poses)) names.emplace_back(name);
   names.emplace_back("fov");
   bool has_render_times = false;
   for (const std::uint32_t keyframe : keyframes) {
-    if (tape.kind(keyframe) != Kind::object) throw not_a_record(tape, keyframe, false);
-    for (const std::size_t name : tape.inside(keyframe)) {
-      has_render_times |= tape.text(name) == "render_time" && tape.kind(name + 1) == Kind::number;
+    if (!json.is(keyframe, Kind::object)) {
+      throw data_error("found {} as a key; expected an object; correct it", json.shown(keyframe))
+          .at(json.position(keyframe));
+    }
+    for (const std::size_t value : json.inside(keyframe)) {
+      has_render_times |= json.name(value) == "render_time" && json.is(value, Kind::number);
     }
   }
   if (has_render_times) names.emplace_back("render_time");
   if (keyframes.empty()) throw no_keyframes().at(position);
   constexpr double usual_transition = 0.5;  // of the viewer, where a file has none
-  const CameraValues path(tape);
+  const CameraValues path(json);
   const WrittenNumber tension = path.number_around("smoothness_value").value_or(WrittenNumber{});
   const auto transition = path.number_around("default_transition_sec").value_or(WrittenNumber{usual_transition, "0.5"});
   const std::optional<WrittenNumber> fov = path.number_around("default_fov");
-  const bool is_cycle = path.is_true(0, "is_cycle");
+  const bool is_cycle = path.is_true(root, "is_cycle");
   Records records;
   records.camera_path = path.members_besides_cameras();
   records.columns = at_position(position, [&] {
@@ -323,7 +323,7 @@ Records open_camera_path(const Format&, Source<std::string> bytes, InputOptions 
   });
   if (!options.keys.tcb) options.keys.tcb = records.facts.tcb = spline::Tcb<double>{tension.value, 0, 0};
   KeyBuilder keys(records.columns, options.keys, units_of_keys(options.units, records.columns, ""));
-  KeyframeReader reader(tape, keys, records.columns, transition, fov);
+  KeyframeReader reader(json, keys, records.columns, transition, fov);
   for (std::size_t i = 0; i < keyframes.size(); ++i) reader.add(i, keyframes[i]);
   CurveInfo& info = records.keys.curve_info;
   info.settings.preset = spline::Preset::nerfstudio;

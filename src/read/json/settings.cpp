@@ -1,140 +1,109 @@
-// Settings in JSON: the members around keys, or beside columns, as those of a file.
-#include "read/settings.hpp"
+// Settings in JSON: the members of the objects around a table, or beside its columns, as those of a file.
+#include "read/json/settings.hpp"
 
 #include <algorithm>
-#include <span>
+#include <cstddef>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
-
-#include "read/json/keys.hpp"
-#include "read/json/tape.hpp"
-#include "text/suggest.hpp"
-#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
 
-using Kind = JsonNode::Kind;
+using Kind = Json::Kind;
 
-FileMember::Value value_of(const JsonTape& tape, std::size_t value) {
-  const Kind kind = tape.kind(value);
+FileMember::Value value_of(const Json& json, std::size_t value) {
+  const Kind kind = json.kind(value);
   const auto of_file = kind == Kind::number    ? FileMember::Kind::number
                        : kind == Kind::boolean ? FileMember::Kind::boolean
                        : kind == Kind::null    ? FileMember::Kind::missing
                                                : FileMember::Kind::text;
-  return {of_file, kind == Kind::number ? json_number_text(tape.written(value)) : std::string(tape.shown(value))};
+  return {of_file, kind == Kind::number ? json_number_text(json.text(value)) : std::string(json.text(value))};
 }
 
-/// Positions of values that come in the order of the text, in linear time.
-class Positions {
- public:
-  explicit Positions(const JsonTape& tape) : tape_(tape), at_{tape.part().chunk.line, tape.part().chunk.column} {}
+/// Whether an array has only objects of a name and a value, each of which is a member.
+bool are_named_values(const Json& json, std::size_t array) {
+  return json.has_only(array, Kind::object) && std::ranges::all_of(json.inside(array), [&](std::size_t value) {
+           const auto name = json.member(value, "name");
+           return name && json.is(*name, Kind::string) && json.member(value, "value");
+         });
+}
 
-  TextPosition of(std::size_t value) {
-    const JsonPart& part = tape_.part();
-    const std::size_t byte = tape_[value].begin;
-    if (byte_ < part.seam && byte >= part.seam) {
-      byte_ = part.seam;
-      at_ = part.after;
-    }
-    at_ = position_after(std::string_view(part.chunk.text).substr(byte_, byte - byte_), at_);
-    byte_ = byte;
-    return {"", at_.line, at_.column};
+}  // namespace
+
+JsonSettings::JsonSettings(const Json& json, std::span<const JsonTable> tables) : json_(json) {
+  for (const JsonTable& table : tables) {
+    tables_.insert(table.members.begin(), table.members.end());
+    for (const JsonTable::Outer& outer : table.around) tables_.insert(outer.member);
   }
+}
 
- private:
-  const JsonTape& tape_;
-  std::size_t byte_ = 0;
-  LinePosition at_;
-};
-
-FileMember member_of(const JsonTape& tape, std::size_t name, Positions& positions) {
+FileMember JsonSettings::member_of(std::string_view name, std::size_t named, std::size_t value) {
   constexpr std::ptrdiff_t most = 32;  // of an array
-  const std::size_t value = name + 1;
-  FileMember member{.name = std::string(tape.text(name))};
-  member.position = positions.of(name);
-  member.value_position = positions.of(value);
-  member.holds_numbers = tape.holds(value, Kind::number);
-  const auto elements = tape.inside(value);
-  const auto is_nested = [&](std::size_t element) { return tape[element].is_nested(); };
-  if (!tape[value].is_nested()) {
-    member.values = {value_of(tape, value)};
-  } else if (tape.kind(value) == Kind::array && std::ranges::distance(elements) <= most &&
+  FileMember member{.name = std::string(name)};
+  mark_ = json_.mark_at(json_.offset(named), mark_);
+  member.position = {"", mark_.at.line, mark_.at.column};
+  mark_ = json_.mark_at(json_.offset(value), mark_);
+  member.value_position = {"", mark_.at.line, mark_.at.column};
+  member.holds_numbers = json_.holds(value, Kind::number);
+  const JsonRange elements = json_.inside(value);
+  const auto is_nested = [&](std::size_t element) { return json_.is_nested(element); };
+  if (!json_.is_nested(value)) {
+    member.values = {value_of(json_, value)};
+  } else if (json_.is(value, Kind::array) && std::ranges::distance(elements.begin(), elements.end()) <= most &&
              std::ranges::none_of(elements, is_nested)) {
     member.is_array = true;
-    for (const std::size_t element : elements) member.values.push_back(value_of(tape, element));
+    for (const std::size_t element : elements) member.values.push_back(value_of(json_, element));
   }
   return member;
 }
 
-/// Adds an object, after those in it that may hold settings. `columns`: names of members that are none.
-void add_object(const JsonTape& tape, std::size_t object, std::string path, std::span<const std::string> columns,
-                Positions& positions, std::vector<FileObject>& objects) {
-  FileObject found{.path = std::move(path)};
-  for (const std::size_t name : tape.inside(object)) {
-    if (std::ranges::count(columns, tape.text(name)) > 0) continue;
-    found.members.push_back(member_of(tape, name, positions));
-    const std::string& last = found.members.back().name;
-    if (tape.kind(name + 1) == Kind::object && may_hold_settings(last)) {
-      add_object(tape, name + 1, found.path.empty() ? last : found.path + "." + last, {}, positions, objects);
+/// Adds an object, or an array of names and values, behind those in it that may hold settings.
+void JsonSettings::add_object(std::size_t object, std::string path, bool is_own, std::vector<FileObject>& objects) {
+  FileObject found{.path = std::move(path), .is_own = is_own};
+  if (json_.is(object, Kind::array)) {
+    for (const std::size_t value : json_.inside(object)) {
+      const std::size_t name = *json_.member(value, "name");
+      found.members.push_back(member_of(json_.text(name), name, *json_.member(value, "value")));
+    }
+  } else {
+    for (const std::size_t value : json_.inside(object)) {
+      if (tables_.contains(value)) continue;
+      const std::string_view name = json_.name(value);
+      if (may_hold_settings(name) && (json_.is(value, Kind::object) || are_named_values(json_, value))) {
+        add_object(value, found.path.empty() ? std::string(name) : fmt::format("{}.{}", found.path, name), false,
+                   objects);
+      }
+      FileMember member = member_of(name, value - 1, value);
+      const bool has_values = !member.values.empty() || member.is_array;
+      if (has_values || is_own || is_setting_name(name)) found.members.push_back(std::move(member));
     }
   }
   objects.push_back(std::move(found));
 }
 
-}  // namespace
+const std::vector<FileObject>& JsonSettings::objects_in(std::size_t object, std::string_view path, bool is_own) {
+  const auto [at, is_new] = known_.try_emplace(object);
+  if (is_new) add_object(object, std::string(path), is_own, at->second);
+  return at->second;
+}
 
-FileSettings settings_around(const JsonTape& tape, const JsonTable& table, const InputOptions& options) {
+FileSettings JsonSettings::around(const JsonTable& table, const InputOptions& options) {
   std::vector<FileObject> objects;
-  const std::size_t list = table.value();
-  std::string path;
-  for (std::size_t value = 0; value != list;) {
-    const auto all = tape.inside(value);
-    std::size_t index = 0;
-    const auto inner = std::ranges::find_if(all, [&](std::size_t one) {
-      ++index;
-      return list < tape[tape.value_of(one)].next;
-    });
-    if (tape.kind(value) == Kind::object) {
-      const std::vector<std::string> way{std::string(tape.text(*inner))};
-      Positions positions(tape);
-      add_object(tape, value, path, way, positions, objects);
-      path += path.empty() ? way[0] : "." + way[0];
-    } else {
-      path += "[" + std::to_string(index - 1) + "]";
-    }
-    value = tape.value_of(*inner);
+  const auto add = [&](std::size_t object, std::string_view path) {
+    const std::vector<FileObject>& found = objects_in(object, path, table.is_own);
+    objects.insert(objects.end(), found.begin(), found.end());
+  };
+  for (const JsonTable::Outer& outer : table.around) {
+    const bool is_around_curves = table.is_own && &outer != &table.around.back();
+    if (!is_around_curves) add(outer.object, std::string_view(table.path).substr(0, outer.path_size));
   }
-  if (table.is_beside_settings()) {
-    std::vector<std::string> columns = table.names();
-    columns.insert(columns.end(), {"columns", "index", "data", "values", "rows", "schema"});
-    Positions positions(tape);
-    add_object(tape, list, path, columns, positions, objects);
-  }
+  const bool has_members = !table.members.empty() && json_.is(table.value, Kind::object);
+  if (has_members) add(table.value, table.path);
   return read_settings(objects, options);
 }
 
-JsonCurveInfo read_curve_info(const JsonPart& part, const InputOptions& options) {
-  const JsonTape tape(part);
-  if (tape.kind(0) != Kind::object) throw data_error("found no keys; expected at least two; add them");
-  std::vector<FileObject> objects;
-  Positions positions(tape);
-  add_object(tape, 0, part.chunk.path, {}, positions, objects);
-  objects.back().is_own = true;
-  return {read_settings(objects, options), part.chunk.path, {"", part.chunk.line, part.chunk.column}};
-}
-
-FileSettings settings_before_keys(const Chunk& text, const InputOptions& options) {
-  if (text.text.empty()) return {};
-  JsonPart part{JsonPart::Kind::object, text};
-  part.chunk.text += "[]}";
-  try {
-    return read_curve_info(part, options).settings;
-  } catch (const Error&) {
-    return {};  // thrown again when the whole object is read
-  }
+FileSettings JsonSettings::around_curves(const JsonTable& curve, const InputOptions& options) {
+  return read_settings(objects_in(curve.around[0].object, "", true), options);
 }
 
 }  // namespace tcb

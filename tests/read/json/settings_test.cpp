@@ -1,5 +1,5 @@
 // Settings in JSON: settings of the curve, channel names, the id; near misses of names.
-#include "read/json/keys.hpp"
+#include "read/json/settings.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,29 +9,35 @@
 namespace tcb {
 namespace {
 
-JsonPart part(const std::string& text) {
-  JsonPart result{JsonPart::Kind::object, {text}};
-  result.chunk.path = "curves[2]";
-  return result;
+/// The settings of an object as the third of "curves".
+FileSettings settings_of(const std::string& object) {
+  const Json json(R"({"curves":[0,0,)" + object + "]}", {1, 1}, 1000);
+  const std::size_t curves = *json.member(1, "curves"), curve = json.values(curves)[2];
+  JsonTable table{.value = curve, .path = "curves[2].keys", .is_own = true};
+  table.around = {{1, static_cast<std::uint32_t>(curves), 0}, {static_cast<std::uint32_t>(curve), 0, 9}};
+  return JsonSettings(json, {&table, 1}).around(table, {});
 }
 
 std::string refusal(const std::string& text) {
-  return error_of([&] { read_curve_info(part(text), {}); });
+  return error_of([&] { settings_of(text); });
 }
 
 TEST(JsonSettings, settings_channels_and_id_are_read) {
-  const JsonCurveInfo found = read_curve_info(
-      part(
-          R"({"id":"a","keys":[],"preset":"vtk","ends":["zero","half"],"closed":true,"period":7.5,"channels":["x","y"]})"),
-      {});
-  EXPECT_EQ(found.settings.curve_info.id, "\"a");
-  EXPECT_EQ(found.settings.curve_info.settings.preset, spline::Preset::vtk);
-  EXPECT_EQ(found.settings.curve_info.settings.ends.value().value.last.rule, spline::EndRule::half);
-  EXPECT_EQ(found.settings.curve_info.settings.closed.value().value, true);
-  EXPECT_EQ(found.settings.curve_info.settings.period.value().value.value, Rational(15, 2));
-  EXPECT_THAT(found.settings.channels, testing::ElementsAre("x", "y"));
-  EXPECT_EQ(read_curve_info(part(R"({"id":7})"), {}).settings.curve_info.id, "7");
-  EXPECT_EQ(read_curve_info(part(R"({"id":null})"), {}).settings.curve_info.id, "");
+  const FileSettings found = settings_of(
+      R"({"id":"a","keys":[],"preset":"vtk","ends":["zero","half"],"closed":true,"period":7.5,"channels":["x","y"]})");
+  EXPECT_EQ(found.curve_info.id, "\"a");
+  EXPECT_EQ(found.curve_info.settings.preset, spline::Preset::vtk);
+  EXPECT_EQ(found.curve_info.settings.ends.value().value.last.rule, spline::EndRule::half);
+  EXPECT_EQ(found.curve_info.settings.closed.value().value, true);
+  EXPECT_EQ(found.curve_info.settings.period.value().value.value, Rational(15, 2));
+  EXPECT_THAT(found.channels, testing::ElementsAre("x", "y"));
+  EXPECT_EQ(settings_of(R"({"id":7})").curve_info.id, "7");
+  EXPECT_EQ(settings_of(R"({"id":null})").curve_info.id, "");
+}
+
+TEST(JsonSettings, a_list_of_names_and_values_is_read_as_members) {
+  EXPECT_EQ(settings_of(R"({"params":[{"name":"tension","value":0.5}]})").tcb.value().tension, 0.5);
+  EXPECT_FALSE(settings_of(R"({"params":[{"name":"tension"}]})").tcb);
 }
 
 TEST(JsonSettings, other_members_are_ignored_unless_they_are_near_misses) {
@@ -49,14 +55,9 @@ TEST(JsonSettings, errors_have_their_position) {
   EXPECT_THAT(refusal(R"({"id":[1]})"), testing::HasSubstr("not a text or a number"));
 }
 
-TEST(JsonSettings, channels_before_the_keys_are_read_before_them) {
-  EXPECT_THAT(settings_before_keys({R"({"channels":["x"],"keys":)"}, {}).channels, testing::ElementsAre("x"));
-  EXPECT_THAT(settings_before_keys({R"({"keys":)"}, {}).channels, testing::IsEmpty());
-}
-
 TEST(JsonSettings, an_option_is_an_error_that_names_it) {
   EXPECT_THAT(refusal(R"({"no_ease":true})"),
-              testing::AllOf(testing::StartsWith("f:1:2: error: curves[2].no_ease: this is an option"),
+              testing::AllOf(testing::StartsWith("f:1:17: error: curves[2].no_ease: this is an option"),
                              testing::EndsWith("remove it, and give --no-ease")));
 }
 

@@ -1,0 +1,43 @@
+// Settings in JSON: the members of the objects around a table, or beside its columns, as those of a file.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "read/input_options.hpp"
+#include "read/json/tables.hpp"
+#include "read/json/text.hpp"
+#include "read/settings.hpp"
+
+namespace tcb {
+
+/// Reads the settings around the tables of a text. Requires: the text outlives it.
+class JsonSettings {
+ public:
+  /// `tables`: all that are read, whose members are no settings.
+  JsonSettings(const Json& json, std::span<const JsonTable> tables);
+
+  /// The settings in the objects from the root to a table, and beside its columns; of a curve as the program writes it,
+  /// those of its own object alone. Throws: Error (data).
+  FileSettings around(const JsonTable& table, const InputOptions& options);
+  /// The settings in the object around the curves that the program writes, one of which is given.
+  FileSettings around_curves(const JsonTable& curve, const InputOptions& options);
+
+ private:
+  FileMember member_of(std::string_view name, std::size_t named, std::size_t value);
+  void add_object(std::size_t object, std::string path, bool is_own, std::vector<FileObject>& objects);
+  const std::vector<FileObject>& objects_in(std::size_t object, std::string_view path, bool is_own);
+
+  const Json& json_;
+  std::unordered_set<std::size_t> tables_ = {};                          ///< members that are on the way to tables
+  std::unordered_map<std::size_t, std::vector<FileObject>> known_ = {};  ///< by the object
+  Json::Mark mark_ = {0, {0, 0}};                                        ///< the last member
+};
+
+}  // namespace tcb
