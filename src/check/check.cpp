@@ -130,7 +130,8 @@ std::vector<Time> expected_places(const SampleOptions& expected, const Compariso
                              .rules = comparison.keys.rules,
                              .fields = fields,
                              .threads = inputs.threads,
-                             .zero = inputs.kept.zero};
+                             .zero = inputs.kept.zero,
+                             .leaves_gaps = true};
   CurvePipeline pipeline(request, schema, inputs.kept.traits, *curve.curve_info, curve.part);
   const CurveSamples samples = pipeline.samples(curve.keys());
   std::vector<Time> places;
@@ -204,11 +205,12 @@ void check_pair(const Pair& pair, const Comparison& comparison, const Comparison
                        .rules = comparison.keys.rules,
                        .fields = columns.fields,
                        .threads = inputs.threads,
-                       .zero = inputs.kept.zero};
+                       .zero = inputs.kept.zero,
+                       .leaves_gaps = true};
   request.samples.from_left = comparison.from_left;
   request.samples.mode = columns.by_length ? Mode::arc_at : Mode::at;
   const spline::Side side = request.samples.side();
-  CurvePipeline pipeline(request, inputs.kept.schema, inputs.kept.traits, *pair.curve->curve_info);
+  CurvePipeline pipeline(request, inputs.kept.schema, inputs.kept.traits, *pair.curve->curve_info, pair.curve->part);
   const std::shared_ptr<const KeptCurve> curve = pipeline.kept(pair.curve->keys());
   const Limits limits = limits_of(comparison, inputs.place_name());
   const Places places = places_of(pair.rows, columns, *curve, limits);

@@ -225,7 +225,7 @@ SampleTable read_samples(const Comparison& comparison, Source<std::string> bytes
   const Input input = open_input(comparison.file, preceded_by(std::move(beginning), std::move(bytes)), options);
   const Schema& schema = input.schema;
   SampleTable table{schema.named, schema.time.is_given, schema.time.name, schema.channels, input.facts.ignored, {}};
-  Curves curves(schema, input.keys, {.any_order = true}, false);
+  Curves curves(schema, input.keys, {.any_order = true});
   while (const std::optional<InputCurve> curve = curves.next()) {
     SampleRows& rows = table.curves.emplace_back(SampleRows{curve->group, {}, {}, {}});
     while (const std::optional<KeyBlock> block = curve->keys()) append(rows, *block);
@@ -283,7 +283,7 @@ KeptInput keep_input(const Comparison& comparison, Source<std::string> bytes) {
   options.threads = comparison.threads.count();
   const Input input = open_input(comparison.keys_file, std::move(bytes), options);
   KeptInput kept{input.schema, input.keys.traits, {}};
-  Curves curves(input.schema, input.keys, comparison.keys.curves, false);
+  Curves curves(input.schema, input.keys, comparison.keys.curves);
   const auto frames = named_times({}, {}, input.schema.time);
   while (std::optional<InputCurve> curve = curves.next()) {
     if (comparison.time_zero) {

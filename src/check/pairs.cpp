@@ -146,8 +146,10 @@ void for_each_row(const SampleRows& given, const Places& places, const MatchedCo
                   const std::shared_ptr<const KeptCurve>& curve, spline::Side side, unsigned threads,
                   const std::function<void(std::size_t, std::span<const Cell>)>& use) {
   const FoundRows rows = find_rows(curve, {.places = places.places}, columns.by_length, side);
-  const auto cells_of = [&columns, &rows](const SampleBlock& block) {
-    return evaluate(block, *rows.locator, columns.fields);
+  const Evaluate in_gaps = without_gaps(fast_rows(rows.locator), rows.locator, curve->gaps());
+  const auto cells_of = [&](const SampleBlock& block) {
+    return curve->gaps().empty() ? evaluate(block, *rows.locator, columns.fields)
+                                 : in_gaps(block, columns.fields).cells;
   };
   const auto cells = ordered_map(rows.blocks, cells_of, threads);
   std::size_t next = 0;

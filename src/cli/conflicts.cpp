@@ -89,9 +89,9 @@ constexpr Options options_of_rows{
     "--golden",      "--exact-input", "--hex",  "--no-output-header", "--output-delimiter", "--output-decimal",
     "--file-column", "--time-format"};
 constexpr Options options_without_picture{
-    "--rotation-output", "--emit",        "--fields", "--side", "--digits",           "--fixed",
-    "--golden",          "--exact-input", "--meta",   "--hex",  "--no-output-header", "--output-delimiter",
-    "--output-decimal",  "--time-zero"};
+    "--rotation-output", "--emit",        "--fields",      "--side",       "--digits",           "--fixed",
+    "--golden",          "--exact-input", "--meta",        "--hex",        "--no-output-header", "--output-delimiter",
+    "--output-decimal",  "--time-zero",   "--time-format", "--file-column"};
 
 /// The conflicts, in the order of the options. Where several apply, an error is about the first.
 constexpr Conflict conflicts[] = {
@@ -127,6 +127,7 @@ constexpr Conflict conflicts[] = {
      limits_reason,
      prints_limits},
     {{"--limits"}, disables, options_of_rows, limits_reason, prints_limits},
+    {{"--limits"}, disables, {"--time-zero", "--rotation-output"}, limits_reason, prints_limits},
     {{"--limits"},
      disables,
      {"--output-format", "--plot"},
@@ -255,6 +256,7 @@ constexpr Conflict conflicts[] = {
      ", whose pieces have the form hermite",
      [](const Typed& typed) { return writes_scene(typed) && typed.form && *typed.form != field_of("hermite"); }},
     {{"--plot"}, disables, options_without_picture, picture_reason, writes_picture},
+    {{"--plot"}, disables, {"--end", "--keys", "--max-rows"}, ", as no samples are requested", has_no_samples},
     {{"--fields"},
      excludes,
      {"--emit"},
@@ -311,7 +313,11 @@ constexpr Conflict conflicts[] = {
      [](const Typed& typed) { return typed.output.time_notation && counts_frames(*typed.output.time_notation); }},
     {{"--axes", "--title", "--size"}, has_no_effect, {}, " on an output that is not a picture", writes_no_picture},
 
-    {{"--explain"}, disables, {"--meta"}, ", which prints no rows"},
+    {{"--explain"},
+     disables,
+     {"--meta", "--digits", "--fixed", "--hex", "--no-output-header", "--output-delimiter", "--output-decimal",
+      "--time-format", "--time-zero", "--file-column"},
+     ", which prints no rows"},
 };
 
 /// A name, with the value if the conflict depends on values.

@@ -92,9 +92,11 @@ class PlaceNumbers {
     if (parts.size() != 3) throw usage_error("{} {}", in_quotes(text), not_a_range);
     const auto part = [&](std::size_t i) { return number(not_a_range, parts[i]); };
     const Rational first = part(0), last = part(1), step = part(2);
-    if (step == 0 || (last - first) / step < 0)
+    if (step == 0 || (last - first) / step < 0) {
+      require_known_date(text);
       throw usage_error("{} never reaches its end; expected a step that leads from the first number to the last",
                         in_quotes(text));
+    }
     const Rational steps = floor((last - first) / step);
     require_room_for(places_.list.size() + steps + 1);
     for (std::uint64_t i = 0; i <= whole_number(steps); ++i) places_.list.push_back(first + step * i);
@@ -253,7 +255,7 @@ Input open_recording(const PlaceColumn& column, const InputOptions& of_keys) {
 /// The places in a column of a file, in its order, and whether they are in seconds. Throws: Error.
 std::pair<GroupedPlaces, bool> read_places(const PlaceColumn& column, const InputOptions& of_keys) {
   const Input input = open_recording(column, of_keys);
-  const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
+  const Source<KeyBlock> keys = without_faults(input.keys.blocks);
   const TimeSchema& time = input.schema.time;
   const bool in_seconds = column.name.empty() && column.option == "--at" && time.unit && *time.unit != TimeUnit::frames;
   const Rational units = in_seconds ? units_per_second(*time.unit) : Rational(1);

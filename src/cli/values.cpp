@@ -161,6 +161,12 @@ std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_v
     require_known_date(text);
     return std::nullopt;
   }
+  if (const std::string date = date_like_clock(text); !date.empty()) {
+    throw usage_error(
+        "{} is a date in a form that is not read, or a time of {} hours; expected the date as {}; write it so, or such "
+        "hours in seconds",
+        in_quotes(text), text.substr(0, 4), date);
+  }
   if (counts_frames(*notation) && !units.frame_rate) {
     throw usage_error("{} is timecode, and no frame rate is given; expected one; give --input-fps", in_quotes(text));
   }

@@ -49,13 +49,14 @@ class FittedKeys final : public BatchOutput {
     const std::shared_ptr<FileProgress> progress = report_.begin_file(file.path, file.size);
     FileNotes notes(report_, file.path);
     ProvenanceRecorder& provenance = writer_.recorder();
-    Source<std::string> bytes = progress->observe_bytes(read_file(file.path));
+    InputBytes opened = open_file(file.path);
+    Source<std::string> bytes = progress->observe_bytes(std::move(opened.bytes));
     bytes = provenance.observe_bytes(file.path, std::move(bytes));
     InputOptions options = job_.keys.input;
     options.threads = job_.threads.for_reading(threads, live);
     const Input input = open_input(file.path, bytes, options);  // split, parse
     notes.add_input(input, job_.keys);
-    Curves curves(input.schema, input.keys, job_.keys.curves, live);  // group, order, split into recordings
+    Curves curves(input.schema, input.keys, job_.keys.curves, opened.arrive);  // group, order, split into recordings
     const Schema keys = keys_of_fit(input, job_.keys.rules, job_.options);
     for (const Note& note : notes_of_columns(input.schema, job_.options)) notes.add(note);
     writer_.begin(keys, live, preset_in_words(CurveSpec()), shown_name(file.path));
@@ -169,7 +170,7 @@ FitReport add_fits(DifferencePicture& picture, const FitJob& job) {
   std::iota(all.begin(), all.end(), std::size_t{0});
   picture.begin(keys, all);
   FitReport report;
-  Curves curves(input.schema, input.keys, job.keys.curves, false);
+  Curves curves(input.schema, input.keys, job.keys.curves);
   while (const std::optional<InputCurve> curve = curves.next()) {
     const Samples samples = recorded_samples(*curve, input.schema, job.keys.rules, job.options);
     const FitResult result = fitted(samples, job.options);

@@ -89,6 +89,13 @@ InputOptions options_of(const Format& format, Source<std::string>& bytes, const 
         format.name)
         .about("--only");
   }
+  if (!format.is_json && !given.records.empty()) {
+    throw usage_error(
+        "a file in the format {} has no lists in JSON, of which one has the keys; expected JSON; remove the option, or "
+        "give --input-format json if it is JSON",
+        format.name)
+        .about("--records");
+  }
   if (!input.takes_delimiters && given.delimited != DelimitedOptions{}) {
     throw usage_error(
         "--delimiter, --header, --no-header, --comment, --decimal and --thousands have no effect on an input in the "

@@ -2,6 +2,7 @@
 #include "io/input_file.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -107,6 +108,54 @@ class ReadParts {
   std::vector<Part> parts_;
 };
 
+/// Waits for a live input, so long in total.
+class Patience {
+ public:
+  using Milliseconds = std::chrono::milliseconds;
+
+  explicit Patience(Milliseconds total) : left_(total) {}
+
+  /// Whether there are bytes or the end at once, or after a wait of at most `most`.
+  bool wait(int descriptor, Milliseconds most) {
+    const auto begin = Clock::now();
+    const bool arrives = system::wait_to_read(descriptor, std::min(most, std::chrono::ceil<Milliseconds>(left_)));
+    left_ -= std::min(left_, Clock::now() - begin);
+    return arrives;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::duration left_;
+};
+
+/// Reads parts of an input. While the first lines of a live one arrive, it gathers what comes without a pause.
+class FirstParts {
+ public:
+  explicit FirstParts(bool is_regular) : lines_(is_regular ? 0 : gathered_lines) {}
+
+  /// Fills the text as far as possible; how many bytes it got, 0 at the end, or -1.
+  std::ptrdiff_t read(int descriptor, std::string& bytes) {
+    if (is_at_end_) return 0;
+    constexpr Patience::Milliseconds pause(100), total(250);
+    Patience patience(total);
+    std::ptrdiff_t count = system::read(descriptor, bytes.data(), bytes.size());
+    while (count > 0 && lines_ > 0 && patience.wait(descriptor, pause)) {
+      const std::size_t filled = static_cast<std::size_t>(count);
+      const std::ptrdiff_t more = system::read(descriptor, bytes.data() + filled, bytes.size() - filled);
+      is_at_end_ = more == 0 && filled < bytes.size();
+      if (more <= 0) break;
+      count += more;
+    }
+    if (count > 0 && lines_ > 0) lines_ -= std::min(lines_, std::count(bytes.begin(), bytes.begin() + count, '\n'));
+    return count;
+  }
+
+ private:
+  static constexpr std::ptrdiff_t gathered_lines = 16;
+  std::ptrdiff_t lines_;  ///< to be gathered
+  bool is_at_end_ = false;
+};
+
 }  // namespace
 
 std::string shown_name(const std::string& path) { return path == "-" ? "standard input" : path; }
@@ -130,15 +179,16 @@ FileChange ChangeWatch::change() const {
   return now->changed == before_->changed ? FileChange::none : FileChange::contents_or_status;
 }
 
-Source<std::string> read_file(const std::string& path) {
+InputBytes open_file(const std::string& path) {
   const auto file = std::make_shared<Descriptor>(open_for_reading(path));
   const auto parts = std::make_shared<ReadParts>(file->number);
   const system::FileStatus& before = parts->before();
   const bool small = before.is_regular && before.size < read_size;
   const std::size_t room = small ? static_cast<std::size_t>(before.size) + 1 : read_size;
-  return [file, path, parts, room]() -> std::optional<std::string> {
+  const auto read = [file, path, parts, room,
+                     parts_read = FirstParts(before.is_regular)]() mutable -> std::optional<std::string> {
     std::string bytes(room, '\0');
-    const std::ptrdiff_t count = system::read(file->number, bytes.data(), bytes.size());
+    const std::ptrdiff_t count = parts_read.read(file->number, bytes);
     if (count < 0) throw failed_to_be("read", path);
     if (count == 0) {
       if (!parts->are_whole())
@@ -152,6 +202,9 @@ Source<std::string> read_file(const std::string& path) {
     parts->add(bytes);
     return bytes;
   };
+  if (before.is_regular) return {read, [] { return true; }};
+  const std::chrono::milliseconds most = std::chrono::seconds(1);
+  return {read, [file, most, patience = Patience(most)]() mutable { return patience.wait(file->number, most); }};
 }
 
 }  // namespace tcb

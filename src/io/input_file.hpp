@@ -1,6 +1,7 @@
 // Input files: their bytes as they arrive, and what kind of file a path is.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -9,10 +10,19 @@
 
 namespace tcb {
 
-/// The bytes of a file in parts as they arrive, each at most 256 KiB; "-" is standard input.
+/// The bytes of an input, and whether more of them arrive without a long wait: at once from a file, and from a pipe
+/// until it was waited for a second in total.
+struct InputBytes {
+  Source<std::string> bytes;
+  std::function<bool()> arrive;
+};
+
+/// Opens a file; "-" is standard input. Its parts have at most 256 KiB each. The beginning of a pipe is gathered as far
+/// as it comes without a pause, so that its parts are those of a file; later parts come as they arrive.
 /// Throws: Error (usage) if it cannot be opened or read, or its contents change in the meantime. Other links, another
 /// name or mode of a file are no change.
-Source<std::string> read_file(const std::string& path);
+InputBytes open_file(const std::string& path);
+inline Source<std::string> read_file(const std::string& path) { return open_file(path).bytes; }
 
 /// The name of a file for messages.
 std::string shown_name(const std::string& path);

@@ -4,6 +4,7 @@
 // fail return -1, false or nothing, and error_text() then tells why.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -63,6 +64,8 @@ bool complete(int descriptor);
 
 /// Reads bytes as soon as there are some, and returns how many; 0 at the end.
 std::ptrdiff_t read(int descriptor, char* bytes, std::size_t size);
+/// Whether a pipe, socket or terminal has bytes, or has ended; waits for that, at most so long.
+bool wait_to_read(int descriptor, std::chrono::milliseconds most);
 /// Reads bytes at a place of a file. What read() reads next stays the same, unless it is at the end of the file.
 std::ptrdiff_t read_at(int descriptor, std::uint64_t place, char* bytes, std::size_t size);
 /// The place in a file where the next byte is read; 0 where it has no places.

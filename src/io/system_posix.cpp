@@ -110,6 +110,11 @@ std::ptrdiff_t read(int descriptor, char* bytes, std::size_t size) {
   return count;
 }
 
+bool wait_to_read(int descriptor, std::chrono::milliseconds most) {
+  pollfd ready{descriptor, POLLIN, 0};
+  return ::poll(&ready, 1, static_cast<int>(most.count())) != 0;  // if it fails, reading tells why
+}
+
 std::ptrdiff_t read_at(int descriptor, std::uint64_t place, char* bytes, std::size_t size) {
   ssize_t count = 0;
   do {

@@ -186,6 +186,17 @@ std::ptrdiff_t read(int descriptor, char* bytes, std::size_t size) {
   return code == ERROR_BROKEN_PIPE || code == ERROR_HANDLE_EOF ? 0 : -1;
 }
 
+bool wait_to_read(int descriptor, std::chrono::milliseconds most) {
+  constexpr DWORD pause = 5;
+  for (auto waited = std::chrono::milliseconds(0);; waited += std::chrono::milliseconds(pause)) {
+    DWORD bytes = 0;
+    if (::GetFileType(handle_of(descriptor)) != FILE_TYPE_PIPE) return false;  // a console
+    if (::PeekNamedPipe(handle_of(descriptor), nullptr, 0, nullptr, &bytes, nullptr) == 0 || bytes > 0) return true;
+    if (waited >= most) return false;
+    ::Sleep(pause);
+  }
+}
+
 std::ptrdiff_t read_at(int descriptor, std::uint64_t place, char* bytes, std::size_t size) {
   OVERLAPPED at{};
   at.Offset = static_cast<DWORD>(place);

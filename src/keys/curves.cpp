@@ -108,16 +108,16 @@ std::optional<Rational> largest_allowed_gap(const TimeSchema& time, const CurveO
 
 /// The keys in order, without faults; `midnights` is as for past_midnight().
 Source<KeyBlock> arranged(Source<KeyBlock> blocks, const Schema& schema, const KeyTraits& traits,
-                          const CurveOptions& options, bool live, std::uint64_t& midnights) {
+                          const CurveOptions& options, const std::function<bool()>& arrive, std::uint64_t& midnights) {
   const bool is_ordered = schema.time.is_given && !options.any_order;
   if (is_ordered) blocks = with_time_digits(std::move(blocks));
   const bool is_grouped = traits.has_whole_curves && !options.sort;
   const bool by_text = !schema.groups.empty() && !traits.own_curves && !is_grouped;
   if (!schema.time.is_given) require_times(options);
   if (by_text || options.sort) {
-    blocks = grouped(without_faults(std::move(blocks), false),
-                     {by_text ? schema.groups.size() : 0, options.sort, traits.own_curves,
-                      by_text ? std::vector<Mark>{} : traits.marks});
+    blocks =
+        grouped(without_faults(std::move(blocks)), {by_text ? schema.groups.size() : 0, options.sort, traits.own_curves,
+                                                    by_text ? std::vector<Mark>{} : traits.marks});
   }
   blocks = without_gaps(std::move(blocks));
   if (is_ordered && !options.sort) {
@@ -126,7 +126,7 @@ Source<KeyBlock> arranged(Source<KeyBlock> blocks, const Schema& schema, const K
   if (is_ordered && options.duplicates == Duplicates::spread) blocks = spread_out(std::move(blocks));
   if (is_ordered)
     blocks = in_order(std::move(blocks), options.duplicates, {traits.marks, traits.channels, schema.time.is_by_place});
-  return without_faults(std::move(blocks), live);
+  return without_faults(std::move(blocks), arrive);
 }
 
 }  // namespace
@@ -138,8 +138,8 @@ bool is_gap(const Time& from, const Time& to, const Rational& most) {
   return exact_time(to) - exact_time(from) > most;
 }
 
-Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
-  return [blocks = std::move(blocks), live]() -> std::optional<KeyBlock> {
+Source<KeyBlock> without_faults(Source<KeyBlock> blocks, const std::function<bool()>& arrive) {
+  return [blocks = std::move(blocks), arrive]() -> std::optional<KeyBlock> {
     std::optional<KeyBlock> block = blocks();
     if (!block || block->faults.errors.empty()) return block;
     std::vector<Error> faults;
@@ -147,7 +147,7 @@ Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
     for (bool more = true; more;) {
       const bool is_full = block->faults.errors.size() >= most_faults;
       gather(faults, *block);
-      more = faults.size() < most_faults && !block->faults.unreadable && !live;
+      more = faults.size() < most_faults && !block->faults.unreadable && (!arrive || arrive());
       are_all = are_all && more && !is_full;
       try {
         if (more) block = blocks();
@@ -157,6 +157,7 @@ Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live) {
       }
       more = more && block;
     }
+    if (faults.size() > most_faults) faults.erase(faults.begin() + most_faults, faults.end());
     refuse(faults, are_all);
   };
 }
@@ -307,10 +308,11 @@ void ObservedTcbs::add(const KeyBlock& block, const CurveSettings& settings, boo
   }
 }
 
-Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live)
+Curves::Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options,
+               const std::function<bool()>& arrive)
     : channels_(schema, keys.traits.may_miss),
       blocks_(observed(arranged(observed(keys.blocks, [this](const KeyBlock& block) { count_breaks(block); }), schema,
-                                keys.traits, options, live, midnights_),
+                                keys.traits, options, arrive, midnights_),
                        [this](const KeyBlock& block) { channels_.add(block); })),
       may_break_(keys.traits.may_break || !schema.groups.empty() || options.duplicates == Duplicates::break_curve ||
                  options.max_gap),

@@ -18,9 +18,9 @@
 
 namespace tcb {
 
-/// Passes keys on until one has a fault; then reads on to collect up to ten faults, unless the input is live, and
-/// throws an Error (data) with all of them.
-Source<KeyBlock> without_faults(Source<KeyBlock> blocks, bool live);
+/// Passes keys on until one has a fault; then reads on to collect more faults, as far as they arrive, and throws an
+/// Error (data) with all of them. `arrive`: as in InputBytes; nothing: everything does.
+Source<KeyBlock> without_faults(Source<KeyBlock> blocks, const std::function<bool()>& arrive = nullptr);
 
 /// A channel with a number that may be the sign of a missing one.
 struct LikelySign {
@@ -116,8 +116,9 @@ CurvePart counted_from(const CurvePart& part, const Rational& zero, const std::o
 /// The curves of an input, in order of first appearance. It outlives the sources of their keys.
 class Curves {
  public:
-  /// `live`: an error has only the faults in the bytes that were read, as more may take long to arrive.
-  Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options, bool live);
+  /// `arrive`: as for without_faults().
+  Curves(const Schema& schema, const InputKeys& keys, const CurveOptions& options,
+         const std::function<bool()>& arrive = nullptr);
   Curves(const Curves&) = delete;
   Curves& operator=(const Curves&) = delete;
 

@@ -210,10 +210,10 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
   const auto file = progress.begin_file(job.keys_file, 0);
   InputOptions options = job.keys.input;
   options.threads = job.threads.count();
-  const Input input = open_input(job.keys_file, file->observe_bytes(job.keys.bytes_of(job.keys_file)), options);
+  const Input input = open_input(job.keys_file, file->observe_bytes(job.keys.bytes_of(job.keys_file).bytes), options);
   notes.add_input(input, job.keys);
   report.channels = input.schema.channels;
-  Curves curves(input.schema, input.keys, job.keys.curves, false);
+  Curves curves(input.schema, input.keys, job.keys.curves);
   while (const std::optional<InputCurve> keys = curves.next()) {
     const CurveRequest request{.samples = job.part, .rules = job.keys.rules, .threads = options.threads};
     CurvePipeline pipeline(request, input.schema, input.keys.traits, *keys->curve_info, keys->part);

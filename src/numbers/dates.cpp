@@ -184,6 +184,43 @@ LooseDate loose_date(std::string_view text) {
   }
 }
 
+/// A day in the form of the others.
+std::string day_text(std::chrono::sys_days day) {
+  const std::chrono::year_month_day date{day};
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                     static_cast<unsigned>(date.day()));
+}
+
+/// A date by its week, as in 2024-W11-4, 2024W114 and 2024-W11, or by its day of the year, as in 2024-074, as one by
+/// its month; with what follows it. Empty for any other text.
+std::string date_by_month(std::string_view text) {
+  using std::chrono::days;
+  for (const std::string_view form : {"0000-W00-0", "0000W000", "0000-W00", "0000W00", "0000-000"}) {
+    if (!has_form(text.substr(0, form.size()), form)) continue;
+    const std::string_view rest = text.substr(form.size());
+    if (!rest.empty() && rest[0] != 'T' && rest[0] != ' ') continue;
+    const std::chrono::year year(static_cast<int>(number_of(text.substr(0, 4))));
+    const std::chrono::sys_days first = year / 1 / 1, next = (year + std::chrono::years(1)) / 1 / 1;
+    const std::size_t mark = text.find('W');
+    if (mark == std::string_view::npos) {
+      const std::int64_t day = number_of(text.substr(5, 3));
+      const std::chrono::sys_days date = first + days(day - 1);
+      return day > 0 && date < next ? day_text(date) + std::string(rest) : "";
+    }
+    const auto first_week = [](std::chrono::sys_days begin) {  // its Monday; it has the year's fourth day
+      const std::chrono::sys_days fourth = begin + days(3);
+      return fourth - days(std::chrono::weekday(fourth).iso_encoding() - 1);
+    };
+    const std::int64_t week = number_of(text.substr(mark + 1, 2));
+    const bool has_day = form == "0000-W00-0" || form == "0000W000";
+    const std::int64_t day = has_day ? number_of(text.substr(form.size() - 1, 1)) : 1;
+    const std::chrono::sys_days date = first_week(first) + days(7 * (week - 1) + day - 1);
+    const bool exists = week > 0 && day > 0 && day < 8 && date < first_week(next);
+    return exists ? day_text(date) + std::string(rest) : "";
+  }
+  return "";
+}
+
 /// The text if it is a date that exists, or empty.
 std::string known_form(const std::string& text) {
   const auto exists = [&](DateOrder order) { return read_date(text, order).has_value(); };
@@ -278,6 +315,7 @@ std::optional<DateFormat> find_date_format(std::string_view text) {
 
 std::string date_in_known_form(std::string_view text) {
   if (find_date_format(text) || text.find_first_not_of("0123456789") == std::string_view::npos) return "";
+  if (const std::string by_month = date_by_month(text); !by_month.empty()) return known_form(by_month);
   const LooseDate date = loose_date(text);
   if (date.parts.size() < 2 || date.parts.size() > 7) return "";
   const auto part = [&](std::size_t i) { return i < date.parts.size() ? date.parts[i] : "00"; };
@@ -295,6 +333,11 @@ std::string date_in_known_form(std::string_view text) {
   if (date.parts.size() > 5) form += fmt::format(":{}", part(5));
   if (date.parts.size() > 6) form += fmt::format(".{}", part(6));
   return known_form(form + std::string(date.rest));
+}
+
+std::string date_like_clock(std::string_view text) {
+  const bool is_year = text.starts_with("19") || text.starts_with("20");
+  return is_year && has_form(text, "0000:00:00") ? date_in_known_form(text) : "";
 }
 
 std::optional<Rational> read_date(std::string_view text, DateOrder order) {

@@ -33,8 +33,11 @@ std::string clock_text(const Rational& seconds, std::optional<int> decimals);
 std::optional<DateFormat> find_date_format(std::string_view text);
 
 /// A date in a form that is not read, in the nearest one that is: "2024-03-14 10:00:00" for "20240314 100000" and for
-/// "2024:03:14 10:00:00", the first day for a month. Empty for any other text.
+/// "2024:03:14 10:00:00", the first day for a month or a week. Empty for any other text.
 std::string date_in_known_form(std::string_view text);
+
+/// As date_in_known_form(), for a time of day of 1900 hours or more that seems to be a date, as in EXIF: 2024:03:14.
+std::string date_like_clock(std::string_view text);
 
 /// The seconds of a date that has a form of find_date_format(), with its numbers in this order; nothing if that date
 /// does not exist. Years of two digits are 1969 to 2068, as in POSIX (strptime, %y).

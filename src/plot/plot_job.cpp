@@ -249,12 +249,13 @@ class Picture final : public BatchOutput {
     const bool live = is_live(file.path);
     const auto progress = report_.begin_file(file.path, file.size);
     FileNotes notes(report_, file.path);
-    const Source<std::string> bytes = progress->observe_bytes(job_.keys.bytes_of(file.path));
+    InputBytes opened = job_.keys.bytes_of(file.path);
+    const Source<std::string> bytes = progress->observe_bytes(std::move(opened.bytes));
     InputOptions options = job_.keys.input;
     options.threads = job_.threads.for_reading(threads, live);
     const Input input = open_input(file.path, bytes, options);  // split, parse
     notes.add_input(input, job_.keys, job_.samples.request);
-    Curves curves(input.schema, input.keys, job_.keys.curves, live);  // group, order, split into curves
+    Curves curves(input.schema, input.keys, job_.keys.curves, opened.arrive);  // group, order, split into curves
     std::uint64_t rows = 0;
     for (bool is_first = true; const std::optional<InputCurve> curve = curves.next(); is_first = false) {
       CurvePipeline pipeline = pipeline_of(input, *curve, options.threads);

@@ -37,12 +37,12 @@ constexpr std::string_view closing_names =
 constexpr std::string_view inner_names =
     "params param parameters default defaults settings options spline curve interpolation tcb tbc";
 
-/// Of what tells a spline, and what its texts contain where it is not that of Kochanek and Bartels.
+/// Of what tells a spline.
 constexpr std::string_view spline_names =
-    "type curvetype splinetype interpolation interpolationtype interp spline curve mode kind method";
-constexpr std::array<std::string_view, 12> other_splines{"catmull",     "cardinal", "bezier", "bspline",
-                                                         "nurbs",       "linear",   "step",   "polyline",
-                                                         "centripetal", "chordal",  "akima",  "pchip"};
+    "type curvetype splinetype interpolation interpolationtype interpolationmode interp spline curve mode kind method";
+/// Those of them that tell nothing else.
+constexpr std::string_view interpolation_names =
+    "curvetype splinetype interpolation interpolationtype interpolationmode interp";
 
 constexpr std::string_view rate_names = "fps framerate framespersecond";
 
@@ -76,7 +76,10 @@ std::string undo_of_rules() { return fmt::format("--preset {}", spline::presets[
 class SettingsReader {
  public:
   SettingsReader(std::span<const FileObject> objects, const InputOptions& options)
-      : given_(options.given), has_tcb_(options.keys.tcb), scale_(options.keys.tcb_scale) {
+      : given_(options.given),
+        has_tcb_(options.keys.tcb),
+        has_rate_(options.units.frame_rate),
+        scale_(options.keys.tcb_scale) {
     for (const FileObject& object : objects) find_other_spline(object);
     for (const FileObject& object : objects) {
       object_ = &object;
@@ -106,23 +109,44 @@ class SettingsReader {
   void find_other_spline(const FileObject& object) {
     for (const FileMember& member : object.members) {
       if (!is_one(member, Kind::text) || !lists_word(spline_names, compact(member.name))) continue;
-      const std::string value = compact(member.values[0].text);
-      const auto is_in_it = [&](std::string_view known) { return value.find(known) != std::string::npos; };
-      if (std::ranges::any_of(other_splines, is_in_it))
-        other_spline_ = fmt::format("{} {}", in_quotes(member.name), in_quotes(member.values[0].text));
+      const std::string& value = member.values[0].text;
+      if (!names_other_spline(value)) continue;
+      other_spline_ = fmt::format("{} {}", in_quotes(member.name), in_quotes(value));
+      const bool is_told = lists_word(interpolation_names, compact(member.name)) && !given_.tangents && !given_.preset;
+      if (is_told) found.notes.push_back(other_interpolation(fmt::format("{} is", in_quotes(member.name)), value));
     }
   }
 
   void read() {
     std::unordered_set<std::string_view> names;
     for (const FileMember& member : object_->members) {
-      if (!names.insert(member.name).second && is_setting_name(member.name))
+      if (!names.insert(member.name).second && has_meaning(member.name))
         throw at_name(member, data_error("the object has this member twice; expected it once; remove one"));
     }
+    if (!given_.closed) require_same(closing_names, Kind::boolean, "--closed, or --closed=no");
+    if (!has_rate_) require_same(rate_names, Kind::number, "--input-fps HZ");
     parameters_.clear();
     read_parameters();
     for (const FileMember& member : object_->members) {
       if (!parameters_.contains(&member) && !is_one(member, Kind::missing)) read_member(member);
+    }
+  }
+
+  static bool has_meaning(std::string_view name) {
+    const std::string word = compact(name);
+    return is_setting_name(name) || lists_word(rate_names, word) || is_parameter(word);
+  }
+
+  /// Throws: Error (data) where members of one meaning differ, such as "closed" and "loop".
+  void require_same(std::string_view names, Kind kind, std::string_view option) const {
+    const FileMember* first = nullptr;
+    for (const FileMember& member : object_->members) {
+      if (!is_one(member, kind) || !lists_word(names, compact(member.name))) continue;
+      if (first == nullptr) first = &member;
+      if (shown(*first) == shown(member)) continue;
+      throw at_name(member, data_error("this is {}, and {} is {}, which have one meaning; expected one of them; remove "
+                                       "one, or give {}",
+                                       shown(member), first->name, shown(*first), option));
     }
   }
 
@@ -153,6 +177,7 @@ class SettingsReader {
       if (!is_array && is_parameter(word)) require_number(member);
       if (is_one(member, Kind::number)) add(member.name, member, member.values[0]);
     }
+    std::array<const Origin*, 3> of_object{};
     for (const ParameterSet& set : parameter_sets(names, usable, {.timeless = true})) {
       const bool is_of_keys = set.rest == ParameterSet::Rest::nothing || set.rest == ParameterSet::Rest::of_keys;
       if (!set.is_clear() && !(is_of_keys && set.is_doubtful())) continue;
@@ -168,7 +193,13 @@ class SettingsReader {
       if (has_tcb_) continue;
       require_parameters(set, *first, values);
       for (std::size_t i = 0; i < values.size(); ++i) {
-        if (set.cells[i]) take_parameter(i, origins[*set.cells[i]].path, values[i]);
+        if (!set.cells[i]) continue;
+        const Origin& origin = origins[*set.cells[i]];
+        if (const Origin* const other = std::exchange(of_object[i], &origin)) {
+          throw at(origin.member,
+                   data_error("{} sets the same; expected one of them; remove one, or give --tcb T,C,B", other->path));
+        }
+        take_parameter(i, origin.path, values[i]);
       }
     }
   }
@@ -385,7 +416,7 @@ class SettingsReader {
   }
 
   const GivenSettings given_;
-  const bool has_tcb_;
+  const bool has_tcb_, has_rate_;
   const TcbScale scale_;
   const FileObject* object_ = nullptr;                     ///< the current one
   std::string other_spline_;                               ///< a member that names one, and its text

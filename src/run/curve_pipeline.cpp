@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -207,6 +208,7 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
                    .only_breaks = schema.groups.empty()},
       part_(std::move(part)),
       may_be_point_(part_ || traits.may_be_point),
+      may_miss_(traits.may_miss),
       leaves_gaps_(request.leaves_gaps),
       counts_gap_rows_(request.counts_gap_rows) {
   const auto unit = schema.time.unit;
@@ -289,9 +291,28 @@ void CurvePipeline::count_from(const CountedFrom& zero, const TimeSchema& time) 
   if (part_) part_ = counted_from(*part_, *zero_, given_frames_);
 }
 
+/// All keys of a part of a curve, with 0 in channels in which none of them has a position. These become `empty_`.
+Source<KeyBlock> CurvePipeline::with_placeholders(const Source<KeyBlock>& blocks) {
+  std::deque<KeyBlock> all;
+  while (std::optional<KeyBlock> block = blocks()) all.push_back(std::move(*block));
+  empty_.assign(all.empty() ? 0 : all.front().keys.channels, true);
+  for (const KeyBlock& block : all) {
+    for (std::size_t i = 0; i < block.keys.positions.size(); ++i) {
+      if (!std::isnan(block.keys.positions[i])) empty_[i % empty_.size()] = false;
+    }
+  }
+  for (KeyBlock& block : all) {
+    for (std::size_t i = 0; i < block.keys.positions.size(); ++i) {
+      if (empty_[i % empty_.size()]) block.keys.positions[i] = 0;
+    }
+  }
+  return each_of(std::move(all));
+}
+
 /// The keys with times, checked. `least`: how many, unless a single key is enough. Sets the signs of angles.
 Source<KeyBlock> CurvePipeline::prepared(Source<KeyBlock> blocks, std::size_t least) {
   if (zero_) blocks = less(std::move(blocks), *zero_, given_frames_);
+  if (part_ && may_miss_) blocks = with_placeholders(std::move(blocks));
   SignedKeys keys = with_signs(std::move(blocks), spec_.angles);
   spec_.angles = preparation_.turns.angles = std::move(keys.angles);
   preparation_.least = needs_.single_key ? 1 : least;
@@ -320,10 +341,12 @@ StreamedCurve CurvePipeline::read(Source<KeyBlock> blocks) {
 
 /// The gaps of channels that lack positions. Throws: Error (data) where a channel needs a number everywhere.
 std::vector<spline::ChannelGap> CurvePipeline::channel_gaps(const KeyStore& store) const {
-  if (!part_ || !store.are_sparse()) return {};
+  const bool any_empty = std::ranges::count(empty_, true) > 0;
+  if (!part_ || (!store.are_sparse() && !any_empty)) return {};
   const Keys keys = store.all();
   std::vector<spline::ChannelGap> gaps;
   for (std::size_t channel = 0; channel < keys.channels; ++channel) {
+    if (any_empty && empty_[channel]) gaps.push_back({channel, 0, spline::ChannelGap::no_key});
     std::optional<std::size_t> before;
     for (std::size_t key = 0; key < keys.size(); ++key) {
       if (keys.is_missing(key, channel)) continue;
@@ -343,7 +366,7 @@ std::vector<spline::ChannelGap> CurvePipeline::channel_gaps(const KeyStore& stor
         "as only positions in rows of a table can be empty; fill them in, or give --missing skip-row, or a larger "
         "--max-gap",
         in_quotes(preparation_.turns.channels[gap->channel]), time_text(keys.times[gap->first]),
-        time_text(keys.times[gap->last]));
+        time_text(keys.times[std::min(gap->last, keys.size() - 1)]));
   }
   return gaps;
 }
@@ -375,6 +398,10 @@ CurveSamples CurvePipeline::samples(Source<KeyBlock> blocks) {
 CurveSamples CurvePipeline::samples(StreamedCurve curve, const ExactKeys* exact) {
   if (part_ && request_.mode == Mode::at && !take_places_of_part(curve.extent)) {
     return CurveSamples::none();
+  }
+  if (part_ && spec_.extrapolations.extend_curve()) {
+    request_.reaches_before = part_->number == 0 && spec_.extrapolations.before != Extrapolation::error;
+    request_.reaches_after = spec_.extrapolations.after != Extrapolation::error && !part_->next();
   }
   if (exact != nullptr && golden_->decimal && time_exponent() == 0) set_key_times(curve, *exact);
   const std::vector<spline::ChannelGap> gaps = curve.options.gaps;

@@ -126,6 +126,7 @@ class CurvePipeline {
 
   Source<KeyBlock> prepared(Source<KeyBlock> blocks, std::size_t least);
   std::vector<spline::ChannelGap> channel_gaps(const KeyStore& store) const;
+  Source<KeyBlock> with_placeholders(const Source<KeyBlock>& blocks);
   StreamedCurve read(Source<KeyBlock> blocks);
   CurveSamples samples_as_read(Source<KeyBlock> blocks);
   CurveSamples samples_on_grid(StreamedCurve curve, const ExactKeys* exact) const;
@@ -148,7 +149,8 @@ class CurvePipeline {
   std::optional<Rational> zero_;            ///< which is subtracted from the times of keys
   std::optional<FrameTimes> given_frames_;  ///< of their times before that
   std::optional<CurvePart> part_;
-  bool may_be_point_, leaves_gaps_, counts_gap_rows_;
+  bool may_be_point_, may_miss_, leaves_gaps_, counts_gap_rows_;
+  std::vector<bool> empty_;  ///< channels without a position in a part of a curve
 };
 
 std::string in_words(const CurveNeeds& needs);

@@ -313,13 +313,13 @@ void append(Facts& to, const Facts& from) { to.insert(to.end(), from.begin(), fr
 
 /// What will be done with the curves of an input, and counts: those of a single curve, or of the first ones in a line
 /// each.
-Facts facts_of_curves(const Input& input, const ExplainJob& job, bool live) {
+Facts facts_of_curves(const Input& input, const ExplainJob& job, const std::function<bool()>& arrive) {
   Facts facts, of_single, of_each;
   std::string needs;
   std::size_t count = 0, keys = 0;
   std::uint64_t rows = 0;
   std::vector<NamedAngle> angles;
-  Curves curves(input.schema, input.keys, job.keys.curves, live);
+  Curves curves(input.schema, input.keys, job.keys.curves, arrive);
   for (; const std::optional<InputCurve> curve = curves.next(); ++count) {
     CurveRequest request{job.samples.of(*curve, input.schema), job.keys.rules, job.fields, job.golden};
     request.leaves_gaps = true;
@@ -375,7 +375,8 @@ std::string as_object(const Facts& lines) {
 }
 
 void explain(const std::string& path, const ExplainJob& job, Output& output) {
-  const Input input = open_input(path, read_file(path), job.keys.input);
+  const InputBytes opened = open_file(path);
+  const Input input = open_input(path, opened.bytes, job.keys.input);
   Facts lines{{"file", shown_name(path)}};
   append(lines, input_facts(input));
   const auto print_lines = [&] {
@@ -385,7 +386,7 @@ void explain(const std::string& path, const ExplainJob& job, Output& output) {
     }
   };
   try {
-    append(lines, facts_of_curves(input, job, is_live(path)));
+    append(lines, facts_of_curves(input, job, opened.arrive));
   } catch (const Error&) {
     print_lines();
     throw;

@@ -71,7 +71,7 @@ RequestNeeds needs_of(const Input& input, const KeyOptions& options, const Sampl
   needs.is_rate = request.is_rate;
   needs.range_like_clock = request.range_like_clock;
   needs.shown_rate = input.facts.shown_rate;
-  if (request.mode == Mode::step) {
+  if (request.mode == Mode::step && request.step > 0) {  // else nothing is requested
     (request.in_seconds.step ? needs.step : needs.plain_step) = nearest_double(request.step);
   }
   return needs;

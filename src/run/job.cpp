@@ -14,12 +14,13 @@
 
 namespace tcb {
 
-Source<std::string> KeyOptions::bytes_of(const std::string& path) const {
-  if (path != "-" || !standard_input) return read_file(path);
-  return [left = standard_input]() mutable -> std::optional<std::string> {
-    const std::shared_ptr<const std::string> all = std::exchange(left, nullptr);
-    return all ? std::optional(*all) : std::nullopt;
-  };
+InputBytes KeyOptions::bytes_of(const std::string& path) const {
+  if (path != "-" || !standard_input) return open_file(path);
+  return {[left = standard_input]() mutable -> std::optional<std::string> {
+            const std::shared_ptr<const std::string> all = std::exchange(left, nullptr);
+            return all ? std::optional(*all) : std::nullopt;
+          },
+          nullptr};
 }
 
 const std::vector<Rational>& places_of_group(const GroupedPlaces& places, std::string_view option,

@@ -42,13 +42,14 @@ class FileRun {
   /// The stages of the flow, with their observers. Returns the number of rows.
   std::uint64_t run() {
     ProvenanceRecorder& provenance = writer_.recorder();
-    Source<std::string> bytes = progress_->observe_bytes(job_.keys.bytes_of(path_));
+    InputBytes file = job_.keys.bytes_of(path_);
+    Source<std::string> bytes = progress_->observe_bytes(std::move(file.bytes));
     bytes = provenance.observe_bytes(path_, std::move(bytes));
     InputOptions options = job_.keys.input;
     options.threads = threads_;
     const Input input = open_input(path_, bytes, options);  // split, parse
     notes_.add_input(input, job_.keys, job_.samples.request, job_.rows.fields);
-    Curves curves(input.schema, input.keys, job_.keys.curves, live_);  // group, order, split into curves
+    Curves curves(input.schema, input.keys, job_.keys.curves, file.arrive);  // group, order, split into curves
     std::uint64_t rows = 0;
     while (std::optional<InputCurve> curve = curves.next()) {
       if (job_.rows.time_zero && !zero_) {

@@ -213,11 +213,12 @@ Source<SegmentBlock> StreamedCurve::segments(bool measured) const {
 }
 
 KeptCurve::KeptCurve(spline::Curve<double> curve, CurveChannels channels, const Extent& extent,
-                     const Extrapolations& extrapolations)
+                     const Extrapolations& extrapolations, std::vector<spline::ChannelGap> gaps)
     : curve_(std::make_shared<const spline::Curve<double>>(std::move(curve))),
       channels_(std::move(channels)),
       extent_(extent),
-      extrapolations_(extrapolations) {
+      extrapolations_(extrapolations),
+      gaps_(std::move(gaps)) {
   for (const Time& time : curve_->times()) decimals_ = std::max(decimals_, decimals_of(time));
   const spline::Segment<double> first = curve_->segment(0), last = curve_->segment(curve_->segment_count() - 1);
   for (std::size_t i = 0; i < first.rotations.size(); ++i) {
@@ -231,7 +232,7 @@ KeptCurve StreamedCurve::kept(const CurveChannels& channels, const Extrapolation
   spline::Curve<double> curve(rules, extent.closed, count);
   const Source<SegmentBlock> all = segments(measured);
   while (std::optional<SegmentBlock> block = all()) curve.append(std::move(block->segments), block->lengths);
-  return {std::move(curve), channels, extent, extrapolation};
+  return {std::move(curve), channels, extent, extrapolation, options.gaps};
 }
 
 double KeptCurve::length() const { return curve_->length().value; }

@@ -61,12 +61,13 @@ class KeptCurve {
  public:
   /// Requires: at least one segment. `extent`: of its keys, whose times may have more digits than those of segments.
   KeptCurve(spline::Curve<double> curve, CurveChannels channels, const Extent& extent,
-            const Extrapolations& extrapolations = {});
+            const Extrapolations& extrapolations = {}, std::vector<spline::ChannelGap> gaps = {});
 
   const spline::Curve<double>& curve() const { return *curve_; }
   const std::optional<FrameTimes>& frames() const { return channels_.frames; }
   const Extent& extent() const { return extent_; }
   const Extrapolations& extrapolations() const { return extrapolations_; }
+  const std::vector<spline::ChannelGap>& gaps() const { return gaps_; }
   double length() const;
   std::uint64_t size() const;
 
@@ -77,6 +78,7 @@ class KeptCurve {
   CurveChannels channels_;
   Extent extent_;
   Extrapolations extrapolations_;
+  std::vector<spline::ChannelGap> gaps_;
   std::vector<double> cycle_;                      ///< last key - first key
   std::vector<spline::Quaternion<double>> turns_;  ///< last key times the inverse of the first, of each rotation
   int decimals_ = 0;                               ///< of the times

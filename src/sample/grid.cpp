@@ -186,9 +186,12 @@ Spacing spacing_of_part(const SamplingRequest& request, const Extent& extent) {
   const Rational first = request.exact(extent.first);
   const bool steps = request.mode == Mode::step;
   Rational from = request.from.value_or(steps ? *request.origin : first);
-  if (from < first) from = steps ? from - floor((from - first) / request.step) * request.step : first;
+  if (from < first && !request.reaches_before)
+    from = steps ? from - floor((from - first) / request.step) * request.step : first;
   std::optional<Rational> to = request.to;
-  if (extent.last) to = std::min(to.value_or(request.exact(*extent.last)), request.exact(*extent.last));
+  if (extent.last && (!to || !request.reaches_after)) {
+    to = std::min(to.value_or(request.exact(*extent.last)), request.exact(*extent.last));
+  }
   if (to && *to < from) return {Grid(from, steps ? request.step : Rational(0)), 0, to};
   if (to && *to == from && !steps) return {Grid(from, 0), 1, to};
   SamplingRequest own = request;

@@ -79,6 +79,8 @@ struct SamplingRequest {
   /// Of a part of a curve that gaps divide: rows at steps are on the grid of this time, the first one of the curve, and
   /// a range that leaves the part is no error.
   std::optional<Rational> origin = {};
+  /// Of such a part: its first or last rows may be outside of its keys, where the curve is extended.
+  bool reaches_before = false, reaches_after = false;
 
   /// The exact times of keys by their rounded times, where keys have more digits than these.
   std::shared_ptr<const std::map<Time, Rational>> key_times = {};

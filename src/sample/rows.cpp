@@ -164,6 +164,7 @@ class GapsOfChannels {
 
 /// Whether a sample on a segment within a gap is at a key of the channel.
 bool is_at_key(const spline::ChannelGap& gap, std::uint64_t segment, const Sample& sample) {
+  if (gap.last == spline::ChannelGap::no_key) return false;
   return (segment == gap.first && sample.at.u == 0) || (segment + 1 == gap.last && sample.at.w == 0);
 }
 

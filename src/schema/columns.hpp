@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "error.hpp"
@@ -45,6 +46,19 @@ struct ColumnOptions {
 /// too, or one that a list would divide.
 std::string requested_as(std::span<const std::string> names, std::size_t cell);
 std::string requested_as(std::string_view name, std::size_t cell);
+
+/// The columns of a table as options request them, for many of them. Requires: the names outlive it.
+class ColumnRequests {
+ public:
+  explicit ColumnRequests(std::span<const std::string> names);
+  std::string operator[](std::size_t cell) const;
+  /// The cells that a request names, by their name or number.
+  std::vector<std::size_t> cells_of(const std::string& request) const;
+
+ private:
+  std::span<const std::string> names_;
+  std::unordered_multimap<std::string_view, std::size_t> cells_;
+};
 
 /// A value of --columns such as time=NAME, or position=NAME:NAME.
 std::string requested_as(std::string_view role, std::span<const std::string> names, std::span<const std::size_t> cells);

@@ -316,7 +316,12 @@ std::string without_roles(const FoundColumns& found, const ParameterSet& set) {
     return fmt::format("--columns {} to leave {} out", roles_of(found, "ignore", cells_of(set)),
                        is_one ? "it" : "them");
   }
-  return fmt::format("--columns {} to take {}", positions_of(found, cells_of(set)),
+  std::vector<std::size_t> cells = possible_positions(found);
+  std::erase_if(cells, [&](std::size_t cell) {
+    return is_parameter(found.columns.cells[cell].role) && std::ranges::count(cells_of(set), cell) == 0;
+  });
+  return fmt::format("--columns {} to take {}",
+                     set.completes ? roles_of(found, "position", cells) : positions_of(found, cells_of(set)),
                      is_one ? "it as a channel" : "them as channels");
 }
 
@@ -333,19 +338,26 @@ std::pair<std::string, std::string> in_words(const FoundColumns& found, const Pa
 }
 
 Found parameters_by_other_names(const FoundColumns& found) {
+  constexpr std::size_t most = 6;
+  std::size_t others = 0;
   std::vector<std::string> taken;
   const ParameterSet* first = nullptr;
   const std::vector<ParameterSet> sets = sets_of_parameters(found);
   for (const ParameterSet& set : sets) {
     const auto is_taken = [&](const auto& cell) { return !cell || is_parameter(found.columns.cells[*cell].role); };
     if (!set.is_clear() || set.has_whole_names(found.names) || !std::ranges::all_of(set.cells, is_taken)) continue;
+    if (taken.size() >= most) {
+      ++others;
+      continue;
+    }
     const auto [columns, roles] = in_words(found, set);
     taken.push_back(fmt::format("{} {} taken as {}", columns, set.count() > 1 ? "are" : "is", roles));
     if (set.time) taken.push_back(fmt::format("column {} as the time", requested_as(found.names, *set.time)));
     if (first == nullptr) first = &set;
   }
   if (taken.empty()) return std::nullopt;
-  return note("by their names, {}; give {}", fmt::join(taken, ", and "), without_roles(found, *first));
+  const std::string further = others > 0 ? fmt::format(", and those of {} others likewise", others) : "";
+  return note("by their names, {}{}; give {}", fmt::join(taken, ", and "), further, without_roles(found, *first));
 }
 
 Found parameters_in_short(const FoundColumns& found) {
@@ -354,6 +366,11 @@ Found parameters_in_short(const FoundColumns& found) {
   const ParameterSet* of_all = nullptr;
   const std::vector<ParameterSet> sets = sets_of_parameters(found);
   for (const ParameterSet& set : sets) {
+    const bool is_of_all = set.is_clear() && set.channel.empty() && !set.completes;
+    if (!set.is_doubtful() && !(is_of_all && of_all != nullptr)) {
+      if (is_of_all) of_all = &set;
+      continue;
+    }
     const auto [columns, roles] = in_words(found, set);
     const auto request = [&](const ParameterSet& one, const ParameterSet& other) {
       return in_shell(one.request(found.names) + "," + requested_as("ignore", found.names, cells_of(other)));
@@ -364,12 +381,8 @@ Found parameters_in_short(const FoundColumns& found) {
           "that is so, or {}",
           columns, roles, in_shell(set.request(found.names)), without_roles(found, set));
     }
-    if (!set.is_clear() || !set.channel.empty()) continue;
-    if (of_all != nullptr) {
-      return error("{} and {} may be {}; expected one of the two; give --columns {}, or --columns {}",
-                   in_words(found, *of_all).first, columns, roles, request(*of_all, set), request(set, *of_all));
-    }
-    of_all = &set;
+    return error("{} and {} may be {}; expected one of the two; give --columns {}, or --columns {}",
+                 in_words(found, *of_all).first, columns, roles, request(*of_all, set), request(set, *of_all));
   }
   return std::nullopt;
 }
@@ -798,6 +811,21 @@ Found minutes_and_seconds(const FoundColumns& found) {
               in_quotes(time));
 }
 
+/// Texts that tell how keys of other programs are interpolated.
+Found other_interpolation_of_keys(const FoundColumns& found) {
+  if (found.delimiter == 0 || found.has_tangents) return std::nullopt;
+  constexpr std::string_view known = "interpolation interpolationtype interpolationmode interp interptype interpmode";
+  for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
+    const bool is_told = found.columns.cells[cell].role == Role::ignored && !found.numeric[cell] &&
+                         lists_word(known, fmt::format("{}", fmt::join(words_of(found.names[cell]), "")));
+    for (const auto& row : found.rows) {
+      if (!is_told || cell >= row.size() || !names_other_spline(row[cell])) continue;
+      return note("{}", other_interpolation(fmt::format("column {} has", shown(found, cell)), row[cell]));
+    }
+  }
+  return std::nullopt;
+}
+
 /// The list. The first error is the one that is shown.
 constexpr std::array about_columns{pieces_of_curve,
                                    labels_of_curves,
@@ -819,7 +847,8 @@ constexpr std::array about_columns{pieces_of_curve,
                                    poses_as_matrices,
                                    quaternion_by_norm,
                                    minutes_and_seconds,
-                                   slopes_by_name};
+                                   slopes_by_name,
+                                   other_interpolation_of_keys};
 
 // The rows about a request.
 

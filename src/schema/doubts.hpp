@@ -32,6 +32,7 @@ struct FoundColumns {
   bool has_tcb_scale = false;           ///< the scale of tension, continuity and bias is requested
   bool has_header = false;              ///< it is requested whether there is a header
   bool has_time_unit = false;           ///< the unit of times is requested
+  bool has_tangents = false;            ///< so are the tangents, or the preset
   std::vector<std::string> meant = {};  ///< names of the numbers of an array, none of which is in doubt
   std::string array = {};               ///< the name of the only array of positions; empty: there is none
 };

@@ -68,17 +68,30 @@ std::optional<Meaning> meaning_of(std::string_view word) {
   return std::nullopt;
 }
 
+/// The unit in a name, without its brackets.
+std::string_view unit_in(std::string_view name) {
+  const std::string_view unit = name.substr(without_unit(name).size());
+  return without_brackets(unit.substr(std::min(unit.find_first_not_of(' '), unit.size())));
+}
+
+/// Whether the unit of a name repeats its parameter, as in "T (tension)" and "tension (T)".
+bool repeats_parameter(std::string_view name) {
+  const std::string unit = in_lower_case(unit_in(name));
+  if (unit.empty()) return false;
+  const auto of_unit = meaning_of(unit), of_name = meaning_of(in_lower_case(without_unit(name)));
+  return of_unit && of_name && of_unit->parameter == of_name->parameter && of_unit->kind != Kind::unclear;
+}
+
 /// Whether a name has no unit, or one without letters as in "tension (0-1)"; others are those of other quantities.
 bool may_be_parameter(std::string_view name) {
   constexpr std::size_t longest = 64;
   if (name.empty() || name.size() > longest) return false;
-  std::string_view unit = name.substr(without_unit(name).size());
-  unit = without_brackets(unit.substr(std::min(unit.find_first_not_of(' '), unit.size())));
+  const std::string_view unit = unit_in(name);
   const auto is_letter = [](char c) {
     return (lower(c) >= 'a' && lower(c) <= 'z') || static_cast<unsigned char>(c) > 127;
   };
   return std::ranges::none_of(unit, is_letter) ||
-         lists_word("none unitless dimensionless normalized", in_lower_case(unit));
+         lists_word("none unitless dimensionless normalized", in_lower_case(unit)) || repeats_parameter(name);
 }
 
 /// The words of a name without the one that is the parameter: those before and those behind it.
@@ -143,6 +156,15 @@ struct Readings {
            std::ranges::all_of(parameters, has_letters_alone) && meaning_of_rest(rest) != Rest::of_tcb;
   }
 
+  /// Some of the words are among the names, but not all.
+  bool lacks_words() const {
+    const auto has_word = [](const auto& columns) {
+      return std::ranges::any_of(columns, [](const auto& one) { return one.second.kind == Kind::word; });
+    };
+    const auto words = std::ranges::count_if(parameters, has_word);
+    return rest == "|" && words > 0 && words < std::ssize(parameters);
+  }
+
   /// The names are the words for tension, continuity and bias.
   bool has_words_alone() const {
     const auto are_words = [](const auto& columns) {
@@ -157,10 +179,14 @@ class SetFinder {
  public:
   SetFinder(std::span<const std::string> names, const std::vector<bool>& usable, const ColumnOptions& requested)
       : names_(names), has_time_(requested.timeless || requested.has(Role::time)) {
+    for (const std::string& name : names) {
+      if (name.size() == 1) single_letters_ += lower(name[0]);
+    }
     for (std::size_t cell = 0; cell < names.size(); ++cell) {
       if (usable[cell] && may_be_parameter(names[cell])) read(cell);
     }
-    std::erase_if(readings_, [](const Readings& readings) { return readings.says_nothing(); });
+    const bool may_complete = std::ranges::any_of(readings_, [](const Readings& one) { return one.lacks_words(); });
+    if (!may_complete) std::erase_if(readings_, [](const Readings& readings) { return readings.says_nothing(); });
     const bool are_words = std::ranges::all_of(readings_, [](const Readings& one) { return one.has_words_alone(); });
     are_times_.resize(names.size());
     if (are_words) return;  // whose meaning no other column changes
@@ -173,9 +199,15 @@ class SetFinder {
   }
 
   std::vector<ParameterSet> find() const {
+    const auto words = std::ranges::find(readings_, "|", &Readings::rest);
+    ParameterSet of_words;
+    if (words != readings_.end()) of_words = set_of(*words);
+    leave_letters(of_words);
     std::vector<ParameterSet> sets;
     for (const Readings& readings : readings_) {
       ParameterSet set = set_of(readings);
+      set.completes = completes(set, of_words);
+      if (!set.completes) leave_letters(set);
       if (set.count() > 0) sets.push_back(std::move(set));
     }
     return sets;
@@ -198,7 +230,8 @@ class SetFinder {
         return with_rest(rest_of(words, size - 1)).places[*number].push_back(cell);
       }
     }
-    words = words_of(without_unit(names_[cell]));
+    words = words_of(repeats_parameter(names_[cell]) ? names_[cell] : without_unit(names_[cell]));
+    leave_repeated_letter(words);
     const bool may_mean_other = separate(words);
     for (std::size_t i = 0; i < words.size(); ++i) {
       if (words[i] == "r" || words[i] == "g" || words[i] == "a") with_rest(rest_of(words, i)).letters += words[i];
@@ -209,12 +242,31 @@ class SetFinder {
     }
   }
 
+  /// Leaves the letter out that repeats the parameter, as in "Tension T", unless it is the name of a channel.
+  void leave_repeated_letter(std::vector<std::string>& words) const {
+    for (std::size_t i = 0; words.size() > 1 && i < parameter_words.size(); ++i) {
+      const std::string_view word = parameter_words[i], letter = word.substr(0, 1);
+      const bool is_channel = letter != "t" && single_letters_.find(letter) != std::string::npos;
+      if (!is_channel && std::ranges::count(words, word) > 0) std::erase(words, letter);
+    }
+  }
+
+  /// Whether a set has exactly the parameters that the words themselves do not name.
+  static bool completes(const ParameterSet& set, const ParameterSet& of_words) {
+    const bool are_words = of_words.count() > 0 && of_words.count(Kind::word) == of_words.count();
+    if (!are_words || set.rest == Rest::nothing || !set.channel.empty()) return false;
+    for (std::size_t i = 0; i < set.cells.size(); ++i) {
+      if (set.cells[i].has_value() == of_words.cells[i].has_value()) return false;
+    }
+    return true;
+  }
+
+  /// With all letters.
   ParameterSet set_of(const Readings& readings) const {
     ParameterSet set;
     set.rest = meaning_of_rest(readings.rest);
     if (!take_places(set, readings)) take_words(set, readings);
     set.time = time_of(set, readings.rest);
-    leave_letters(set);
     if (!set.is_complete()) set.time.reset();
     const auto channel = channel_of(readings.rest);
     if (channel && std::ranges::count(set.cells, *channel) == 0) set.channel = names_[*channel];
@@ -271,12 +323,17 @@ class SetFinder {
     }
   }
 
-  /// The column whose words are these; nothing if there is none that may be a channel.
+  /// The column whose words are these, apart from those of tcb in front of the parameter; nothing if there is none that
+  /// may be a channel.
   std::optional<std::size_t> channel_of(std::string_view rest) const {
     const std::size_t middle = rest.find('|');
-    const bool is_one_side = rest.size() > 1 && (middle == 0 || middle + 1 == rest.size());
-    const auto found = channels_.find(std::string(middle == 0 ? rest.substr(1) : rest.substr(0, middle)));
-    return is_one_side && found != channels_.end() ? std::optional(found->second) : std::nullopt;
+    std::string_view before = rest.substr(0, middle);
+    const std::string_view behind = rest.substr(middle + 1);
+    const std::size_t last = before.rfind(' ') + 1;
+    if (lists_word(words_of_tcb, before.substr(last))) before = before.substr(0, last == 0 ? 0 : last - 1);
+    if (before.empty() == behind.empty()) return std::nullopt;
+    const auto found = channels_.find(std::string(before.empty() ? behind : before));
+    return found != channels_.end() ? std::optional(found->second) : std::nullopt;
   }
 
   /// The column of times that has the same words in front of its own, where no other column is the time.
@@ -294,12 +351,26 @@ class SetFinder {
   const bool has_time_;                                       ///< it is requested, or none is
   std::vector<bool> are_times_ = {};                          ///< the columns that are times by their names
   std::ptrdiff_t times_ = 0;                                  ///< their number
+  std::string single_letters_ = {};                           ///< names of one letter
   std::map<std::string, std::size_t> channels_ = {};          ///< columns that may be positions, by their words
   std::unordered_map<std::string, std::size_t> places_ = {};  ///< of readings, by their rests
   std::deque<Readings> readings_ = {};
 };
 
 }  // namespace
+
+bool names_other_spline(std::string_view text) {
+  constexpr std::array known{"catmull",  "cardinal",    "bezier",  "bspline", "nurbs", "linear",   "step",
+                             "polyline", "centripetal", "chordal", "akima",   "pchip", "constant", "hold"};
+  const std::string word = fmt::format("{}", fmt::join(words_of(text), ""));
+  return std::ranges::any_of(known, [&](std::string_view name) { return word.find(name) != std::string::npos; });
+}
+
+std::string other_interpolation(std::string_view place, std::string_view text) {
+  const bool is_linear = in_lower_case(text).find("linear") != std::string::npos;
+  return fmt::format("{} {}, but the curve has tension, continuity and bias all the same{}", place, in_quotes(text),
+                     is_linear ? "; --tangents linear draws straight lines" : "");
+}
 
 std::size_t ParameterSet::count() const {
   return static_cast<std::size_t>(std::ranges::count_if(cells, [](const auto& cell) { return cell.has_value(); }));
@@ -314,6 +385,7 @@ std::size_t ParameterSet::count(Kind kind) const {
 bool ParameterSet::is_clear() const {
   if (count(Kind::unclear) > 0) return false;
   const std::size_t letters = count(Kind::letter);
+  if (completes) return letters == 0 || rest != Rest::other;
   if (rest == Rest::of_tcb || (rest == Rest::of_parameters && letters == 0)) return true;
   const bool is_known = rest != Rest::other || !channel.empty();
   if (!is_complete()) return count(Kind::word) == count() && (rest == Rest::nothing || !channel.empty());
@@ -322,6 +394,7 @@ bool ParameterSet::is_clear() const {
 
 bool ParameterSet::is_doubtful() const {
   if (is_clear()) return false;
+  if (completes) return true;
   const std::size_t letters = count(Kind::letter);
   if (letters > 0) return count(Kind::unclear) == 0 && (letters < count() || rest != Rest::other || !channel.empty());
   if (rest == Rest::nothing) return true;
@@ -332,7 +405,13 @@ bool ParameterSet::has_whole_names(std::span<const std::string> names) const {
   const auto is_letter = [&](const auto& cell) { return cell && is_of_tcb_by_name(names[*cell]); };
   if (std::ranges::all_of(cells, is_letter)) return true;
   if (count(Kind::word) < count()) return false;
-  if (rest == Rest::nothing || rest == Rest::of_tcb || rest == Rest::of_parameters) return true;
+  if (rest == Rest::nothing) {
+    const auto is_word = [&](const auto& cell) {
+      return !cell || std::ranges::count(parameter_words, in_lower_case(without_unit(names[*cell]))) > 0;
+    };
+    return std::ranges::all_of(cells, is_word);
+  }
+  if (rest == Rest::of_tcb || rest == Rest::of_parameters) return true;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i] && !channel.empty() && !same_in_any_case(names[*cells[i]], role_name(role(i)))) return false;
   }
@@ -367,13 +446,16 @@ std::vector<RoleRequest> parameters_by_name(std::span<const std::string> names, 
     return !set.is_clear() && (has_positions || !set.is_doubtful() || set.count(Kind::letter) == 0);
   });
   const auto is_of_all = [](const ParameterSet& set) { return set.channel.empty(); };
-  const bool is_ambiguous = std::ranges::count_if(sets, is_of_all) > 1;
+  const auto is_other = [&](const ParameterSet& set) { return is_of_all(set) && !set.completes; };
+  const bool is_ambiguous = std::ranges::count_if(sets, is_other) > 1;
+  if (sets.empty()) return {};
+  const ColumnRequests columns(names);
   std::vector<RoleRequest> requests;
   const auto add = [&](const ChannelRole& role, std::size_t cell) {
     const bool has_role =
         role.channel.empty() ? role_of_name(names[cell]) == role.role : channel_role_of(names[cell]) == role;
     if (has_role) return;
-    requests.push_back({role.role, {requested_as(names, cell)}, "", role.channel, true});
+    requests.push_back({role.role, {columns[cell]}, "", role.channel, true});
   };
   for (const ParameterSet& set : sets) {
     if (is_of_all(set) ? is_ambiguous : has_positions && !requested.has(set.channel)) continue;

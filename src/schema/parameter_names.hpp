@@ -32,6 +32,7 @@ struct ParameterSet {
   std::string channel = {};              ///< the name of the column that the rest names; empty: none
   bool may_be_others = false;            ///< beside the letters are r and g, or a
   std::optional<std::size_t> time = {};  ///< the column of times with this rest, where no other column is the time
+  bool completes = false;                ///< the names of the other parameters are the words themselves
 
   std::size_t count() const;
   std::size_t count(Kind kind) const;
@@ -47,6 +48,12 @@ struct ParameterSet {
   /// The roles as a value of --columns.
   std::string request(std::span<const std::string> names) const;
 };
+
+/// Whether a text names a spline that is not that of Kochanek and Bartels.
+bool names_other_spline(std::string_view text);
+
+/// The note on such a text, which has no effect. `place`: as in "column x is".
+std::string other_interpolation(std::string_view place, std::string_view text);
 
 /// The sets among columns, in the order of their first columns. `usable`: whether a column holds numbers, and no option
 /// names it.

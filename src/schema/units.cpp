@@ -74,6 +74,16 @@ DateFormat date_format_of(const UnitOptions& options, std::string_view date, con
   return format;
 }
 
+/// Throws: Error (data) for a time of day that seems to be a date, as in EXIF: 2024:03:14.
+void require_no_date(std::string_view column, std::string_view time) {
+  const std::string date = date_like_clock(time);
+  if (date.empty()) return;
+  throw data_error(
+      "{}: {} is a date in a form that is not read, or a time of {} hours; expected the date as {}; write the dates "
+      "so, as to_datetime of pandas does with the argument format, or such hours in seconds",
+      column, in_quotes(time), time.substr(0, 4), date);
+}
+
 }  // namespace
 
 std::optional<TimeUnit> unit_since_1970(std::string_view time) {
@@ -130,6 +140,7 @@ KeyUnits units_of_keys(const UnitOptions& options, const Columns& columns, std::
                      in_quotes(columns.time))
         .about("--date-order");
   }
+  if (units.notation == TimeNotation::clock) require_no_date(columns.time, first_time);
   if (units.notation == TimeNotation::clock) units.dates.half_of_day = half_of_day(first_time);
   units.are_hours_and_minutes = ends_with_minutes(options, first_time);
   units.frame_rate = options.frame_rate;

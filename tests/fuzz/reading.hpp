@@ -121,7 +121,7 @@ inline Reading read(std::string_view text, const InputOptions& options, std::siz
       for (const std::string& name : names) found += fmt::format("{}\n", name);
     }
     ShownKeys shown(lines, input.keys.traits.may_miss);
-    const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
+    const Source<KeyBlock> keys = without_faults(input.keys.blocks);
     while (const auto block = keys()) shown.add(*block);
     return {found + shown.text(), shown.numbers()};
   } catch (const Error& error) {

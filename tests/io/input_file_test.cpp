@@ -33,6 +33,55 @@ TEST_F(FileTest, all_bytes_come_in_pieces_of_at_most_256_kib) {
 
 TEST_F(FileTest, an_empty_file_has_no_pieces) { EXPECT_EQ(read_file(made("in", ""))(), std::nullopt); }
 
+TEST_F(FileTest, the_beginning_of_a_pipe_is_one_part_as_long_as_it_comes_without_a_pause) {
+  const int end = pipe_to_input();
+  const auto source = read_file("-");
+  std::string text;
+  std::thread writer([&] {
+    for (int i = 0; i < 200; ++i) {
+      const std::string piece = std::to_string(i) + (i % 20 == 19 ? "\n" : ",");
+      text += piece;
+      EXPECT_EQ(::write(end, piece.data(), piece.size()), std::ssize(piece));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    EXPECT_EQ(::write(end, "end", 3), 3);
+    ::close(end);
+  });
+  const auto first = source(), last = source();
+  writer.join();
+  EXPECT_EQ(first, text);
+  EXPECT_EQ(last, "end");
+  EXPECT_EQ(source(), std::nullopt);
+}
+
+TEST_F(FileTest, later_parts_of_a_pipe_come_at_once) {
+  const int end = pipe_to_input();
+  const auto source = read_file("-");
+  const std::string lines(16, '\n');
+  ASSERT_EQ(::write(end, lines.data(), lines.size()), std::ssize(lines));
+  EXPECT_EQ(source(), lines);
+  ASSERT_EQ(::write(end, "0", 1), 1);
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(source(), "0");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(90));
+  ::close(end);
+}
+
+TEST_F(FileTest, a_pipe_is_waited_for_a_second_in_total) {
+  const int end = pipe_to_input();
+  const InputBytes input = open_file("-");
+  ASSERT_EQ(::write(end, "0", 1), 1);
+  EXPECT_TRUE(input.arrive());
+  EXPECT_EQ(input.bytes(), "0");
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(input.arrive());
+  EXPECT_GT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(900));
+  EXPECT_FALSE(input.arrive());
+  ::close(end);
+  EXPECT_TRUE(input.arrive()) << "its end is there";
+  EXPECT_TRUE(open_file(made("file", "")).arrive());
+}
+
 TEST_F(FileTest, standard_input_gives_bytes_as_they_come) {
   const int end = pipe_to_input();
   const auto source = read_file("-");

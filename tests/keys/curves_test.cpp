@@ -25,7 +25,7 @@ MeantKeys meant_keys(const std::string& lines, std::size_t size, std::vector<std
 
 /// The curves as "GROUP( KEYS)"; of each at most `most` blocks are read.
 std::string curves_of(const MeantKeys& meant, const CurveOptions& options = {}, int most = 1000) {
-  Curves curves(meant.schema, meant.keys, options, false);
+  Curves curves(meant.schema, meant.keys, options);
   std::string out;
   while (const auto curve = curves.next()) {
     for (const std::string& text : curve->group) out += text;
@@ -65,7 +65,7 @@ TEST(Curves, an_input_that_cannot_break_is_not_read_to_its_end) {
     ++asked;
     return blocks();
   };
-  Curves curves(meant.schema, meant.keys, {}, false);
+  Curves curves(meant.schema, meant.keys, {});
   (void)curves.next()->keys();
   EXPECT_FALSE(curves.next().has_value());
   EXPECT_EQ(asked, 1);
@@ -88,7 +88,7 @@ TEST(Curves, sorting_without_times_is_refused) {
   MeantKeys meant = meant_keys("0 1\n", 1);
   meant.schema.time.is_given = false;
   EXPECT_EQ(refusal_of([&] {
-              Curves(meant.schema, meant.keys, {Duplicates::error, true}, false);
+              Curves(meant.schema, meant.keys, {Duplicates::error, true});
             }),
             "f: error: --sort orders rows by time, but there is no time column; remove it, or name the column with "
             "--columns time=NAME");

@@ -63,7 +63,7 @@ inline std::string read(const std::string& text, const InputOptions& options = {
     const Input input = open_input(path, pieces(text, piece), options);
     for (const std::string& name : input.schema.channels) out += " " + name;
     out = input.schema.named ? input.schema.time.name + out + "\n" : "(" + input.schema.time.name + out + ")\n";
-    const Source<KeyBlock> keys = without_faults(input.keys.blocks, false);
+    const Source<KeyBlock> keys = without_faults(input.keys.blocks);
     while (const auto block = keys()) {
       for (std::size_t i = 0; i < block->keys.size(); ++i) out += shown_key(*block, i);
     }

@@ -844,8 +844,10 @@ class RolesByCells {
     }
     if (others.empty() || counters.empty()) return;
     std::vector<std::string> left;
+    const ColumnRequests columns(names_);
     for (const std::size_t cell : counters) {
-      request(Role::unused, cell);
+      requested_.roles.push_back({Role::unused, {columns[cell]}});
+      requested_cells_[cell] = true;
       left.push_back(shown(cell));
     }
     notes_.push_back(counters_are_left(left));
@@ -964,6 +966,7 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
         .has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown || options.has_shown_tcb_scale,
         .has_header = options.delimited.header.has_value(),
         .has_time_unit = options.units.time.has_value(),
+        .has_tangents = options.given.tangents || options.given.preset,
         .meant = options.delimited.meant,
         .array = options.delimited.array};
     std::ranges::copy(doubts_of_columns(found), std::back_inserter(notes));

@@ -26,7 +26,8 @@ struct Period {
 
 /// Two successive keys among those that have a position in a channel, between which the channel has no curve.
 struct ChannelGap {
-  std::size_t channel, first, last;
+  static constexpr std::size_t no_key = static_cast<std::size_t>(-1);
+  std::size_t channel, first, last;  ///< `last` may be no_key: the channel has placeholders for all positions
 };
 
 /// One channel of a curve, or all of them, with the keys that have positions there, by their numbers from 0.
@@ -301,7 +302,8 @@ class CurveKeys {
       begin = end;
     };
     for (const ChannelGap& gap : gaps) {
-      if (gap.channel == channel) add_to(std::ranges::lower_bound(begin, numbers.end(), gap.last));
+      if (gap.channel == channel && gap.last != ChannelGap::no_key)
+        add_to(std::ranges::lower_bound(begin, numbers.end(), gap.last));
     }
     add_to(numbers.end());
   }

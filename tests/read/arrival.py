@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""Output, messages and exit code do not depend on how bytes arrive: random texts as a file and through a pipe in pieces.
+
+arrival.py PROGRAM COUNT [SEED]. Texts are the inputs of golden cases, samples and fuzzers, cut off, and with beginnings
+of other formats put in. Of a run that fails, a pipe may have printed rows that a file holds back. A pipe gets them byte by byte, or in random pieces with short pauses. The machine may stop the
+writer for longer than the program waits, so that only what differs three times counts.
+"""
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+program, count = sys.argv[1], int(sys.argv[2])
+rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
+here = pathlib.Path(__file__).resolve().parents[1]
+ENDINGS = {".csv", ".tsv", ".txt", ".json", ".jsonl", ".tum", ".kitti", ".euroc", ".lws", ".3ds", ".npy", ".gz", ""}
+folders = [here / "golden", here / "fuzz" / "corpus" / "delimited", here.parent / "samples"]
+files = sorted(path for folder in folders for path in folder.rglob("*")
+               if path.is_file() and path.suffix in ENDINGS and 0 < path.stat().st_size < 20_000
+               and path.name not in ("cmd", "expected", "errors", "status"))
+INSERTED = [b"{curve x", b"P[1]", b"N10 G1", b"</script>", b"\n", b",", b'"', b"#", b"[", b'{"keys":', b"\xef\xbb\xbf",
+            b"\x93NUMPY", b"LWSC", b"MM", b";", b"\t", b"x", b"1e999", b"\r\n", b"# t,x,y\n", b"0,1\n", b"\0"]
+OPTIONS = [["-n", "3"], ["--step", "0.5"], ["--explain"], ["-n", "2", "-i", "csv"], ["-n", "2", "-i", "json"],
+           ["-n", "2", "--missing", "skip-cell"], ["-n", "2", "-f", "jsonl"], ["--limits"]]
+
+
+def run(options, stream):
+    process = subprocess.Popen(["timeout", "30", program, *options, "-"], stdin=stream, stdout=subprocess.PIPE,
+                               stderr=subprocess.PIPE)
+    stdin, process.stdin = process.stdin, None
+    return process, stdin
+
+
+def of_file(options, text):
+    with tempfile.TemporaryFile() as file:
+        file.write(text)
+        file.seek(0)
+        process, _ = run(options, file)
+        out, errors = process.communicate()
+    return process.returncode, out, errors
+
+
+def of_pieces(options, text, sizes, pauses):
+    process, pipe = run(options, subprocess.PIPE)
+    result = []
+    reader = threading.Thread(target=lambda: result.extend(process.communicate()))
+    reader.start()
+    at, paused = 0, 0
+    try:
+        while at < len(text):
+            size = rng.randint(*sizes)
+            os.write(pipe.fileno(), text[at:at + size])
+            at += size
+            if pauses and paused < 5 and rng.random() < 0.1:  # in sum far below what the program waits for
+                time.sleep(0.005)
+                paused += 1
+    except BrokenPipeError:
+        pass
+    pipe.close()
+    reader.join()
+    return process.returncode, *result
+
+
+def same(of_pipe, of_file):
+    held_back = of_file[0] != 0 and of_pipe[1].startswith(of_file[1])
+    return of_pipe[0] == of_file[0] and of_pipe[2] == of_file[2] and (of_pipe[1] == of_file[1] or held_back)
+
+
+def changed(text):
+    if rng.random() < 0.4:
+        return text
+    if rng.random() < 0.3:
+        text = text[:rng.randint(1, len(text))]
+    for _ in range(rng.choice([0, 0, 0, 1, 2])):
+        at = rng.randint(0, len(text))
+        text = text[:at] + rng.choice(INSERTED) + text[at:]
+    if rng.random() < 0.2:
+        lines = text.split(b"\n")
+        at = rng.randrange(len(lines))
+        text = b"\n".join(lines[:at] + [rng.choice(lines)] * rng.choice([1, 30]) + lines[at:])
+    return text
+
+
+failed = succeeded = 0
+for i in range(count):
+    name = rng.choice(files)
+    text, options = changed(name.read_bytes()), rng.choice(OPTIONS)
+    expected = of_file(options, text)
+    succeeded += expected[0] == 0
+    for sizes, pauses in (((1, 1), False), ((1, 60), True), ((50, 5000), True)):
+        if any(same(of_pieces(options, text, sizes, pauses), expected) for _ in range(3)):
+            continue
+        failed += 1
+        print(f"{i}: {name} {options} in pieces of {sizes}")
+        for what, one, other in zip(("exit code", "output", "messages"), expected, of_pieces(options, text, sizes, pauses)):
+            if one != other:
+                print(f"  {what}\n    of the file: {one!r}\n    in pieces:   {other!r}")
+print(f"{count} texts, {succeeded} of them read")
+if 6 * succeeded < count:
+    sys.exit("fewer than a sixth of the texts are read: they prove little")
+sys.exit(failed > 0)
