@@ -66,14 +66,14 @@ PaceProfile read(const PaceFile& file, const SamplingRequest& request, const Key
   if (!file.column.empty()) {
     options.columns.roles = {{.role = Role::position, .columns = {file.column}, .option = "--pace"}};
   }
-  const Input input = open_input(file.path, keys.bytes_of(file.path), options);
+  const Input input = open_input(file.path, keys.bytes_of(file.path).bytes, options);
   const std::size_t channel = distance_channel(input.schema, file);
   const CurveRequest samples{
       .samples = request,
       .rules = rules_of(keys.rules),
       .fields = {field_of("time"), field_of("position"), field_of("velocity"), field_of("acceleration")}};
   PaceProfile profile{.are_parts = input.schema.channels[channel] == part_of_length};
-  Curves curves(input.schema, input.keys, keys.curves, false);
+  Curves curves(input.schema, input.keys, keys.curves);
   std::optional<InputCurve> curve = curves.next();
   if (!curve) throw data_error("found no keys; expected at least two; add them");
   CurvePipeline pipeline(samples, input.schema, input.keys.traits, *curve->curve_info);
