@@ -363,7 +363,8 @@ class LayoutFinder {
   bool is_position(const JsonColumn& column) const {
     if (!lacks_positions_ || !is_free_number(column)) return false;
     if (!stem_.empty()) return column.stem == stem_;
-    if (column.depth == 0) return true;
+    const bool is_plain_rotation = options_.rotation.none && is_of_rotation(column) && !column.is_in_array();
+    if (column.depth == 0 || is_plain_rotation) return true;
     const std::size_t bracket = column.path.find('[');
     const bool is_last =
         bracket == std::string::npos || column.path.find_first_of(".[", bracket + 1) == std::string::npos;
@@ -523,7 +524,7 @@ class LayoutFinder {
 
   /// Throws: Error (data) for "rotation" that is something else than a quaternion and is not requested.
   void require_quaternion() const {
-    if (has_quaternion_ || options_.rotation.none || !lacks_positions_) return;
+    if (has_quaternion_ || options_.rotation.none || requested_.has(Role::position)) return;
     const auto first = std::ranges::find_if(columns_, [&](auto& column) { return is_of_rotation(column); });
     const std::ptrdiff_t count = rotation_cells();
     if (first == columns_.end() || first->is_requested) return;
@@ -926,7 +927,7 @@ InputOptions with_columns_of_layout(InputOptions options, const JsonLayout& layo
     for (const std::string& name : names) {
       const std::size_t before = all.size();
       for (const JsonColumn& column : layout.columns) {
-        const bool is_named = is_in(column, name) && (column.depth > 0 || column.path != name);
+        const bool is_named = is_in(column, name) && column.depth > 0;
         const bool is_last = column.stem == "position" && column.last_step() == "." + name;
         if (column.is_used && (is_named || is_last)) all.push_back(column.name);
       }

@@ -25,6 +25,14 @@ using Values = std::vector<std::uint32_t>;
 /// Whether a name may be an index of rows: a number, or a time in words.
 bool is_index(std::string_view name) { return parse_number(name) || find_notation(name); }
 
+/// Throws: Error (data) at another member with the name of one.
+void require_once(const Json& json, std::size_t object, std::size_t member) {
+  for (const std::size_t other : json.inside(object)) {
+    const bool is_second = other != member && json.name(other) == json.name(member);
+    if (is_second) throw twice_in("object").about(json.name(member)).at(json.position(other - 1));
+  }
+}
+
 /// Finds the layout of tables.
 class Layouts {
  public:
@@ -162,10 +170,7 @@ class Layouts {
       const auto rows = json_.member(table.value, name);
       if (!rows || !json_.has_only(*rows, Kind::array)) continue;
       table.records = json_.values(*rows);
-      for (const std::size_t member : json_.inside(table.value)) {
-        const bool is_second = json_.name(member) == json_.name(*columns) && member != *columns;
-        if (is_second) throw twice_in("table").at(json_.position(member - 1));
-      }
+      require_once(json_, table.value, *columns);
       for (const std::size_t column : json_.inside(*columns)) table.names.emplace_back(json_.text(column));
       if (index && json_.is(*index, Kind::array)) table.index = json_.values(*index);
       if (index && table.index.size() != table.records.size()) {
@@ -452,6 +457,7 @@ class TableSearch {
   bool take_own_curves(std::size_t root) {
     const auto curves = json_.member(root, "curves");
     if (!curves || !json_.is(*curves, Kind::array)) return take_own_keys(root);
+    require_once(json_, root, *curves);
     const Step to_curves(way_, json_, root, *curves, 0);
     std::size_t number = 0;
     for (const std::size_t curve : json_.inside(*curves)) {
@@ -479,6 +485,7 @@ class TableSearch {
       auto table = layouts_.table_of(*keys, true);
       if (!table) continue;
       const Step step(way_, json_, object, *keys, 0);
+      require_once(json_, object, *keys);
       table->is_own = true;
       add(*std::move(table));
       return true;
