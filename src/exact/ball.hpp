@@ -12,26 +12,12 @@
 
 #include <cmath>
 #include <concepts>
-#include <exception>
-#include <limits>
-#include <type_traits>
 
 #include "exact/real.hpp"
-#include "tcb/spline/angle.hpp"
-#include "tcb/spline/dual.hpp"
-#include "tcb/spline/ease.hpp"
-#include "tcb/spline/rotation.hpp"
-#include "tcb/spline/rotation_notation.hpp"
+#include "exact/rounding.hpp"
 #include "tcb/spline/scalar.hpp"
-#include "tcb/spline/segment.hpp"
 
 namespace tcb {
-
-/// A ball does not decide a comparison, or may be beyond the range of its arithmetic.
-class Undecided : public std::exception {
- public:
-  const char* what() const noexcept override { return "tcb::Undecided"; }
-};
 
 /// Operations on the middles of balls: each adds to `error` a bound on its own.
 template <class M>
@@ -272,162 +258,22 @@ class BallOf {
 using Ball = BallOf<spline::DoubleDouble>;
 using RealBall = BallOf<Real>;
 
+template <class S>
+inline constexpr bool is_ball = false;
 template <class M>
-inline constexpr bool spline::bounds_errors<BallOf<M>> = true;
+inline constexpr bool is_ball<BallOf<M>> = true;
 
-/// The double nearest to all numbers in a ball, if that is the same one.
-inline bool rounds_to_one_double(const Ball& ball) {
-  const auto& [high, low] = ball.middle();
-  constexpr double slack = 0x1p-50;  // for the rounding of the sums of `low`
-  const double radius = ball.radius() + slack * (std::abs(low) + ball.radius());
-  return ball.radius() == 0 && low == 0 ? true
-                                        : high != 0 && high + (low + radius) == high && high + (low - radius) == high;
+template <>
+inline Ball scalar_of<Ball>(const Rational& value) {
+  const Bounded number = scalar_of<Bounded>(value);
+  if (!std::isfinite(number.error)) throw Undecided();
+  return Ball(number.value).widened(number.error);
 }
-
-/// A root of an increasing function in (0, 1): a ball, on both sides of which the function has its two signs. `slope`:
-/// its derivative. `near`: the root to some digits. Throws: Undecided if it has not.
-template <class M, class F, class Slope>
-BallOf<M> increasing_root(F f, Slope slope, double near) {
-  using B = BallOf<M>;
-  using Ops = Middle<M>;
-  B x(near);
-  for (int known = 30; known < Ops::bits(); known *= 2) {
-    x = B((x - B(f(x).middle()) / B(slope(x).middle())).middle());
-  }
-  const auto distance = Ops::up((B(4.0) * f(x) / slope(x)).most() + Ops::power_of_two(8 - Ops::bits()) * x.most());
-  const B width(Ops::number(distance));
-  if (!(f(x - width) < B() && f(x + width) > B())) throw Undecided();
-  return x.widened(distance);
+template <>
+inline RealBall scalar_of<RealBall>(const Rational& value) {
+  ErrorBound radius;
+  const Real middle = Middle<Real>::nearest(value, radius);
+  return RealBall(middle, radius);
 }
-
-}  // namespace tcb
-
-/// The precision of balls whose radius is only that of rounding.
-template <class M>
-class std::numeric_limits<tcb::BallOf<M>> {
- public:
-  static constexpr bool is_specialized = true, is_exact = false, is_integer = false;
-  static constexpr int digits = 100, digits10 = 30;  // at least
-  /// At the last precision, more than the noise of a few operations: what is smaller is 0.
-  static tcb::BallOf<M> epsilon() {
-    return ldexp(tcb::BallOf<M>(1.0), (tcb::Middle<M>::is_last() ? 60 : 1) - tcb::Middle<M>::bits());
-  }
-};
-
-namespace tcb {
-
-/// The terms of a series at which the bounds of truncated_series() have no effect, also on derivatives.
-template <class M>
-bool has_effect(const BallOf<M>& term, const BallOf<M>& least) {
-  return term.most() > least.most();
-}
-template <class M>
-bool has_effect(const spline::Dual<BallOf<M>>& term, const BallOf<M>& least) {
-  return has_effect(term.value, least) || has_effect(term.slope, least);
-}
-
-/// Each term is that before times a factor (odd^2 - u^2) square / ((odd + 1) (odd + 2)), which is at most `square` and
-/// below 1/64, so that all that are left out are below 1.1 `square` of the last one.
-template <class M>
-BallOf<M> truncated_series(const BallOf<M>& sum, const BallOf<M>& last_term, const BallOf<M>&,
-                           const BallOf<M>& square) {
-  return sum.widened(last_term.most() * square.most() * 1.1);
-}
-/// The derivative of a factor is at most `change`, so that those of the terms that are left out are together below
-/// 1.1 `square` of that of the last one, and 1.1 `change` of the last one.
-template <class M>
-spline::Dual<BallOf<M>> truncated_series(const spline::Dual<BallOf<M>>& sum, const spline::Dual<BallOf<M>>& last_term,
-                                         const spline::Dual<BallOf<M>>& u, const spline::Dual<BallOf<M>>& square) {
-  using Bound = typename BallOf<M>::Bound;
-  const Bound change = square.slope.most() + u.value.most() * u.slope.most() * Bound(0x1p-5);
-  const Bound slopes = last_term.slope.most() * square.value.most() + change * last_term.value.most();
-  return {truncated_series(sum.value, last_term.value, u.value, square.value), sum.slope.widened(slopes * Bound(1.2))};
-}
-
-/// The rotations at the places of a ball, from that at its middle. `rate`: the largest angular speed.
-template <class M>
-spline::Quaternion<BallOf<M>> widened(const spline::Quaternion<BallOf<M>>& q, const BallOf<M>& rate,
-                                      const BallOf<M>& place) {
-  const auto error = rate.most() * place.radius();
-  return {q.x.widened(error), q.y.widened(error), q.z.widened(error), q.w.widened(error)};
-}
-
-/// The eigenvector of spline::eigenvector() with a bound on its error: by the residual and the distance of the others.
-/// Source: B. N. Parlett, "The Symmetric Eigenvalue Problem", 1980, theorem 11.7.1.
-template <class M>
-spline::Quaternion<BallOf<M>> enclosed_eigenvector(spline::QuaternionMatrix<BallOf<M>> a) {
-  using B = BallOf<M>;
-  using spline::dot, spline::Quaternion;
-  constexpr int made_clear = 4, to_one_direction = 12;  // times that eigenvalues are squared
-  for (int i = 0; i < made_clear; ++i) a = spline::squared(a);
-  auto power = a;
-  for (int i = 0; i < to_one_direction; ++i) {
-    power = spline::squared(power);
-    for (auto& row : power) {
-      for (B& number : row) number = B(number.middle());
-    }
-  }
-  std::size_t largest = 3;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (power[largest][largest].middle() < power[i][i].middle()) largest = i;
-  }
-  const auto product = [&](const Quaternion<B>& q) {
-    const auto row = [&](std::size_t i) { return dot(q, Quaternion<B>{a[i][0], a[i][1], a[i][2], a[i][3]}); };
-    return Quaternion<B>{row(0), row(1), row(2), row(3)};
-  };
-  const auto& [x, y, z, w] = power[largest];
-  Quaternion<B> q = normalized(Quaternion<B>{x, y, z, w});
-  for (int refinement = 0; refinement < 2; ++refinement) q = normalized(product(q));
-  for (B* const number : {&q.x, &q.y, &q.z, &q.w}) *number = B(number->middle());
-  const Quaternion<B> image = product(q);
-  const B square = dot(q, q), value = dot(q, image) / square;
-  const Quaternion<B> rest = image + q * -value;
-  B squares;
-  for (const auto& row : a) {
-    for (const B& number : row) squares += number * number;
-  }
-  const B distance = value - sqrt(squares - value * value);  // the others are within the root
-  if (!(distance > B())) throw Undecided();
-  const auto error = (B(1.5) * sqrt(dot(rest, rest)) / distance).most();
-  q = normalized(q);
-  for (B* const number : {&q.x, &q.y, &q.z, &q.w}) *number = number->widened(error);
-  return q;
-}
-
-/// The inverse of the cubic of a warp from one of its ends: the distance at which it has a value.
-template <class B>
-B enclosed_warp_root(const B& value, const B& slope, const B& k) {
-  const double v = value.rough(), s = slope.rough(), third = k.rough();
-  double low = 0, high = 1, near = v;
-  for (int step = 0; step < 80; ++step) {
-    const double off = near * (s + near * (1 - s - third + near * third)) - v;
-    (off < 0 ? low : high) = near;
-    const double next = near - off / (s + near * (2 * (1 - s - third) + 3 * near * third));
-    near = next > low && next < high ? next : (low + high) / 2;
-  }
-  const B square = B(1.0) - slope - k;
-  return increasing_root<std::remove_cvref_t<decltype(value.middle())>>(
-      [&](const B& x) { return x * (slope + x * (square + x * k)) - value; },
-      [&](const B& x) { return slope + x * (B(2.0) * square + B(3.0) * x * k); }, near);
-}
-
-/// As tcb/spline/rotation.hpp has them for other scalars, also near the zero vector, where nothing is divided.
-template <class M>
-spline::Quaternion<BallOf<M>> enclosed_exponential(const spline::Vector3<BallOf<M>>& v);
-template <class M>
-spline::Vector3<BallOf<M>> enclosed_logarithm(const spline::Quaternion<BallOf<M>>& q);
-
-/// As tcb/spline/angle.hpp has it for other scalars. Throws: Undecided for an angle whose ball is not small.
-template <class M>
-spline::SineCosine<BallOf<M>> sine_cosine(const BallOf<M>& angle);
-template <class M>
-BallOf<M> sine(const BallOf<M>& angle) {
-  return sine_cosine(angle).sine;
-}
-
-/// The angle of the vector (x, y) in [0, pi]. Requires: y >= 0. Throws: Undecided where the ball of the vector is not
-/// small beside its distance from 0.
-template <class M>
-BallOf<M> angle_of(const BallOf<M>& y, const BallOf<M>& x);
 
 }  // namespace tcb

@@ -13,11 +13,47 @@
 
 #include "error.hpp"
 #include "exact/exact_curve.hpp"
+#include "exact/float_scalar.hpp"
+#include "keys/prepare.hpp"
 #include "numbers/decimal_time.hpp"
 #include "tcb/spline/closing.hpp"
 #include "tcb/spline/rotation_notation.hpp"
 
 namespace tcb {
+
+/// The power of a distance between exact positions, as the square of the distance is exact.
+template <class S>
+struct ExactDistancePower {
+  explicit ExactDistancePower(const Rational&) {}
+  void add_square(const Rational& a, const Rational& b) { sum_ += (b - a) * (b - a); }
+  /// By the nested roots of spline::power_by_roots(). Requires: 0 <= exponent < 2^53.
+  S power(double exponent) const {
+    S x = sqrt(scalar_of<S>(sum_)), whole_part(1.0), root(1.0);
+    double whole = std::floor(exponent), rest = exponent - whole;
+    int bits = 0;
+    for (; rest != std::floor(rest); rest *= 2) ++bits;
+    const S root_of_x = sqrt(x);
+    for (auto left = static_cast<std::uint64_t>(rest); bits > 0; --bits, left >>= 1) {
+      root = (left & 1U) != 0 ? S(sqrt(root) * root_of_x) : S(sqrt(root));
+    }
+    for (auto left = static_cast<std::uint64_t>(whole); left > 0; left >>= 1, x = x * x) {
+      if ((left & 1U) != 0) whole_part = whole_part * x;
+    }
+    return whole_part * root;
+  }
+
+ private:
+  Rational sum_ = 0;
+};
+template <>
+struct DistancePower<spline::DoubleDouble> : ExactDistancePower<spline::DoubleDouble> {
+  using ExactDistancePower::ExactDistancePower;
+};
+template <unsigned bits>
+struct DistancePower<Float<bits>> : ExactDistancePower<Float<bits>> {
+  using ExactDistancePower<Float<bits>>::ExactDistancePower;
+};
+
 namespace {
 
 /// The numbers of one key of a block.
@@ -72,10 +108,7 @@ spline::Tcb<Rational> exact_tcb(const spline::Tcb<double>& tcb, const Numbers& n
 /// A time and the time that a distance makes, to some 90 digits.
 Rational later(const Rational& time, std::span<const Rational> from, std::span<const Rational> to,
                std::span<const std::size_t> metric, double exponent) {
-  const RealPrecision precision(320);
-  return (scalar_of<RealBall>(time) + parameter_step<RealBall, Rational>(from, to, exponent, metric))
-      .middle()
-      .rational();
+  return time + rational_of(parameter_step<LongFloat, Rational>(from, to, exponent, metric));
 }
 
 /// Last key - first key in a channel of an open curve, among the keys that have a position there.
@@ -295,11 +328,15 @@ std::unique_ptr<const spline::CurveKeys<S>> curve_at(const ExactCurve& exact) {
 }
 
 template std::unique_ptr<const spline::CurveKeys<Rational>> curve_at(const ExactCurve& exact);
-template std::unique_ptr<const spline::CurveKeys<Ball>> curve_at(const ExactCurve& exact);
-template std::unique_ptr<const spline::CurveKeys<RealBall>> curve_at(const ExactCurve& exact);
+template std::unique_ptr<const spline::CurveKeys<Bounded>> curve_at(const ExactCurve& exact);
+template std::unique_ptr<const spline::CurveKeys<spline::DoubleDouble>> curve_at(const ExactCurve& exact);
+template std::unique_ptr<const spline::CurveKeys<ShortFloat>> curve_at(const ExactCurve& exact);
+template std::unique_ptr<const spline::CurveKeys<LongFloat>> curve_at(const ExactCurve& exact);
 
 template class spline::CurveKeys<Rational>;
-template class spline::CurveKeys<Ball>;
-template class spline::CurveKeys<RealBall>;
+template class spline::CurveKeys<Bounded>;
+template class spline::CurveKeys<spline::DoubleDouble>;
+template class spline::CurveKeys<ShortFloat>;
+template class spline::CurveKeys<LongFloat>;
 
 }  // namespace tcb

@@ -1,8 +1,6 @@
 // Exact rows: every number of a row as exact arithmetic gives it, rounded once.
 //
-// Balls of double-doubles decide nearly all cells of a row. Those that they leave open are computed as rationals where
-// they are rational; are 0 or empty where they are so all along the segment; or are computed in balls of floats with
-// more and more digits (Level), until each is decided.
+// See exact_rows.hpp for the order in which numbers are tried.
 #include "exact/exact_rows.hpp"
 
 #include <algorithm>
@@ -12,29 +10,13 @@
 #include <utility>
 
 #include "error.hpp"
-#include "exact/ball_rows.hpp"
-#include "exact/real.hpp"
+#include "exact/float_rows.hpp"
 #include "exact/row_point.hpp"
 #include "numbers/print_number.hpp"
 #include "sample/rows.hpp"
 #include "sample/sampler.hpp"
 
 namespace tcb {
-
-/// Collects the numbers of a point that are rational, or roots of rationals.
-template <>
-class CellWriter<Rational> {
- public:
-  explicit CellWriter(std::vector<Value>& row) : row_(row) {}
-
-  void add(const Rational& value) { row_.push_back({value}); }
-  void add(const Quantity<Rational>& value) { row_.push_back({value.value, value.root, !value.defined}); }
-  void add_of_channel(const Rational& value, std::size_t, bool) { add(value); }
-
- private:
-  std::vector<Value>& row_;
-};
-
 namespace {
 
 /// The arc lengths of the rows of a request; nothing if it places them by time.
@@ -52,45 +34,86 @@ std::optional<ExactPlaces> arc_lengths(const SamplingRequest& request, const Ext
   return arc;
 }
 
-/// Bits of the floats with the least precision: more than the requested digits have, and at least some 38 digits.
-int first_precision(const Notation& notation) {
-  constexpr int least = 128, guard = 40, step = 64;
-  const int needed = notation.count * 10 / 3 + guard;
-  return std::max(least, (needed + step - 1) / step * step);
+/// The sizes of the numbers of a curve that are not 0, as doubles.
+struct Sizes {
+  double most = 0, least = std::numeric_limits<double>::infinity();
+
+  void add(const Rational& number) {
+    if (number == 0) return;
+    const double size = std::abs(nearest_double(number));
+    most = std::max(most, size);
+    least = std::min(least, size);
+  }
+  /// Double-doubles hold all of them.
+  bool are_in_range() const { return most < 0x1p1000 && least > 0x1p-900; }
+  /// Sums keep digits of all of them.
+  bool are_near() const { return most < 0x1p60 * least; }
+};
+
+Sizes sizes_of_positions(const spline::Keys<Rational>& keys) {
+  Sizes sizes;
+  for (std::size_t i = 0; i < keys.positions.size(); ++i) {
+    sizes.add(keys.positions[i]);
+    if (i >= keys.channels) sizes.add(keys.positions[i] - keys.positions[i - keys.channels]);
+  }
+  return sizes;
+}
+Sizes sizes_of_durations(const spline::Keys<Rational>& keys) {
+  Sizes sizes;
+  for (std::size_t i = 1; i < keys.times.size(); ++i) sizes.add(keys.times[i] - keys.times[i - 1]);
+  return sizes;
 }
 
-/// The precision beyond which none is used: that which distinguishes a number from 0 to some 400 digits beyond the size
-/// of the curve. Its numbers may be of different sizes, and their powers more so.
-int last_precision(const RowsOfCurve& rows) {
-  constexpr int digits = 1536, most_of_sizes = 8192;  // bits
-  std::int64_t least = 0, most = 0;
-  const auto add = [&](const Rational& number) {
-    if (number == 0) return;
-    ErrorBound error;
-    const std::int64_t exponent = Middle<Real>::nearest(number, error).exponent();
-    least = std::min(least, exponent);
-    most = std::max(most, exponent);
-  };
-  const spline::Keys<Rational>& keys = rows.exact.keys;
-  for (std::size_t i = 0; i < keys.positions.size(); ++i) {
-    add(keys.positions[i]);
-    if (i >= keys.channels) add(keys.positions[i] - keys.positions[i - keys.channels]);
+Printed time_cell(const FastRow& row, const RowsOfCurve& curve, const Notation& notation) {
+  const Time& shown = row.sample.t;
+  const bool is_decimal = curve.exact.decimal || curve.exact.channels.frames;
+  const bool is_shown = !row.exact.time && shown.lo == 0 && row.segment.decimals == 0 && !is_decimal;
+  if (is_shown && !notation.is_rounded()) return {shown};
+  constexpr double whole_times_from = 0x1p53;  // which have all their digits
+  if (is_shown && std::abs(shown.hi) < whole_times_from) {
+    if (auto printed = Rounding(notation, CellKind::real).within(Bounded(shown.hi))) return *std::move(printed);
   }
-  for (std::size_t i = 1; i < keys.times.size(); ++i) add(keys.times[i] - keys.times[i - 1]);
-  return digits + 2 * static_cast<int>(std::min<std::int64_t>(most - least, most_of_sizes));
+  const Rounding rounding(notation, CellKind::time, row.segment.decimals);
+  if (row.exact.time) return rounding.exactly({*row.exact.time});
+  return rounding.exactly(
+      {shown.lo == 0 ? exact_number(shown, curve.exact.decimal, curve.exact.channels.frames) : exact_time(shown)});
 }
+
+/// A number with a bound on its error, or the root of one.
+Bounded root_of(const Quantity<Bounded>& number) {
+  if (!number.root || number.value.is_zero()) return number.value;
+  const Bounded square = abs(number.value);
+  if (!(square.least() > 0x1p-900)) return {0.0, std::numeric_limits<double>::infinity()};
+  const spline::DoubleDouble root = sqrt(square.value);
+  const double error = 0x1p-98 * root.hi + square.error / std::sqrt(square.least());
+  return {number.value.value.hi < 0 ? -root : root, error * (1 + 0x1p-48)};
+}
+
+using Cells = std::span<std::optional<Printed>>;
+
+bool is_set(const std::optional<Printed>& cell) { return cell.has_value(); }
+
+Rational exactly(const spline::DoubleDouble& number) { return Rational(number.hi) + Rational(number.lo); }
 
 }  // namespace
 
 /// What all rows of a request need, on any thread.
 struct ExactRows::Request {
   Request(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& rounded)
-      : rows{std::move(curve), {}, arc_lengths(request, extent), request.side()}, notation(rounded) {
+      : rows{std::move(curve), {}, {}, arc_lengths(request, extent), request.side()}, notation(rounded) {
     rows.facts = channel_facts(rows.exact);
+    rows.times = rows.exact.keys.times;
+    if (rows.exact.end) rows.times.push_back(*rows.exact.end);
+    if (rows.times.size() == 1) rows.times.push_back(rows.times.front());
+    const Sizes positions = sizes_of_positions(rows.exact.keys), durations = sizes_of_durations(rows.exact.keys);
+    is_for_double_doubles = positions.are_in_range() && durations.are_in_range();
+    keeps_digits = positions.are_near() && durations.are_near();
   }
 
   RowsOfCurve rows;
   const Notation notation;
+  bool is_for_double_doubles = false;
+  bool keeps_digits = false;  ///< a sum of double-doubles that is 0 is so exactly
 };
 
 /// The evaluation of rows on one thread, with what it keeps for later ones.
@@ -100,36 +123,43 @@ class ExactRows::Evaluation {
       : rows_(request.rows),
         notation_(request.notation),
         chosen_(chosen.begin(), chosen.end()),
-        balls_(BallRows::in_double_doubles(rows_, chosen_)),
-        cells_(width(chosen)) {}
+        keeps_digits_(request.keeps_digits),
+        is_rational_curve_(rows_.exact.is_rational() && rows_.exact.rules.rotations.empty()),
+        cells_(width(chosen)) {
+    if (request.is_for_double_doubles) double_doubles_.emplace(rows_);
+    for (const std::size_t index : chosen_) {
+      if (!is_rational(index) && !is_time(index)) irrational_.push_back(index);
+    }
+  }
 
   void add_row(FastRow row, const Locator& locator, Table& table) {
     if (rows_.exact.decimal && !rows_.arc) row.exact = exact_times(row, locator);
-    std::ranges::fill(cells_, RowCell{});
-    const bool is_placed = balls_ != nullptr && balls_->set(row, notation_, cells_);
-    if (is_open()) complete(row, is_placed);
-    const auto overflows = [](const RowCell& one) {
-      return !is_empty(one.printed->cell) && !std::isfinite(one.printed->cell.hi);
+    std::ranges::fill(cells_, std::nullopt);
+    is_placed_ = {};
+    if (rows_.arc) set_place(row);
+    has_rational_place_ = !rows_.arc || (row.at_key && (!row.at_key->is_middle || !has_warps()));
+    set_known(row);
+    set_bounded(row);
+    set_estimated(row);
+    if (!std::ranges::all_of(cells_, is_set)) complete(row);
+    const auto overflows = [](const std::optional<Printed>& cell) {
+      return !is_empty(cell->cell) && !std::isfinite(cell->cell.hi);
     };
     if (std::ranges::any_of(cells_, overflows)) refuse_overflow(row.sample);
     set_signs_of_zeros(row);
-    for (RowCell& cell : cells_) append(*std::move(cell.printed), table);
+    for (std::optional<Printed>& cell : cells_) append(*std::move(cell), table);
   }
 
  private:
-  /// A precision of floats.
-  struct Level {
-    int bits;
-    std::unique_ptr<BallRows> rows = nullptr;  ///< null until it is needed
+  /// What a cell is all along a segment.
+  enum class Along { open, zero, empty, other };
+  struct AlongSegment {
+    int rows = 0;              ///< that were not decided without it
+    std::vector<Along> cells;  ///< none until they are needed
   };
-
-  static std::vector<Level> levels_of(const RowsOfCurve& rows, const Notation& notation) {
-    std::vector<Level> levels;
-    const int last = last_precision(rows);
-    for (int bits = first_precision(notation); bits < last; bits *= 2) levels.push_back({bits});
-    levels.push_back({last});
-    return levels;
-  }
+  struct Placed {
+    bool bounded = false, exact = false, double_doubles = false, floats = false;
+  };
 
   /// The exact times of a row on a curve whose keys are decimals.
   ExactTimes exact_times(const FastRow& row, const Locator& locator) const {
@@ -148,15 +178,6 @@ class ExactRows::Evaluation {
     return exact;
   }
 
-  std::vector<Level>& levels() {
-    if (levels_.empty()) levels_ = levels_of(rows_, notation_);
-    return levels_;
-  }
-  Level& last() { return levels().back(); }
-
-  static bool is_set(const RowCell& cell) { return cell.printed.has_value(); }
-  bool is_open() const { return !std::ranges::all_of(cells_, is_set); }
-
   void append(Printed printed, Table& table) const {
     table.cells.push_back(printed.cell);
     if (notation_.is_rounded()) table.texts.push_back(std::move(printed.text));
@@ -164,6 +185,18 @@ class ExactRows::Evaluation {
 
   std::size_t width(std::span<const std::size_t> chosen) const {
     return cells_in_row(chosen, {rows_.exact.keys.channels, rows_.exact.channels.rotations});
+  }
+
+  bool has_warps() const { return !rows_.exact.keys.eases.empty() || rows_.exact.rules.timing != spline::Timing::even; }
+  bool is_rational(std::size_t field) const { return is_rational_curve_ && fields()[field].is_rational; }
+  bool is_bounded(std::size_t field) const { return has_rational_place_ && is_rational(field); }
+  /// Whether a field is the time of a row that is placed by time.
+  bool is_time(std::size_t field) const {
+    return !rows_.arc && fields()[field].kind == CellKind::time &&
+           field_writers<double>[field] == write_sample_time<double>;
+  }
+  Rounding rounding(std::size_t field, const FastRow& row) const {
+    return {notation_, fields()[field].kind, row.segment.decimals};
   }
 
   /// Calls a function with each field and its cells.
@@ -176,30 +209,213 @@ class ExactRows::Evaluation {
       f(index, cells);
     }
   }
-
-  bool is_rational(std::size_t field) const {
-    return rows_.exact.is_rational() && fields()[field].is_rational && rows_.exact.rules.rotations.empty();
+  template <class F>
+  void for_each_open_field(const F& f) {
+    for_each_field([&](const std::size_t& index, Cells cells) {
+      if (!std::ranges::all_of(cells, is_set)) f(index, cells);
+    });
   }
 
-  /// Sets the cells that double-doubles leave open. They are nearly always halfway between two roundings, or 0, and are
-  /// computed as rationals where they are rational; others in more and more digits.
-  void complete(FastRow row, bool is_placed) {
-    row.is_middle = is_middle(row);
-    if (!rows_.arc || is_placed) set_rationals(row, rows_.arc ? balls_->key_at_end() : std::nullopt);
-    set_zeros(row);
-    if (!is_open()) return;  // before levels are made
-    for (Level& level : levels()) {
-      if (!is_open()) return;
-      const RealPrecision precision(level.bits, level.bits == last().bits);
-      try {
-        const bool has_place = rows_at(level).set(row, notation_, cells_);
-        if (rows_.arc && has_place) set_rationals(row, level.rows->key_at_end());
-      } catch (const Undecided&) {
-        continue;
-      }
-      set_zeros(row);
+  /// The numbers of a field at a scalar.
+  template <class S>
+  std::vector<Written<S>> numbers(RowPoint<S>& point, std::size_t field) {
+    std::vector<Written<S>> row;
+    point.write(field, row);
+    return row;
+  }
+  /// The numbers of fields without exact arithmetic.
+  std::vector<Cell> in_doubles(const FastRow& row, std::span<const std::size_t> chosen) {
+    Located located{{row.sample}};
+    if (row.end != nullptr) located.ends = {*row.end};
+    if (row.outside != nullptr) located.outside = {*row.outside};
+    std::vector<Cell> cells(width(chosen));
+    write_rows(cells.data(), cells.size(), chosen, row.segment, located, double_point_);
+    return cells;
+  }
+
+  /// Finds where a row by length is. Throws: Error where no float decides it.
+  void set_place(FastRow& row) {
+    if (is_middle(row)) {
+      row.at_key = {row.segment.number, std::nullopt, true};
+      return;
     }
-    if (!is_open()) return;
+    std::optional<PlaceByLength> place;
+    const auto try_to = [&](const auto& find) {
+      try {
+        if (!place) place = find();
+      } catch (const Undecided&) {
+      }
+    };
+    if (double_doubles_) {
+      place_double_doubles(row);
+      if (is_placed_.double_doubles) place = double_doubles_->place_of_row();
+    }
+    try_to([&] { return short_floats().place(row); });
+    try_to([&] { return long_floats().place(row); });
+    if (!place) refuse_digits(row);
+    segment_ = place->segment;
+    if (place->key_at_end) row.at_key = place;
+  }
+
+  /// Times, and lengths between keys that are requested.
+  void set_known(const FastRow& row) {
+    for_each_field([&](std::size_t index, Cells cells) {
+      if (is_time(index)) {
+        cells[0] = time_cell(row, rows_, notation_);
+      } else if (rows_.arc && !row.at_key && fields()[index].name == "s") {
+        if (const auto length = rows_.arc->length(row.number)) cells[0] = rounding(index, row).exactly({*length});
+      }
+    });
+  }
+
+  /// Cells that are rational, or roots of rationals, by bounds on their errors.
+  void set_bounded(const FastRow& row) {
+    for_each_open_field([&](std::size_t index, Cells cells) {
+      if (!is_bounded(index)) return;
+      if (!bounded_) bounded_.emplace(rows_);
+      if (!std::exchange(is_placed_.bounded, true)) bounded_->place(row);
+      const auto written = numbers(*bounded_, index);
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        const Quantity<Bounded>& number = written[i].number;
+        cells[i] = number.defined ? rounding(index, row).within(root_of(number)) : Printed{empty_cell};
+      }
+    });
+  }
+
+  /// Cells of double-doubles, with errors estimated by those of doubles.
+  void set_estimated(const FastRow& row) {
+    if (!double_doubles_ || (rows_.arc && !row.at_key && !is_placed_.double_doubles)) return;
+    if (std::ranges::all_of(cells_, is_set)) return;
+    const std::vector<std::size_t>& fields = has_rational_place_ ? irrational_ : chosen_;
+    if (fields.empty()) return;
+    if (!rows_.arc || row.at_key) place_double_doubles(row);
+    if (!is_placed_.double_doubles) return;
+    const std::vector<Cell> doubles = in_doubles(row, fields);
+    auto next = doubles.begin();
+    for_each_field([&](std::size_t index, Cells cells) {
+      if (std::ranges::find(fields, index) == fields.end()) return;
+      const auto given = std::span(next, cells.size());
+      next += static_cast<std::ptrdiff_t>(cells.size());
+      if (std::ranges::all_of(cells, is_set)) return;
+      const auto written = numbers(*double_doubles_, index);
+      const bool is_position = tcb::fields()[index].name == "position" && rows_.exact.rules.rotations.empty();
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        const double scale = is_position ? double_doubles_->scale(i) : 0;
+        cells[i] = estimated(written[i], given[i], scale, rounding(index, row));
+      }
+    });
+  }
+
+  void place_double_doubles(const FastRow& row) {
+    try {
+      double_doubles_->place(row);
+      is_placed_.double_doubles = true;
+    } catch (const Undecided&) {
+    }
+  }
+
+  /// What double-doubles and doubles decide of a number, where its terms are as large as `scale`. Where they disagree
+  /// on 0, or on whether there is a number, that is open.
+  std::optional<Printed> estimated(const Written<spline::DoubleDouble>& written, const Cell& in_double, double scale,
+                                   const Rounding& rounding) const {
+    const auto& [number, is_zero] = written;
+    if (is_zero) return rounding.exactly({0});
+    const bool is_none = is_empty(in_double);
+    if (!number.defined || is_none) {
+      return !number.defined && is_none && keeps_digits_ ? std::optional(Printed{empty_cell}) : std::nullopt;
+    }
+    const spline::DoubleDouble& value = number.value;
+    if (!std::isfinite(value.hi) || !std::isfinite(in_double.hi)) return std::nullopt;
+    if (value.hi == 0 && in_double.hi == 0 && keeps_digits_) return rounding.exactly({0});
+    if (value.hi == 0 || in_double.hi == 0 || std::abs(value.hi) < 0x1p-900) return std::nullopt;
+    return rounding.within(Bounded(
+        value, std::max({0x1p-30 * std::abs((in_double - value).hi), 0x1p-80 * std::abs(value.hi), 0x1p-92 * scale})));
+  }
+
+  /// Sets the cells that are open: rational ones exactly, and others by floats.
+  void complete(const FastRow& row) {
+    set_along(row);
+    for_each_open_field([&](std::size_t index, Cells cells) {
+      if (is_bounded(index)) {
+        set_rationals(row, index, cells);
+      } else {
+        set_by_floats(row, index, cells);
+      }
+    });
+  }
+
+  void set_rationals(const FastRow& row, std::size_t index, Cells cells) {
+    if (!exact_) exact_.emplace(rows_);
+    if (!std::exchange(is_placed_.exact, true)) exact_->place(row);
+    const auto written = numbers(*exact_, index);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto& [value, defined, root] = written[i].number;
+      cells[i] = rounding(index, row).exactly({value, root, !defined});
+    }
+  }
+
+  /// The error of a float is estimated by the numbers before it, in fewer digits.
+  void set_by_floats(const FastRow& row, std::size_t index, Cells cells) {
+    static const Rational of_short = power_of_two(-160), of_long = power_of_two(-430);
+    static const Rational short_part = power_of_two(-60), long_part = power_of_two(-300), between = power_of_two(-210);
+    std::vector<std::optional<Rational>> first(cells.size()), second = first, third;
+    if (double_doubles_ && is_placed_.double_doubles) {
+      const auto written = numbers(*double_doubles_, index);
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto& number = written[i].number;
+        if (number.defined && std::isfinite(number.value.hi)) first[i] = exactly(number.value);
+      }
+    }
+    try {
+      if (!is_placed_.floats) (void)short_floats().place(row);
+      is_placed_.floats = true;
+      second = short_floats().numbers(index);
+    } catch (const Undecided&) {
+    }
+    const auto part_of = [](const Rational& value, const std::optional<Rational>& before, const Rational& part) {
+      return before ? Rational(abs(value - *before) * part) : Rational(0);
+    };
+    const Rounding rounding = this->rounding(index, row);
+    const auto decide = [&](std::optional<Printed>& cell, const Known& known, const std::optional<Rational>& before) {
+      const Rational size = abs(known.value);
+      const bool agrees =
+          !field_may_be_none(index) || !before || abs(known.value - *before) <= size * Rational(0x1p-10);
+      if (!agrees && size > known.error) return;  // one is a quotient of errors
+      cell = rounding.within(known);
+      if (!cell) cell = rounding.snapped(known);
+    };
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (cells[i] || !first[i] || !second[i]) continue;
+      decide(cells[i],
+             {*second[i], std::max(part_of(*second[i], first[i], short_part), Rational(abs(*second[i]) * of_short))},
+             first[i]);
+    }
+    if (std::ranges::all_of(cells, is_set)) return;
+    try {
+      (void)long_floats().place(row);
+      third = long_floats().numbers(index);
+    } catch (const Undecided&) {
+      refuse_digits(row);
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (cells[i]) continue;
+      if (third[i]) {
+        decide(cells[i],
+               {*third[i], std::max({part_of(*third[i], first[i], long_part), part_of(*third[i], second[i], between),
+                                     Rational(abs(*third[i]) * of_long)})},
+               second[i]);
+      }
+      const bool may_be_none = !third[i] || field_may_be_none(index);
+      if (!cells[i]) cells[i] = may_be_none ? Printed{empty_cell} : refuse_digits(row);
+    }
+  }
+
+  /// Whether a field has no number where the curve rests, or does not bend.
+  static bool field_may_be_none(std::size_t field) {
+    const std::string_view name = fields()[field].name;
+    return name == "tangent" || name == "curvature" || name == "torsion";
+  }
+  [[noreturn]] static Printed refuse_digits(const FastRow& row) {
     throw data_error(
         "the row at time {} has a number that cannot be computed to the requested digits; request fewer with --digits "
         "or --fixed",
@@ -208,112 +424,103 @@ class ExactRows::Evaluation {
 
   /// A position that is 0 has the sign that it has without exact numbers, which have no -0: that of a key of -0.
   void set_signs_of_zeros(const FastRow& row) {
-    const auto is_zero = [](const RowCell& cell) { return cell.printed->is_zero; };
-    for_each_field([&](const std::size_t& index, std::span<RowCell> cells) {
+    const auto is_zero = [](const std::optional<Printed>& cell) { return cell->is_zero; };
+    for_each_field([&](const std::size_t& index, Cells cells) {
       const Field& field = fields()[index];
       const bool has_positions = field.shows_rotations || (field.of_piece && field.per_channel);
       if (!has_positions || std::ranges::none_of(cells, is_zero)) return;
-      Located located{{row.sample}};
-      if (row.end != nullptr) located.ends = {*row.end};
-      if (row.outside != nullptr) located.outside = {*row.outside};
-      std::vector<Cell> inexact(cells.size());
-      Point<double> point;
-      write_rows(inexact.data(), inexact.size(), {&index, 1}, row.segment, located, point);
+      const std::vector<Cell> inexact = in_doubles(row, {&index, 1});
       for (std::size_t i = 0; i < cells.size(); ++i) {
         if (!is_zero(cells[i]) || inexact[i].hi != 0 || !std::signbit(inexact[i].hi)) continue;
-        cells[i].printed->cell = Cell(-0.0);
-        std::string& text = cells[i].printed->text;
+        cells[i]->cell = Cell(-0.0);
+        std::string& text = cells[i]->text;
         if (!text.empty()) text.insert(0, "-");
       }
     });
   }
 
-  BallRows& rows_at(Level& level) {
-    if (level.rows == nullptr) level.rows = BallRows::in_reals(rows_, chosen_);
-    return *level.rows;
-  }
-
-  /// What the cells of a row are all along its segment. Double-doubles show it of nearly all numbers that are neither
-  /// 0 nor empty.
-  const std::vector<AlongSegment>& along(const FastRow& row) {
-    const auto found = along_.find(row.segment.number);
-    if (found != along_.end()) return found->second;
+  /// Sets the open cells of rational fields that are 0 or empty all along the segment of a row. That is looked up where
+  /// several rows of a segment need it, or where it spares floats.
+  void set_along(const FastRow& row) {
+    if (!is_rational_curve_ || row.outside != nullptr || row.end != nullptr || row.at_key) return;
+    const std::size_t segment = rows_.arc            ? segment_
+                                : is_placed_.bounded ? bounded_->place_of_row().segment
+                                                     : row.segment.number;
     constexpr std::size_t most_kept = 4096;
     if (along_.size() == most_kept) along_.clear();
-    std::vector<AlongSegment> cells(cells_.size(), AlongSegment::open);
-    try {
-      if (balls_ != nullptr) balls_->look_along(row, cells);
-    } catch (const Undecided&) {  // what it found holds
+    AlongSegment& along = along_[segment];
+    constexpr int few = 8;
+    if (!rows_.arc && ++along.rows < few) return;
+    if (along.cells.empty()) look_along(segment, along.cells);
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      if (cells_[i]) continue;
+      if (along.cells[i] == Along::empty) cells_[i] = Printed{empty_cell};
+      if (along.cells[i] == Along::zero) cells_[i] = Rounding(notation_, CellKind::real).exactly({0});
     }
-    if (std::ranges::find(cells, AlongSegment::open) != cells.end()) {
-      const RealPrecision precision(last().bits, true);
-      rows_at(last()).look_along(row, cells);
-    }
-    return along_.emplace(row.segment.number, std::move(cells)).first->second;
   }
 
-  /// Sets the open cells that are empty all along the segment of a row, or 0 all along it and perhaps at the row.
-  void set_zeros(const FastRow& row) {
-    const Time& t = row.sample.t;
-    const bool is_on_segment = rows_.arc || (t >= row.segment.start && t <= row.segment.end);
-    if (!is_on_segment || !is_open()) return;
-    try {
-      const std::vector<AlongSegment>& along = this->along(row);
-      auto along_cell = along.begin();
-      for_each_field([&](std::size_t index, std::span<RowCell> cells) {
-        const Rounding rounding(notation_, fields()[index].kind, row.segment.decimals);
-        for (RowCell& cell : cells) {
-          const AlongSegment known = *along_cell++;
-          if (cell.printed) continue;
-          if (known == AlongSegment::empty) cell.printed = Printed{empty_cell};
-          if (known == AlongSegment::zero && cell.may_be_zero) cell.printed = rounding.exactly({0});
+  void look_along(std::size_t segment, std::vector<Along>& cells) {
+    cells.assign(cells_.size(), Along::open);
+    if (!exact_) exact_.emplace(rows_);
+    is_placed_.exact = false;
+    for (const double u : inner_places) {
+      exact_->place_inside(segment, u);
+      auto cell = cells.begin();
+      for (const std::size_t index : chosen_) {
+        const Field& field = fields()[index];
+        const bool jumps = exact_->has_ease() && (field.name == "acceleration" || field.name == "jerk");
+        const bool is_of_place = is_rational(index) && field.kind == CellKind::real && !field.of_piece && !jumps;
+        const auto written = is_of_place ? numbers(*exact_, index) : std::vector<Written<Rational>>(width({&index, 1}));
+        for (const auto& [number, is_zero] : written) {
+          const Along here = !is_of_place        ? Along::other
+                             : !number.defined   ? Along::empty
+                             : number.value == 0 ? Along::zero
+                                                 : Along::other;
+          *cell = *cell == Along::open || *cell == here ? here : Along::other;
+          ++cell;
         }
-      });
-    } catch (const Undecided&) {  // more digits decide
+      }
     }
   }
 
   /// Whether a row is in the middle of a symmetric curve, and of a segment.
   bool is_middle(const FastRow& row) {
     const std::size_t keys = rows_.exact.keys.size(), segments = rows_.exact.closed ? keys : keys - 1;
-    const bool may_be = rows_.arc && rows_.arc->intervals != 0 && rows_.arc->from == 0 &&
+    const bool may_be = rows_.arc->intervals != 0 && rows_.arc->from == 0 &&
                         row.number == rows_.arc->intervals - row.number && segments % 2 == 1 &&
                         row.segment.number == segments / 2;
     if (may_be && !is_symmetric_) {
-      const RealPrecision precision(last().bits, true);
-      try {
-        is_symmetric_ = rows_at(last()).is_symmetric();
-      } catch (const Undecided&) {
-        is_symmetric_ = false;
-      }
+      if (!exact_ && is_rational_curve_) exact_.emplace(rows_);
+      is_symmetric_ = is_rational_curve_ ? exact_->is_symmetric() : long_floats().is_symmetric();
     }
     return may_be && *is_symmetric_;
   }
 
-  /// Sets the open cells that are rational, if the place of the row is. `key_at_end`: where it is placed by length.
-  void set_rationals(FastRow row, std::optional<bool> key_at_end) {
-    if (rows_.arc && !key_at_end) return;
-    row.key_at_end = key_at_end;
-    for_each_field([&](const std::size_t& index, std::span<RowCell> cells) {
-      if (!is_rational(index) || std::ranges::all_of(cells, is_set)) return;
-      if (rational_ == nullptr) rational_ = std::make_unique<RowPoint<Rational>>(rows_);
-      std::vector<Value> values;
-      field_writers<Rational>[index](rational_->place(row, needs_lengths({&index, 1})), CellWriter<Rational>(values));
-      const Rounding rounding(notation_, fields()[index].kind, row.segment.decimals);
-      std::ranges::transform(values, cells.begin(),
-                             [&](const Value& value) { return RowCell{rounding.exactly(value)}; });
-    });
+  FloatRows& short_floats() {
+    if (short_floats_ == nullptr) short_floats_ = FloatRows::in_short(rows_);
+    return *short_floats_;
+  }
+  FloatRows& long_floats() {
+    if (long_floats_ == nullptr) long_floats_ = FloatRows::in_long(rows_);
+    return *long_floats_;
   }
 
   const RowsOfCurve& rows_;
   const Notation& notation_;
-  const std::vector<std::size_t> chosen_;                     ///< fields
-  std::unique_ptr<BallRows> balls_;                           ///< null: the curve is not for balls
-  std::vector<RowCell> cells_;                                ///< of the current row
-  std::unique_ptr<RowPoint<Rational>> rational_;              ///< null until it is needed
-  std::vector<Level> levels_;                                 ///< none until they are needed
-  std::optional<bool> is_symmetric_;                          ///< nothing until it is needed
-  std::map<std::uint64_t, std::vector<AlongSegment>> along_;  ///< of segments: along()
+  const std::vector<std::size_t> chosen_;  ///< fields
+  const bool keeps_digits_, is_rational_curve_;
+  std::vector<std::size_t> irrational_ = {};   ///< of the fields
+  std::vector<std::optional<Printed>> cells_;  ///< of the current row
+  bool has_rational_place_ = false;            ///< the current row
+  std::size_t segment_ = 0;                    ///< on which it is, if it is placed by length
+  Placed is_placed_;                           ///< the current row, at these scalars
+  Point<double> double_point_;
+  std::optional<RowPoint<spline::DoubleDouble>> double_doubles_;  ///< nothing: they do not hold the curve
+  std::optional<RowPoint<Bounded>> bounded_;                      ///< these are made when they are needed
+  std::optional<RowPoint<Rational>> exact_;
+  std::unique_ptr<FloatRows> short_floats_, long_floats_;
+  std::optional<bool> is_symmetric_;
+  std::map<std::size_t, AlongSegment> along_;  ///< of segments
 };
 
 ExactRows::ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation)

@@ -1,12 +1,11 @@
 // Exact rows: every number of a row as exact arithmetic gives it, rounded once.
 //
-// The fast rows decide which rows there are, and on which segment each of them lies. The numbers are computed in balls
-// of double-doubles, and where their bounds leave a choice of the rounding, in rationals if they are rational or roots
-// of rationals. What remains is computed in balls of more and more digits, until no choice is left. Lengths, angles and
-// rotations are irrational, and no ball proves that one is 0, or halfway between two doubles: what some 400 digits
-// beyond the size of the curve do not distinguish from 0, or from a short number, is that. A number that is 0 so at
-// eleven places of a segment is 0 all along it, also where the place of a row is known to fewer digits. Source: A. Ziv,
-// "Fast evaluation of elementary mathematical functions with correctly rounded last bit", doi:10.1145/114697.116813.
+// The fast rows decide which rows there are, and on which segment each of them lies. A number is tried in this order:
+//   - where it is rational, or the root of a rational: with a proved bound on its error (Bounded); 0 or empty, where it
+//     is so all along the segment; and exactly, as a rational;
+//   - others, such as lengths, numbers at a length and rotations: as a double-double, then as floats of 192 and of 448
+//     bits, by the templates that compute the fast rows. The error of each is estimated by its distance from the result
+//     in fewer digits. What the floats do not tell from 0, or from a simple fraction (simple_fraction()), is that.
 #pragma once
 
 #include <memory>

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "numbers/large_rational.hpp"
 #include "numbers/print_number.hpp"
@@ -16,12 +19,6 @@ using Kind = Notation::Kind;
 
 Integer power_of_ten(int exponent) {
   return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(std::max(exponent, 0)));
-}
-
-/// value 10^exponent.
-Rational times_ten_to(const Rational& value, int exponent) {
-  return exponent < 0 ? Rational(value / rational(power_of_ten(-exponent)))
-                      : Rational(value * rational(power_of_ten(exponent)));
 }
 
 /// A number >= 0 as a fraction of whole numbers, which need no common factors taken out to be rounded.
@@ -64,6 +61,69 @@ Root root_of(const Rational& square, unsigned bits) {
   Integer rest;
   Integer floor = boost::multiprecision::sqrt(shifted, rest);
   return {std::move(floor), Integer(integer(denominator(square)) << shift), rest == 0};
+}
+
+/// Whether one double is nearest to all numbers within a bound.
+bool rounds_to_one_double(const Bounded& number) {
+  const auto& [high, low] = number.value;
+  if (number.error == 0 && low == 0) return true;
+  constexpr double slack = 0x1p-50;  // for the rounding of the sums of `low`
+  const double error = number.error + slack * (std::abs(low) + number.error);
+  return std::abs(high) > 0x1p-900 && high + (low + error) == high && high + (low - error) == high;
+}
+
+/// 10^exponent. Requires: at most 10^80, so that products stay within the range of doubles.
+Bounded bounded_power_of_ten(int exponent) {
+  constexpr double largest_exact = 1e22;
+  Bounded power(1.0);
+  for (; exponent >= 22; exponent -= 22) power = power * Bounded(largest_exact);
+  double rest = 1;
+  for (; exponent > 0; --exponent) rest *= 10;
+  return power * Bounded(rest);
+}
+
+Bounded scaled_by_ten_to(const Bounded& value, int exponent) {
+  return exponent < 0 ? value / bounded_power_of_ten(-exponent) : value * bounded_power_of_ten(exponent);
+}
+
+/// The nearest whole number to those within a bound, if it is the same one. Requires: 0 <= value < 2^62.
+std::optional<std::int64_t> whole_nearest_to(const Bounded& value) {
+  const auto whole = static_cast<std::int64_t>(value.value.hi);
+  const double rest = (value.value.hi - static_cast<double>(whole)) + value.value.lo, nearest = std::nearbyint(rest);
+  constexpr double slack = 0x1p-40;  // for the rounding of `rest`
+  if (std::abs(rest - nearest) + value.error > 0.5 - slack) return std::nullopt;
+  return whole + static_cast<std::int64_t>(nearest);
+}
+
+/// The text of a number in a notation of digits or decimals, if it is the same for all numbers within its bound, and if
+/// it has at most 17 digits.
+std::optional<std::string> decimal_text(const Bounded& number, const Notation& notation) {
+  const double size = std::abs(number.value.hi);
+  const bool is_clear = size > 1e-70 && size < 1e70 && size > 2 * number.error;
+  if (!is_clear || notation.count > digits_of_double) return std::nullopt;
+  const bool negative = number.value.hi < 0;
+  if (notation.kind == Notation::Kind::fixed) {
+    const Bounded units = scaled_by_ten_to(abs(number), notation.count);
+    if (units.value.hi > 1e17) return std::nullopt;
+    const auto whole = whole_nearest_to(units);
+    return whole ? std::optional(fixed_text(std::to_string(*whole), notation.count, negative)) : std::nullopt;
+  }
+  int binary = 0;
+  (void)std::frexp(size * (1 - 0x1p-50), &binary);                      // the number may be less than its high part
+  int exponent = static_cast<int>(std::floor((binary - 1) * 0.30103));  // of ten: that of the number, or one less
+  Bounded digits = scaled_by_ten_to(abs(number), notation.count - 1 - exponent);
+  std::int64_t end = 1;
+  for (int i = 0; i < notation.count; ++i) end *= 10;
+  const Bounded excess = digits - Bounded(static_cast<double>(end));
+  if (excess.may_be_zero() && !excess.is_zero()) return std::nullopt;  // the exponent is not decided
+  if (excess.value.hi >= 0) digits = scaled_by_ten_to(abs(number), notation.count - 1 - ++exponent);
+  auto whole = whole_nearest_to(digits);
+  if (!whole || *whole < end / 10) return std::nullopt;
+  if (*whole == end) {
+    *whole /= 10;
+    ++exponent;
+  }
+  return digits_text(std::to_string(*whole), exponent, notation.count, negative);
 }
 
 }  // namespace
@@ -146,41 +206,57 @@ Printed Rounding::exactly(const Value& value) const {
   }
 }
 
-std::optional<Printed> Rounding::within(const Rational& middle, const Rational& radius) const {
-  const Rational low = middle - radius, high = middle + radius;
+std::optional<Printed> Rounding::within(const Known& known) const {
+  const Rational low = known.value - known.error, high = known.value + known.error;
   const bool has_sign = low == high || low > 0 || high < 0;
   return has_sign ? enclosed(low, high) : std::nullopt;
 }
 
-Printed Rounding::at_last(const Rational& middle, const Rational& radius) const {
-  if (auto printed = within(middle, radius)) return *std::move(printed);
-  const Rational size = abs(middle);
-  if (size <= radius) return rounded(0);
-  const bool fixed = has_text() && notation_.kind == Notation::Kind::fixed;
-  const int digits = has_text() ? notation_.count : digits_of_double;
-  const Rational unit = times_ten_to(fixed ? Rational(1) : size, -digits);
-  if (radius * 1'000'000 > unit) throw Undecided();
-  const Rational simple = simplest_between(size - radius, size + radius);
-  return rounded(middle < 0 ? Rational(-simple) : simple);
+std::optional<Printed> Rounding::within(const Bounded& number) const {
+  if (!std::isfinite(number.value.hi) || !std::isfinite(number.error)) return std::nullopt;
+  const bool is_plain = kind_ == CellKind::real || kind_ == CellKind::whole;
+  if (is_plain && !has_text()) {
+    if (!rounds_to_one_double(number)) return std::nullopt;
+    return Printed{.cell = Cell(number.value.hi), .is_zero = number.is_zero()};
+  }
+  if (is_plain && rounds_to_one_double(number)) {
+    if (auto text = decimal_text(number, notation_)) return Printed{Cell(number.value.hi), *std::move(text)};
+  }
+  return within(Known{Rational(number.value.hi) + Rational(number.value.lo), Rational(number.error)});
+}
+
+std::optional<Printed> Rounding::snapped(const Known& known) const {
+  const auto simple = simple_fraction(known);
+  return simple ? std::optional(rounded(*simple)) : std::nullopt;
+}
+
+std::optional<Rational> simple_fraction(const Known& known) {
+  static const Rational chance = Rational(0x1p-40);
+  const Rational size = abs(known.value);
+  if (size <= known.error) return 0;
+  int exponent = 0;
+  (void)std::frexp(nearest_double(size), &exponent);
+  const Rational unit = power_of_two(exponent), value = size / unit, error = known.error / unit;
+  const Rational simple = simplest_between(value - error, value + error), divisor = denominator(simple);
+  if (2 * error * divisor * divisor > chance) return std::nullopt;
+  return known.value < 0 ? Rational(-simple * unit) : Rational(simple * unit);
+}
+
+Rational power_of_two(int exponent) {
+  const Rational power = rational(Integer(1) << std::abs(exponent));
+  return exponent < 0 ? 1 / power : power;
 }
 
 template <>
-Ball scalar_of<Ball>(const Rational& value) {
+Bounded scalar_of<Bounded>(const Rational& value) {
   const double high = nearest_double(value);
-  if (high == 0) return value == 0 ? Ball() : throw Undecided();
-  if (!std::isfinite(high)) throw Undecided();
+  const bool is_in_range = std::abs(high) > 0x1p-900 && std::isfinite(high);
+  if (value == 0) return {};
+  if (!is_in_range) return {high, std::numeric_limits<double>::infinity()};
   const Rational rest = value - Rational(high);
-  if (rest == 0) return Ball(high).widened(0.0);  // which refuses what is out of range
+  if (rest == 0) return {high, 0};
   const double low = nearest_double(rest);
-  const spline::DoubleDouble middle = spline::DoubleDouble::normalized(high, low);
-  return Ball(middle).widened(Rational(low) == rest ? 0 : 0x1p-104 * std::abs(high));
-}
-
-template <>
-RealBall scalar_of<RealBall>(const Rational& value) {
-  ErrorBound radius;
-  const Real middle = Middle<Real>::nearest(value, radius);
-  return RealBall(middle, radius);
+  return {spline::DoubleDouble::normalized(high, low), Rational(low) == rest ? 0 : 0x1p-104 * std::abs(high)};
 }
 
 }  // namespace tcb

@@ -1,18 +1,26 @@
-// Exact scalars and rounding: rationals, balls around them, and what is printed of their values.
+// Rounding once: exact numbers, and numbers that are known to within an error, at scalars and as they are printed.
 #pragma once
 
+#include <exception>
 #include <optional>
 #include <string>
 
-#include "exact/ball.hpp"
+#include "exact/bounded.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 #include "numbers/rational.hpp"
 #include "sample/table.hpp"
+#include "tcb/spline/double_double.hpp"
 
 namespace tcb {
 
-/// An exact number at a scalar: itself, or a ball around it. Throws: Undecided for one beyond the range of the balls.
+/// The digits of a scalar do not decide a comparison.
+class Undecided : public std::exception {
+ public:
+  const char* what() const noexcept override { return "tcb::Undecided"; }
+};
+
+/// An exact number at a scalar. One that is beyond the range of double-doubles has no finite error, or is none.
 template <class S>
 S scalar_of(const Rational& value);
 template <>
@@ -20,15 +28,22 @@ inline Rational scalar_of<Rational>(const Rational& value) {
   return value;
 }
 template <>
-Ball scalar_of<Ball>(const Rational& value);
+Bounded scalar_of<Bounded>(const Rational& value);
 template <>
-RealBall scalar_of<RealBall>(const Rational& value);
+inline spline::DoubleDouble scalar_of<spline::DoubleDouble>(const Rational& value) {
+  return scalar_of<Bounded>(value).value;
+}
 
 /// An exact number to be printed.
 struct Value {
   Rational number;
   bool root = false;   ///< `number` is the square of the value, with the sign of the value
   bool empty = false;  ///< it is not defined
+};
+
+/// A number that is within `error` of the value.
+struct Known {
+  Rational value, error;
 };
 
 /// A number as it is printed: the nearest double, or beyond 2^53 whole number of a time; and a text where that has
@@ -48,12 +63,12 @@ class Rounding {
   /// An exact value, or the root of one.
   Printed exactly(const Value& value) const;
 
-  /// A number within `radius` of `middle`: nothing if they do not determine the rounding.
-  std::optional<Printed> within(const Rational& middle, const Rational& radius) const;
+  /// What is printed of all numbers within the error; nothing where that leaves a choice, also of the sign.
+  std::optional<Printed> within(const Known& known) const;
+  std::optional<Printed> within(const Bounded& number) const;
 
-  /// As within(), for the last precision: a number that it does not distinguish from 0 is 0, and one that it does not
-  /// distinguish from a short one is that. Throws: Undecided where the radius is too large for that.
-  Printed at_last(const Rational& middle, const Rational& radius) const;
+  /// A number that is not told from 0, or from a fraction so simple that this is no chance, is that.
+  std::optional<Printed> snapped(const Known& known) const;
 
  private:
   bool has_text() const;
@@ -74,6 +89,12 @@ std::string fixed_text(const Rational& value, int decimals);
 /// of 10^-decimals.
 std::string digits_text(std::string text, int exponent, int count, bool negative);
 std::string fixed_text(std::string digits, int decimals, bool negative);
+
+/// The fraction p/q times a power of two from which a number is not told, where q is so small that fewer than one in
+/// 2^40 numbers is as near to such a fraction; nothing where there is none.
+std::optional<Rational> simple_fraction(const Known& known);
+
+Rational power_of_two(int exponent);
 
 /// The number with the least denominator in [low, high]. Requires: 0 < low <= high.
 Rational simplest_between(const Rational& low, const Rational& high);

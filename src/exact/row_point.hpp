@@ -3,15 +3,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "exact/ball_length.hpp"
 #include "exact/exact_curve.hpp"
 #include "exact/exact_keys.hpp"
 #include "exact/rounding.hpp"
@@ -20,15 +22,21 @@
 
 namespace tcb {
 
+/// Where a row by length is.
+struct PlaceByLength {
+  std::size_t segment;
+  std::optional<bool> key_at_end = {};  ///< it is at a key, the one at the segment's end or at its start
+  bool is_middle = false;               ///< it is in the middle of its segment, by the symmetry of the curve
+};
+
 /// A row as the fast path places it.
 struct FastRow {
   const CurveSegment& segment;
   const Sample& sample;
   std::uint64_t number;
-  const Sample* end = nullptr;          ///< of the piece that begins at the sample, if there is one
-  const Outside* outside = nullptr;     ///< of the sample, if there are rows outside the curve
-  std::optional<bool> key_at_end = {};  ///< it is at a key, the one at the segment's end or at its start
-  bool is_middle = false;               ///< it is in the middle of its segment, by the symmetry of the curve
+  const Sample* end = nullptr;               ///< of the piece that begins at the sample, if there is one
+  const Outside* outside = nullptr;          ///< of the sample, if there are rows outside the curve
+  std::optional<PlaceByLength> at_key = {};  ///< of a row by length that is at a key or in the middle
   ExactTimes exact = {};
 };
 
@@ -38,29 +46,64 @@ struct ExactPlaces {
   Rational from, step;
   std::uint64_t intervals = 0;  ///< if not 0, the step is the length from `from` to the end, divided by this number
   std::optional<Rational> to;   ///< the end of the range, where it is not the curve's
+
+  /// The length of a row, if it is no fraction of the curve's.
+  std::optional<Rational> length(std::uint64_t row) const {
+    if (row == SpecialRow::at_end) return to;
+    if (row == SpecialRow::at_key || intervals != 0) return std::nullopt;
+    return places.empty() ? from + step * row : places[row];
+  }
 };
 
-/// What the rows of a curve have in common at all levels.
+/// What the rows of a curve have in common at all scalars.
 struct RowsOfCurve {
   ExactCurve exact;
   ChannelFacts facts;
+  std::vector<Rational> times;     ///< of the keys, and of the end of a closed curve, unless distances make them
   std::optional<ExactPlaces> arc;  ///< of rows that are placed by length
   spline::Side side;
 };
 
 /// Places of a segment: more than any number of a row has zeros, as these are roots of polynomials of at most ten
-/// degrees, but for rotations, whose numbers are not 0 at all of them by chance.
+/// degrees.
 inline constexpr std::array inner_places{0.0546875, 0.140625, 0.234375, 0.328125, 0.4140625, 0.515625,
                                          0.578125,  0.671875, 0.765625, 0.859375, 0.9453125};
 
-/// Whether fields need the length up to a point.
-inline bool needs_lengths(std::span<const std::size_t> chosen) {
-  return std::ranges::any_of(chosen, [](std::size_t i) { return fields()[i].needs_lengths; });
-}
-
-/// The double that a length is printed as.
+/// A number that is written for a cell of a row.
 template <class S>
-double printed_length(const S& length);
+struct Written {
+  Quantity<S> number;
+  bool is_zero = false;  ///< as all keys show
+};
+
+/// Collects the numbers of a point.
+template <class S>
+class NumberWriter {
+ public:
+  NumberWriter(std::vector<Written<S>>& row, const ChannelFacts& facts) : row_(row), facts_(facts) {}
+  void add(const S& value) { row_.push_back({{value}}); }
+  void add(const Quantity<S>& value) { row_.push_back({value}); }
+  void add_of_channel(const S& value, std::size_t channel, bool moves) {
+    const bool is_zero = moves ? facts_.constant[channel] : facts_.zero[channel];
+    row_.push_back({{is_zero ? S(0) : value}, is_zero});
+  }
+
+ private:
+  std::vector<Written<S>>& row_;
+  const ChannelFacts& facts_;
+};
+template <>
+class CellWriter<Rational> : public NumberWriter<Rational> {
+  using NumberWriter::NumberWriter;
+};
+template <>
+class CellWriter<Bounded> : public NumberWriter<Bounded> {
+  using NumberWriter::NumberWriter;
+};
+template <>
+class CellWriter<spline::DoubleDouble> : public NumberWriter<spline::DoubleDouble> {
+  using NumberWriter::NumberWriter;
+};
 
 /// The point of one row after another at a scalar.
 template <class S>
@@ -71,24 +114,51 @@ class RowPoint {
     if constexpr (spline::has_roots<S>) set_turns();
   }
 
-  /// Requires: where rows are placed by length and the scalar has no roots, the row is at a key. `measured`: lengths of
-  /// the point are needed.
-  Point<S>& place(const FastRow& row, bool measured) {
+  /// Sets the point of a row. Requires: the scalar has roots, or a row by length has `at_key`. Throws: Undecided where
+  /// a scalar with roots does not decide the place of a row.
+  void place(const FastRow& row) {
     outside_.reset();
-    if (!rows_.arc) {
+    key_at_end_.reset();
+    if (row.at_key) {
+      place_at_key(*row.at_key);
+    } else if (!rows_.arc) {
       place_by_time(row);
     } else if constexpr (spline::has_roots<S>) {
       place_by_length(row);
-    } else {
-      segment_ = segment(row.segment.number);
-      sample_ = sample_at_key(segment_, *row.key_at_end);
     }
-    point_.set(segment_, measured && !sample_.s ? measured_arc() : nullptr);
+    point_.set(segment_, nullptr);
     point_.set(sample_, outside_ ? &*outside_ : nullptr);
     if (row.end != nullptr)
       end_ = row.exact.end_time ? sample_at(*row.exact.end_time) : sample_at(row.segment, row.end->t);
     point_.set_end(&end_);
-    return point_;
+  }
+
+  /// Appends the numbers of a field at the point.
+  void write(std::size_t field, std::vector<Written<S>>& row) {
+    if (fields()[field].needs_lengths) set_length();
+    field_writers<S>[field](point_, CellWriter<S>(row, rows_.facts));
+    point_.set(sample_, outside_ ? &*outside_ : nullptr);
+  }
+
+  /// The place of a row by length.
+  PlaceByLength place_of_row() const { return {segment_.number, key_at_end_}; }
+
+  /// Sets the point at a place between the keys of the segment of a row.
+  void place_inside(std::size_t segment, double u) {
+    outside_.reset();
+    segment_ = this->segment(segment);
+    sample_ = {};
+    sample_.at = {S(u), S(u) - S(1)};
+    sample_.t = segment_.start + (segment_.end - segment_.start) * S(u);
+    point_.set(segment_, nullptr);
+    point_.set(sample_, nullptr);
+  }
+
+  bool has_ease() const { return segment_.warp.has_ease(); }
+  /// How large the terms of the position of a channel are.
+  double scale(std::size_t channel) const requires std::is_same_v<S, spline::DoubleDouble> {
+    const auto& [p0, out, c, c_low, p1, in, e, e_low, d] = segment_.cubics[channel];
+    return std::abs(p0.hi) + std::abs(p1.hi) + std::abs(out.hi) + std::abs(in.hi) + std::abs(c.hi) + std::abs(d.hi);
   }
 
   /// Whether the speed is that of the reversed curve, as it is at the places of each segment.
@@ -105,9 +175,13 @@ class RowPoint {
       }
       return square;
     };
+    const auto are_equal = [](const S& a, const S& b) {
+      if constexpr (spline::has_roots<S>) return abs(a - b) <= S(rounding) * (a + b);
+      return a == b;
+    };
     for (std::size_t before = curve_->size() / 2, after = curve_->size() - 1 - before; after < curve_->size();) {
       for (const double u : inner_places) {
-        if (!(square_of_speed(before, u) - square_of_speed(after, 1 - u)).may_be_zero()) return false;
+        if (!are_equal(square_of_speed(before, u), square_of_speed(after, 1 - u))) return false;
       }
       if (before == 0) break;
       --before;
@@ -116,33 +190,12 @@ class RowPoint {
     return true;
   }
 
-  /// The point at a place between the keys of the segment of the row that was placed last; null if the row was not on
-  /// it, or if positions are not analytic functions of the place, by whole turns.
-  Point<S>* place_inside(const FastRow& row, double u) {
-    const auto changes = [](const S& place) { return place > S(0) && place < S(1); };
-    const bool is_outside = !rows_.arc && !(row.sample.t >= row.segment.start && row.sample.t <= row.segment.end);
-    if (is_outside || row.end != nullptr) return nullptr;
-    outside_.reset();
-    segment_ = segment(row.segment.number);
-    for (const auto& rotation : segment_.rotations) {
-      const auto [from, to] = rotation.constant_part();
-      if (changes(from) || changes(to)) return nullptr;
-    }
-    sample_ = {};
-    sample_.at = {S(u), S(u) - S(1)};
-    sample_.t = time_at(segment_, S(segment_.end - segment_.start), sample_.at);
-    point_.set(segment_, nullptr);
-    point_.set(sample_, nullptr);
-    return &point_;
-  }
-
-  std::optional<bool> key_at_end() const {
-    if (sample_.at.u == S(0)) return false;
-    return sample_.at.w == S(0) ? std::optional(true) : std::nullopt;
-  }
-
  private:
   using Segment = CurveSegmentOf<S>;
+
+  /// More than the error of a length over the length.
+  static constexpr int digits = std::numeric_limits<S>::digits;
+  inline static const double rounding = std::ldexp(1.0, digits == 102 ? -90 : 24 - digits);
 
   /// A computed segment, with its lengths if they were requested.
   struct Known {
@@ -158,63 +211,54 @@ class RowPoint {
   Known& known(std::size_t number) {
     if (const auto found = known_.find(number); found != known_.end()) return found->second;
     if (!has_room()) known_.clear();
-    spline::Segments<S> segments = curve_->segments(number, number + 1);
-    if constexpr (spline::bounds_errors<S>) set_zeros(segments, number);
-    return known_.emplace(number, Known{std::move(segments), {}}).first->second;
-  }
-
-  /// Sets coefficients to 0 that are exactly 0, which bounds alone do not show.
-  void set_zeros(spline::Segments<S>& segments, std::size_t number) {
-    constexpr std::array coefficients{&spline::Cubic<S>::out, &spline::Cubic<S>::c, &spline::Cubic<S>::in,
-                                      &spline::Cubic<S>::e, &spline::Cubic<S>::d};
-    constexpr std::array exact_coefficients{&spline::Cubic<Rational>::out, &spline::Cubic<Rational>::c,
-                                            &spline::Cubic<Rational>::in, &spline::Cubic<Rational>::e,
-                                            &spline::Cubic<Rational>::d};
-    const auto may_be_zero = [&](const spline::Cubic<S>& cubic) {
-      return std::ranges::any_of(coefficients, [&](auto one) { return (cubic.*one).may_be_zero(); });
-    };
-    const bool is_rational = rows_.exact.is_rational() && rows_.exact.rules.rotations.empty();
-    if (!is_rational || std::ranges::none_of(segments.cubics, may_be_zero)) return;
-    if (exact_curve_ == nullptr) exact_curve_ = curve_at<Rational>(rows_.exact);
-    const spline::Segments<Rational> exact = exact_curve_->segments(number, number + 1);
-    for (std::size_t i = 0; i < exact.cubics.size(); ++i) {
-      for (std::size_t one = 0; one < coefficients.size(); ++one) {
-        if (exact.cubics[i].*exact_coefficients[one] == 0) segments.cubics[i].*coefficients[one] = S(0);
-      }
-    }
+    return known_.emplace(number, Known{curve_->segments(number, number + 1), {}}).first->second;
   }
 
   const spline::SegmentLength<S>& arc(std::size_t number) {
     Known& one = known(number);
-    if (!one.arc) one.arc = measured(one.segments);  // only now: some scalars throw
+    if (!one.arc) one.arc.emplace(one.segments[0], rows_.exact.rules.metric);
     return *one.arc;
   }
 
-  spline::SegmentLength<S> measured(const spline::Segments<S>& one) const {
-    spline::SegmentLength<S> arc;
-    arc.assign(one[0], rows_.exact.rules.metric);
-    return arc;
+  /// Sets the point with its length.
+  void set_length() {
+    if constexpr (spline::has_roots<S>) {
+      measured_ = sample_;
+      if (!measured_.s) {
+        const std::size_t number = segment_.number;
+        measured_.s = length_to(number + (point_.at_end() ? 1 : 0));
+        const bool is_inside = !point_.at_start() && !point_.at_end();
+        if (is_inside) *measured_.s += sample_.at.u < S(0x1p-20) ? length_to_place() : arc(number).to(sample_.at).value;
+      }
+      point_.set(measured_, outside_ ? &*outside_ : nullptr);
+    }
   }
 
-  /// Sets the length at the start of the sample's segment, or at its end if the sample is there, and returns the
-  /// lengths on the segment; null if the sample is at a key.
-  const spline::SegmentLength<S>* measured_arc() {
-    if constexpr (spline::has_roots<S>) {
-      const bool at_end = sample_.at.w == S(0);
-      (at_end ? segment_.s_end : segment_.s_start) = length_to(segment_.number + (at_end ? 1 : 0));
-      return at_end || sample_.at.u == S(0) ? nullptr : &arc(segment_.number);
-    } else {
-      return nullptr;
+  /// The length of the segment up to a place near its start, where a panel of it leaves few digits: that of a segment
+  /// of its own.
+  S length_to_place() const {
+    const S& u = sample_.at.u;
+    std::vector<spline::Cubic<S>> part;
+    for (const spline::Cubic<S>& x : segment_.cubics) {
+      const S chord = u * (x.out + u * (x.c + u * x.d)), in = spline::first_derivative(x, sample_.at) * u;
+      part.push_back(spline::cubic<S>(S(0), chord, chord, S(x.out * u), in));
     }
+    return spline::SegmentLength<S>(part, rows_.exact.rules.metric).total().value;
   }
 
   /// The length from the curve's first key to the one with this number. The current segment stays known.
   const S& length_to(std::size_t key) {
-    if (lengths_.empty()) lengths_.push_back(S(0));
+    if (lengths_.empty()) {
+      lengths_.push_back(S(0));
+      errors_.push_back(S(0));
+    }
     for (std::size_t i = lengths_.size(); i <= key; ++i) {
       const bool is_kept = has_room() || known_.contains(i - 1);
-      const S length = is_kept ? arc(i - 1).total().value : measured(curve_->segments(i - 1, i)).total().value;
-      lengths_.push_back(lengths_.back() + length);
+      const spline::Length<S> length =
+          is_kept ? arc(i - 1).total()
+                  : spline::SegmentLength<S>(curve_->segments(i - 1, i)[0], rows_.exact.rules.metric).total();
+      lengths_.push_back(lengths_.back() + length.value);
+      errors_.push_back(errors_.back() + length.error);
     }
     return lengths_[key];
   }
@@ -239,54 +283,91 @@ class RowPoint {
     return segment;
   }
 
-  S arc_length(std::uint64_t row) {
-    const ExactPlaces& arc = *rows_.arc;
-    if (row == SpecialRow::at_end) return arc.to ? scalar_of<S>(*arc.to) : length_to(segment_.number + 1);
-    if (!arc.places.empty()) return scalar_of<S>(arc.places[row]);
-    if (arc.intervals == 0) return scalar_of<S>(arc.from + arc.step * row);
-    const S from = scalar_of<S>(arc.from);
-    return from + (length_to(curve_->size()) - from) * S(row) / S(arc.intervals);
+  void place_at_key(const PlaceByLength& place) {
+    segment_ = segment(place.segment);
+    if (place.is_middle) {
+      const S half(0.5);
+      sample_ = {};
+      sample_.at = {half, -half};
+      set_time_of_place();
+    } else {
+      sample_ = key_sample(*place.key_at_end);
+    }
+  }
+  void set_time_of_place() {
+    if constexpr (spline::has_roots<S>) {
+      sample_.t = time_at(segment_, S(segment_.end - segment_.start), sample_.at);
+    } else {  // requires: no ease
+      sample_.t = segment_.start + (segment_.end - segment_.start) * sample_.at.u;
+    }
   }
 
-  void place_at_key(bool end, const S& s) {
-    sample_ = sample_at_key(segment_, end);
+  S arc_length(std::uint64_t row) {
+    const ExactPlaces& arc = *rows_.arc;
+    if (const auto length = arc.length(row)) return scalar_of<S>(*length);
+    if (row == SpecialRow::at_end) return length_to(segment_.number + 1);
+    const S from = scalar_of<S>(arc.from);
+    return from + (length_to(curve_->size()) - from) * scalar_of<S>(row) / scalar_of<S>(arc.intervals);
+  }
+
+  /// Whether a length is below (-1), at (0) or above (1) that of a key. One that is written is a key's only if it is so
+  /// exactly: where the scalar does not tell them apart, and the length is so simple that this is no chance.
+  int compare(const S& s, std::uint64_t row, std::size_t key) {
+    const S length = length_to(key), difference = s - length, error = S(rounding) * length + errors_[key];
+    if (difference > error) return 1;
+    if (difference < -error) return -1;
+    const auto written = rows_.arc->length(row);
+    if (!written) return 0;
+    const S size = scalar_of<S>(denominator(*written));
+    if (difference == S(0) && error == S(0)) return 0;
+    return S(2) * error * size * size <= S(0x1p-40) ? 0 : throw Undecided();
+  }
+
+  /// Lengths are computed only as far as they are needed. Where fast lengths have an error, the row may be on another
+  /// segment.
+  void place_by_length(const FastRow& row) {
+    std::size_t number = row.segment.number;
+    const auto at_key = [&](bool end) {
+      segment_ = segment(number);
+      sample_ = key_sample(end);
+      key_at_end_ = end;
+      sample_.s = length_to(number + (end ? 1 : 0));
+    };
+    if (row.number == SpecialRow::at_key) return at_key(false);
+    if (row.number == SpecialRow::at_end && row.sample.at.w == 0) return at_key(true);
+    if (rows_.arc->intervals != 0 && row.number == rows_.arc->intervals) {
+      number = curve_->size() - 1;
+      return at_key(true);
+    }
+    segment_ = segment(number);
+    const S s = arc_length(row.number);
+    while (number > 0 && compare(s, row.number, number) < 0) --number;
+    while (number + 1 < curve_->size() && compare(s, row.number, number + 1) > 0) ++number;
+    if (compare(s, row.number, number) <= 0) return at_key(false);
+    if (compare(s, row.number, number + 1) >= 0) return at_key(true);
+    segment_ = segment(number);
+    sample_ = {};
+    arc(number).places(length_to(number), length_to(number + 1), {&s, 1}, {&sample_.at, 1});
+    require_range(sample_.at.u);
+    require_range(sample_.at.w);
+    set_time_of_place();
     sample_.s = s;
   }
 
-  /// The fast path may have a row at a key, or next to one where rounding decides: a length that is printed as that of
-  /// a key is the key's. Where fast lengths have an error, the row may be on another segment. Lengths are computed only
-  /// as far as they are needed.
-  void place_by_length(const FastRow& row) {
-    segment_ = segment(row.segment.number);
-    segment_.s_start = length_to(segment_.number);
-    if (row.number == SpecialRow::at_key) return place_at_key(false, segment_.s_start);
-    if (row.number == SpecialRow::at_end && row.sample.at.w == 0) {
-      segment_.s_end = length_to(segment_.number + 1);
-      return place_at_key(true, segment_.s_end);
+  /// Double-doubles lose digits of numbers far below 1, such as places next to a key.
+  static void require_range(const S& place) {
+    if constexpr (std::is_same_v<S, spline::DoubleDouble>) {
+      if (std::abs(place.hi) < 0x1p-300) throw Undecided();
     }
-    const S s = arc_length(row.number);
-    if (row.is_middle) {
-      const spline::LocalParameter<S> middle{S(0.5), S(-0.5)};
-      sample_ = {time_at(segment_, S(segment_.end - segment_.start), middle), middle, s};
-      return;
-    }
-    const double shown = printed_length(s);
-    std::size_t number = segment_.number;
-    while (number > 0 && shown < printed_length(length_to(number))) --number;
-    while (number + 1 < curve_->size() && shown > printed_length(length_to(number + 1))) ++number;
-    if (number != segment_.number) segment_ = segment(number);
-    segment_.s_start = length_to(number);
-    if (shown <= printed_length(segment_.s_start)) return place_at_key(false, segment_.s_start);
-    segment_.s_end = length_to(number + 1);
-    if (shown >= printed_length(segment_.s_end)) return place_at_key(true, segment_.s_end);
-    spline::LocalParameter<S> at;
-    arc(segment_.number).places(segment_.s_start, segment_.s_end, {&s, 1}, {&at, 1});
-    sample_ = {time_at(segment_, S(segment_.end - segment_.start), at), at, s};
   }
 
   S time(const Time& shown) const {
-    if (!rows_.exact.decimal && !rows_.exact.channels.frames && shown.lo == 0) return S(shown.hi);
+    if (!rows_.exact.decimal && !rows_.exact.channels.frames && shown.lo == 0) return scalar_of_double(shown.hi);
     return scalar_of<S>(exact_shown(shown));
+  }
+  static S scalar_of_double(double value) {
+    if constexpr (spline::has_roots<S>) return S(value);
+    return scalar_of<S>(Rational(value));
   }
   Rational exact_shown(const Time& shown) const {
     return exact_number(shown, rows_.exact.decimal, rows_.exact.channels.frames);
@@ -294,12 +375,12 @@ class RowPoint {
 
   /// The sample at a time on the current segment.
   SampleOf<S> sample_at(const CurveSegment& fast, const Time& shown) const {
-    if (shown == fast.start || shown == fast.end) return sample_at_key(segment_, shown != fast.start);
+    if (shown == fast.start || shown == fast.end) return key_sample(shown != fast.start);
     return sample_inside(time(shown), [&] { return exact_shown(shown); });
   }
 
   SampleOf<S> sample_at(const Rational& exact) const {
-    if (const auto end = key_at(exact)) return sample_at_key(segment_, *end);
+    if (const auto end = key_at(exact)) return key_sample(*end);
     return sample_inside(scalar_of<S>(exact), [&] { return exact; });
   }
 
@@ -312,13 +393,22 @@ class RowPoint {
   /// Whether the current segment has an ease, between keys whose times no distance makes.
   bool needs_ease_part() const { return segment_.warp.has_ease() && !rows_.exact.exponent; }
 
+  spline::Warp<Rational> exact_ease() const {
+    const spline::Keys<Rational>& keys = rows_.exact.keys;
+    const std::size_t number = segment_.number, next = number + 1 < keys.size() ? number + 1 : 0;
+    return {keys.eases[number].out, keys.eases[next].in};
+  }
   /// The part of the ease at a time on the current segment.
   spline::EasePart ease_part(const Rational& t) const {
-    const ExactCurve& curve = rows_.exact;
-    const std::size_t number = segment_.number, next = number + 1 < curve.keys.size() ? number + 1 : 0;
-    const Rational &start = curve.keys.times[number], end = next > 0 ? curve.keys.times[next] : *curve.end;
-    const spline::Warp<Rational> warp(curve.keys.eases[number].out, curve.keys.eases[next].in);
-    return warp.part(t - start, end - t, end - start, rows_.side);
+    const Rational &start = rows_.times[segment_.number], &end = rows_.times[segment_.number + 1];
+    return exact_ease().part(t - start, end - t, end - start, rows_.side);
+  }
+  /// The sample at the key at the end of the current segment, or at its start.
+  SampleOf<S> key_sample(bool end) const {
+    SampleOf<S> sample = sample_at_key(segment_, end);
+    const spline::LocalParameter<Rational> place{end ? 1 : 0, end ? 0 : -1};
+    if (needs_ease_part()) sample.part = exact_ease().part(place, rows_.side);
+    return sample;
   }
 
   /// Whether a time is that of the key at the end of the current segment, or at its start; nothing for others.
@@ -335,37 +425,55 @@ class RowPoint {
   void place_by_time(const FastRow& row) {
     const Time& shown = row.sample.t;
     const S t = row.exact.time ? scalar_of<S>(*row.exact.time) : time(shown);
-    segment_ = segment(row.segment.number);
-    const bool is_on_segment = row.exact.time ? key_at(*row.exact.time) || (t >= segment_.start && t <= segment_.end)
-                                              : shown >= row.segment.start && shown <= row.segment.end;
+    const std::size_t number = row.segment.number;
+    segment_ = segment(number);
+    if (t != segment_.start) require_range(S(t - segment_.start) / S(segment_.end - segment_.start));
+    const bool is_on_segment =
+        !row.exact.time        ? shown >= row.segment.start && shown <= row.segment.end
+        : rows_.exact.exponent ? t >= segment_.start && t <= segment_.end
+                               : *row.exact.time >= rows_.times[number] && *row.exact.time <= rows_.times[number + 1];
     if (is_on_segment) {
       sample_ = row.exact.time ? sample_at(*row.exact.time) : sample_at(row.segment, shown);
     } else {
-      const std::vector<S>& times = curve_->times();
-      outside_ = map_to_curve<S>(rows_.exact.extrapolations, times.front(), times.back(), t);
-      segment_ = segment(spline::segment_at_time<S>(times, outside_->t, rows_.side));
-      std::optional<spline::EasePart> part;
-      if (needs_ease_part()) {
-        const auto& keys = rows_.exact.keys.times;
-        const Rational exact = row.exact.time ? *row.exact.time : exact_shown(shown);
-        const Rational end = rows_.exact.end.value_or(keys.back());
-        part = ease_part(map_to_curve<Rational>(rows_.exact.extrapolations, keys.front(), end, exact).t);
-      }
-      sample_ = {t, segment_.time_map()(outside_->t, part), std::nullopt, part};
+      place_outside(row.exact.time ? *row.exact.time : exact_shown(shown), t);
     }
     sample_.t = t;
   }
 
+  /// Outside the curve, or on another segment. Times are rationals, where no distance makes them.
+  void place_outside(const Rational& exact, const S& t) {
+    const ExactCurve& curve = rows_.exact;
+    if constexpr (spline::has_roots<S>) {
+      if (curve.exponent) {
+        const std::vector<S>& times = curve_->times();
+        outside_ = map_to_curve<S>(curve.extrapolations, times.front(), times.back(), t);
+        segment_ = segment(spline::segment_at_time<S>(times, outside_->t, rows_.side));
+        sample_ = {t, segment_.time_map()(outside_->t)};
+        return;
+      }
+    }
+    const std::vector<Rational>& times = rows_.times;
+    const OutsideOf<Rational> found = map_to_curve<Rational>(curve.extrapolations, times.front(), times.back(), exact);
+    outside_ = {scalar_of<S>(found.t),
+                scalar_of<S>(found.cycles),
+                scalar_of<S>(found.beyond),
+                found.holds,
+                found.backward,
+                found.odd};
+    segment_ = segment(spline::segment_at_time<Rational>(times, found.t, rows_.side));
+    sample_ = sample_at(found.t);
+  }
+
   const RowsOfCurve& rows_;
   std::unique_ptr<const spline::CurveKeys<S>> curve_;
-  std::unique_ptr<const spline::CurveKeys<Rational>> exact_curve_;  ///< null until it is needed
   std::map<std::size_t, Known> known_;
-  std::vector<S> lengths_;
+  std::vector<S> lengths_, errors_;  ///< up to each key, and bounds on their errors
   std::vector<S> cycle_;
   std::vector<spline::Quaternion<S>> turns_;
   Segment segment_;
-  SampleOf<S> sample_, end_;
+  SampleOf<S> sample_, end_, measured_;
   std::optional<OutsideOf<S>> outside_;
+  std::optional<bool> key_at_end_;  ///< of a row that is placed by length, where it is at a key
   Point<S> point_;
 };
 

@@ -1,6 +1,8 @@
 // Exact segments: the segments of a curve as exact numbers, with the angles of rotations as further channels.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -10,6 +12,7 @@
 #include "exact/ball.hpp"
 #include "exact/exact_curve.hpp"
 #include "exact/exact_keys.hpp"
+#include "exact/float_scalar.hpp"
 #include "numbers/rational.hpp"
 #include "tcb/spline/curve_keys.hpp"
 #include "tcb/spline/rotation.hpp"
@@ -17,23 +20,24 @@
 
 namespace tcb::limits {
 
-/// A segment of floats of many digits as rationals.
-inline spline::Segments<Rational> rational(const spline::Segments<RealBall>& from) {
-  const auto exact = [](const RealBall& x) { return x.middle().rational(); };
-  spline::Segments<Rational> to{from.channels, {exact(from.times[0]), exact(from.times[1])}, {}, {}};
+/// A segment at a scalar as one at another.
+template <class To, class From, class Convert>
+spline::Segments<To> converted(const spline::Segments<From>& from, const Convert& exact) {
+  spline::Segments<To> to{from.channels, {exact(from.times[0]), exact(from.times[1])}, {}, {}};
+  const To two(2), three(3);
   for (const auto& x : from.cubics) {
-    const Rational out = exact(x.out), in = exact(x.in), c = exact(x.c) + exact(x.c_low);
-    const Rational d = (in - out - 2 * c) / 3;  // so that a rest at the end is one
-    to.cubics.push_back({exact(x.p0), out, c, 0, exact(x.p1), in, exact(x.e), exact(x.e_low), d});
+    const To out = exact(x.out), in = exact(x.in), c = exact(x.c);
+    const To d = (in - out - two * c) / three;  // so that a rest at the end is one
+    to.cubics.push_back({exact(x.p0), out, c, To(0), exact(x.p1), in, exact(x.e), To(0), d});
   }
   for (const auto& warp : from.warps) {
     if (warp.is_cubic()) {
-      to.warps.push_back(spline::Warp<Rational>::cubic(exact(warp.first_derivative(RealBall(0.0), {})),
-                                                       exact(warp.first_derivative(RealBall(1.0), {}))));
+      to.warps.push_back(spline::Warp<To>::cubic(exact(warp.first_derivative(From(0), {})),
+                                                 exact(warp.first_derivative(From(1), {}))));
     } else if (warp.has_ease()) {
-      const Rational first = exact(warp.end_of_first_part()), last = exact(warp.start_of_last_part());
-      const Rational k = Rational(1) + (first - last) / 2;
-      to.warps.emplace_back(first / k, (Rational(1) - last) / k);
+      const To first = exact(warp.end_of_first_part()), last = exact(warp.start_of_last_part());
+      const To k = To(1) + (first - last) / two;
+      to.warps.emplace_back(first / k, (To(1) - last) / k);
     } else {
       to.warps.emplace_back();
     }
@@ -60,8 +64,7 @@ void add_angles(spline::Segments<S>& segments) {
   }
 }
 
-/// The segments of a curve, one by one. Where these are irrational, they have 400 bits, and for
-/// directions so many that those which are equal are known to be so.
+/// The segments of a curve, one by one. Where these are irrational, they have 448 bits.
 class ExactSegments {
  public:
   /// `turns`: also the numbers of its rotations, and their angles as further channels.
@@ -77,32 +80,40 @@ class ExactSegments {
     if (plain.is_rational()) {
       rational_ = curve_at<Rational>(plain);
     } else {
-      const RealPrecision precision(most_bits, true);
-      irrational_ = curve_at<RealBall>(plain);
+      irrational_ = curve_at<LongFloat>(plain);
     }
-    if (turns) {
-      const RealPrecision precision(usual_bits, true);
-      turning_ = curve_at<RealBall>(exact);
-    }
+    if (turns) turning_ = curve_at<LongFloat>(exact);
     of_balls_ = turns ? exact : std::move(plain);
   }
 
-  /// Throws: Undecided where balls do not decide it.
+  /// Those of irrational curves have estimated errors. Throws: Undecided where balls do not decide it.
   spline::Segments<Ball> in_balls(std::size_t number) {
     if (resting_) throw Undecided();
-    if (!balls_) balls_ = curve_at<Ball>(of_balls_);
-    auto segment = balls_->segments(number, number + 1);
+    if (rational_ && !turning_) {
+      if (!bounded_) bounded_ = curve_at<Bounded>(of_balls_);
+      return converted<Ball>(bounded_->segments(number, number + 1), [](const Bounded& x) {
+        if (!std::isfinite(x.error)) throw Undecided();
+        return Ball(x.value).widened(x.error);
+      });
+    }
+    if (!double_doubles_) double_doubles_ = curve_at<spline::DoubleDouble>(of_balls_);
+    auto segment = double_doubles_->segments(number, number + 1);
     if (!segment.rotations.empty()) add_angles(segment);
-    return segment;
+    double scale = 0;
+    for (const auto& x : segment.cubics) {
+      for (const auto& part : {x.p0, x.p1, x.out, x.in, x.c, x.d}) scale = std::max(scale, std::abs(part.hi));
+    }
+    return converted<Ball>(segment, [&](const spline::DoubleDouble& x) {
+      return Ball(x).widened(x.hi == 0 ? 0 : 0x1p-88 * std::max(scale, std::abs(x.hi)));
+    });
   }
 
-  spline::Segments<Rational> operator()(std::size_t number, bool directions) const {
+  spline::Segments<Rational> operator()(std::size_t number) const {
     if (resting_) return *resting_;
-    const spline::Segments<Rational> plain = rational_
-                                                 ? rational_->segments(number, number + 1)
-                                                 : rounded(*irrational_, number, directions ? most_bits : usual_bits);
+    const spline::Segments<Rational> plain =
+        rational_ ? rational_->segments(number, number + 1) : rounded(*irrational_, number);
     if (!turning_) return plain;
-    spline::Segments<Rational> all = rounded(*turning_, number, usual_bits);
+    spline::Segments<Rational> all = rounded(*turning_, number);
     all.times = plain.times;
     all.warps = plain.warps;
     const std::vector<bool> are_in_rotations = spline::in_rotations(rotations_, plain.channels);
@@ -113,21 +124,19 @@ class ExactSegments {
   }
 
  private:
-  static constexpr int usual_bits = 400, most_bits = 2400;
-
-  static spline::Segments<Rational> rounded(const spline::CurveKeys<RealBall>& curve, std::size_t number, int bits) {
-    const RealPrecision precision(bits, true);
+  static spline::Segments<Rational> rounded(const spline::CurveKeys<LongFloat>& curve, std::size_t number) {
     auto segment = curve.segments(number, number + 1);
     if (!segment.rotations.empty()) add_angles(segment);
-    return rational(segment);
+    return converted<Rational>(segment, [](const LongFloat& x) { return rational_of<448>(x); });
   }
 
   std::vector<spline::KeyRotation> rotations_;
   std::optional<spline::Segments<Rational>> resting_;
   ExactCurve of_balls_;
-  std::shared_ptr<const spline::CurveKeys<Ball>> balls_;  ///< nothing: not needed before
+  std::shared_ptr<const spline::CurveKeys<Bounded>> bounded_;  ///< these are made when they are needed
+  std::shared_ptr<const spline::CurveKeys<spline::DoubleDouble>> double_doubles_;
   std::shared_ptr<const spline::CurveKeys<Rational>> rational_;
-  std::shared_ptr<const spline::CurveKeys<RealBall>> irrational_, turning_;
+  std::shared_ptr<const spline::CurveKeys<LongFloat>> irrational_, turning_;
 };
 
 }  // namespace tcb::limits

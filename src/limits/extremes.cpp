@@ -330,7 +330,7 @@ std::optional<Rational> bound_exactly(Search<Rational>& search, std::optional<Ra
 /// The maximum among the segments that may hold it. Throws: Undecided where numbers are too far apart for any digits.
 std::optional<Extreme> exact_maximum(std::vector<Search<spline::DoubleDouble>::Part> parts, const Measure& measure,
                                      const MeasuredCurve& curve) {
-  const auto exact = [&](std::size_t segment) { return curve.exact(segment, measure.is_of_direction()); };
+  const auto exact = [&](std::size_t segment) { return curve.exact(segment); };
   const auto extreme_at = [&](Extreme extreme, const Place& of_piece, const Rational& place) {
     const spline::Segments<Rational> one = exact(of_piece.segment);
     const Piece<Rational> piece = measured_pieces(curve, one)[of_piece.piece];

@@ -22,10 +22,9 @@ namespace tcb::limits {
 /// A curve whose segments can be read again, as doubles and as exact numbers.
 struct MeasuredCurve {
   std::function<Source<SegmentBlock>()> segments;
-  /// The segment with this number. Throws: Undecided where a ball does not decide it.
+  /// The segment with this number, in balls and exactly. Throws: Undecided where a ball does not decide it.
   std::function<spline::Segments<Ball>(std::size_t number)> in_balls;
-  /// The segment with this number, and whether directions are measured, for which irrational numbers need more digits.
-  std::function<spline::Segments<Rational>(std::size_t number, bool directions)> exact;
+  std::function<spline::Segments<Rational>(std::size_t number)> exact;
   std::optional<FrameTimes> frames;  ///< where the times of the keys are frames in seconds
   std::optional<Rational> from, to;  ///< the times that are measured; nothing: all
   bool closed = false;

@@ -112,7 +112,7 @@ Bound<Number> bound_of(const Form<S>& form) {
   const auto larger = [](const S& a, const S& b) { return middle_of(a) < middle_of(b); };
   const S& largest = *std::ranges::max_element(x, larger);
   Number upper = ends_of<Number>(largest).second;
-  if constexpr (spline::bounds_errors<S>) {
+  if constexpr (is_ball<S>) {
     for (const S& other : x) {
       if ((largest - other).may_be_zero()) upper = std::max(upper, ends_of<Number>(other).second);
     }
@@ -161,10 +161,20 @@ double falling_root(const F& f) {
   return low;
 }
 
+/// Either will do where balls may be equal.
+template <class S>
+S larger_of(const S& a, const S& b) {
+  if constexpr (is_ball<S>) {
+    return rough_max(a, b);
+  } else {
+    return std::max(a, b);
+  }
+}
+
 /// Where the largest value on [0, 1] probably is: the root of the derivative.
 template <class S>
 double likely_place(const Form<S>& form) {
-  using spline::is_exactly_zero, spline::rough_max, std::abs;
+  using std::abs;
   const auto differences = [](const Polynomial<S>& x) {
     Polynomial<S> result;
     for (std::size_t i = 1; i < x.size(); ++i) result.push_back(x[i] - x[i - 1]);
@@ -172,9 +182,9 @@ double likely_place(const Form<S>& form) {
   };
   const auto in_units = [](const Polynomial<S>& x) {  // near doubles, by rising powers
     S unit(0);
-    for (const S& coefficient : x) unit = rough_max(unit, S(abs(coefficient)));
+    for (const S& coefficient : x) unit = larger_of(unit, S(abs(coefficient)));
     Polynomial<double> result(x.size());
-    if constexpr (spline::bounds_errors<S>) unit = without_radius(unit);
+    if constexpr (is_ball<S>) unit = without_radius(unit);
     if (is_exactly_zero(unit)) return result;
     for (std::size_t i = 0; i < x.size(); ++i) result[i] = rough(S(x[i] / unit));
     return from_bernstein(result);

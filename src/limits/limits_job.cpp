@@ -239,7 +239,7 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
     ExactSegments exact(pipeline.exact(streamed), turns);
     const MeasuredCurve curve{[=] { return turns ? mapped(streamed.segments(), with_angles) : streamed.segments(); },
                               [&](std::size_t number) { return exact.in_balls(number); },
-                              [&](std::size_t number, bool directions) { return exact(number, directions); },
+                              [&](std::size_t number) { return exact(number); },
                               pipeline.spec().frames,
                               pipeline.request().from,
                               pipeline.request().to,

@@ -83,11 +83,16 @@ std::vector<WarpPart<S>> parts_of(const spline::Warp<S>& warp) {
   return parts;
 }
 
+/// Whether a number is 0, and known to be so.
+template <class S>
+bool is_exactly_zero(const S& number) {
+  return number == S(0);
+}
+
 /// The pieces of a segment between two fractions of its duration.
 template <class S>
 std::vector<Piece<S>> pieces_of(const spline::Segments<S>& segments, std::size_t segment, const S& duration,
                                 const S& from, const S& to) {
-  using spline::is_exactly_zero;
   std::vector<Piece<S>> pieces;
   for (const auto& [begin, size, parameter] : parts_of(segments.warp(segment))) {
     const S first = begin < from ? (from - begin) / size : S(0);
@@ -190,7 +195,7 @@ Polynomial<S> minor_of(const Polynomial<S>& v, const Polynomial<S>& a, const Pol
   Polynomial<S> minor = sum(product(v, other_a), product(other_v, a), S(-1));
   minor.pop_back();  // which is 0
   if constexpr (std::is_same_v<S, Rational>) {
-    static const Rational noise = Rational(0x1p-1000) * Rational(0x1p-1000);
+    static const Rational noise = Rational(0x1p-400);  // of segments that are rounded to 448 bits
     const Rational least = noise * (size_of(v) * size_of(other_a) + size_of(other_v) * size_of(a));
     for (Rational& coefficient : minor) coefficient = abs(coefficient) < least ? Rational(0) : coefficient;
   }

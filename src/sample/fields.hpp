@@ -57,7 +57,8 @@ void write_position(Point<S>& point, CellWriter<S> out) {
     if (cell.rotation == PositionCell::none) {
       const S position = point.position(cell.channel);
       const AngleColumn* const angle = segment.angle(cell.channel);
-      out.add_of_channel(angle == nullptr ? position : spline::wrapped(position, angle->degrees, angle->is_signed),
+      using spline::wrapped;
+      out.add_of_channel(angle == nullptr ? position : wrapped(position, angle->degrees, angle->is_signed),
                          cell.channel, false);
     } else if (cell.channel != PositionCell::none) {
       out.add_of_channel(numbers[cell.rotation][cell.number], cell.channel, false);
@@ -162,9 +163,6 @@ template <class S>
 spline::Cubic<S> piece_cubic(const Point<S>& point, std::size_t channel) {
   const auto& segment = point.segment();
   const spline::Cubic<S>& whole = segment.cubics[channel];
-  if constexpr (spline::bounds_errors<S>) {  // whose places tell whether they are at keys; times may not
-    return spline::part_between(whole, point.sample().at, point.end().at);
-  }
   spline::Cubic<S> cubic =
       spline::expanded_part(whole, segment.precise(segment.start), segment.precise(segment.end),
                             segment.precise(piece_start(point)), segment.precise(piece_end(point)));
@@ -271,7 +269,7 @@ inline constexpr std::array field_table{
     FieldOf<S>{{.name = "angular_speed", .per_rotation = true, .has_side = true, .is_rational = false},
                write_angular_speed<S>},
     FieldOf<S>{{.name = "segment", .kind = CellKind::whole, .has_side = true},
-               [](Point<S>& point, CellWriter<S> out) { out.add(static_cast<S>(point.segment().number)); }},
+               [](Point<S>& point, CellWriter<S> out) { out.add(static_cast<S>(static_cast<double>(point.segment().number))); }},
     FieldOf<S>{{.name = "u", .has_side = true}, [](Point<S>& point, CellWriter<S> out) { out.add(point.u()); }},
     FieldOf<S>{{.name = "key", .kind = CellKind::whole},
                [](Point<S>& point, CellWriter<S> out) { out.add(point.key()); }},

@@ -1,7 +1,9 @@
 // A point of a curve at any scalar: position, derivatives, speed, tangent, curvature, torsion, arc length, key.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -159,8 +161,8 @@ class Point {
   }
 
   Quantity<S> key() const {
-    if (at_start()) return {static_cast<S>(segment_->number)};
-    if (at_end()) return {static_cast<S>(segment_->end_key)};
+    if (at_start()) return {static_cast<S>(static_cast<double>(segment_->number))};
+    if (at_end()) return {static_cast<S>(static_cast<double>(segment_->end_key))};
     return {S(0), false};
   }
 
@@ -262,6 +264,18 @@ class Point {
   PathShape<S> shape_;
 };
 
+/// The derivatives at a point without its ease, of which curvature and torsion are the same: near a rest nothing
+/// cancels. Outside the curve, where it is extended, it has no ease. `memory` holds them.
+template <class S>
+const spline::Derivatives<S>& without_ease(Point<S>& point, spline::Derivatives<S>& memory) {
+  const CurveSegmentOf<S>& segment = point.segment();
+  const bool extended = point.outside() != nullptr && point.outside()->beyond != spline::Time<S>(0);
+  if (segment.warp.is_identity() || extended) return point.derivatives();
+  spline::set_derivatives<S>(memory, segment.cubics, point.sample().at, {}, S(0),
+                             spline::high_part<S>(segment.duration()));
+  return memory;
+}
+
 /// The shape of the path in doubles: values within the bounds on rounding of spline::shape are 0.
 template <>
 class PathShape<double> {
@@ -275,29 +289,19 @@ class PathShape<double> {
     return {point.derivatives().velocity[channel] / known.speed};
   }
   Quantity<double> curvature(Point<double>& point) {
-    if (!shape(point).moves || !has_ease(point)) return quantity(shape(point).curvature);
-    return quantity(spline::shape(without_ease(point), point.segment().metric).curvature);
+    if (!shape(point).moves) return {0, false};
+    const spline::Derivatives<double>& plain = without_ease(point, memory_);
+    if (&plain != &memory_) return quantity(shape(point).curvature);
+    return quantity(spline::shape(plain, point.segment().metric).curvature);
   }
   Quantity<double> torsion(Point<double>& point) {
-    const std::span<const std::size_t> metric = point.segment().metric;
-    if (!shape(point).moves || !has_ease(point)) return quantity(spline::torsion(point.derivatives(), metric));
-    return quantity(spline::torsion(without_ease(point), metric));
+    if (!shape(point).moves) return {0, false};
+    return quantity(spline::torsion(without_ease(point, memory_), point.segment().metric));
   }
 
  private:
   static Quantity<double> quantity(const std::optional<double>& value) {
     return {value.value_or(0), value.has_value()};
-  }
-  /// The place is on a segment with ease, not on a straight extension of it.
-  static bool has_ease(const Point<double>& point) {
-    const bool extended = point.outside() != nullptr && point.outside()->beyond != Time(0.0);
-    return !point.segment().warp.is_identity() && !extended;
-  }
-  /// The derivatives without ease: curvature and torsion are the same, and near a rest nothing cancels.
-  const spline::Derivatives<double>& without_ease(const Point<double>& point) {
-    const CurveSegment& segment = point.segment();
-    spline::set_derivatives<double>(plain_, segment.cubics, point.sample().at, {}, 0, segment.duration().hi);
-    return plain_;
   }
   const spline::Shape<double>& shape(Point<double>& point) {
     if (!shape_) shape_ = spline::shape(point.derivatives(), point.segment().metric);
@@ -305,19 +309,21 @@ class PathShape<double> {
   }
 
   std::optional<spline::Shape<double>> shape_;
-  spline::Derivatives<double> plain_;
+  spline::Derivatives<double> memory_;
 };
 
-/// The shape of the path in exact rationals, as roots, or in balls.
+/// The shape of the path at other scalars, for those without roots as roots of numbers. With roots, products in |v ^ a|
+/// that agree in two thirds of their digits are equal. Double-doubles leave that open, as they do what squares beyond
+/// their range are, and give no number.
 template <class S>
 class PathShape {
  public:
   void reset() {}
 
-  Quantity<S> speed(Point<S>& point) const { return root(square(velocity(point))); }
+  Quantity<S> speed(Point<S>& point) const { return root(square_of(velocity(point))); }
   Quantity<S> tangent(Point<S>& point, std::size_t channel) const {
-    const S v2 = square(velocity(point));
-    if (!(v2 > S(0))) return {S(0), false};
+    const S v2 = square_of(velocity(point));
+    if (v2 == S(0)) return {S(0), false};
     const S& v = point.derivatives().velocity[channel];
     if constexpr (spline::has_roots<S>) {
       return {v / sqrt(v2)};
@@ -326,24 +332,23 @@ class PathShape {
     }
   }
 
-  Quantity<S> curvature(Point<S>& point) const {
-    const S v2 = square(velocity(point));
-    if (!(v2 > S(0))) return {S(0), false};
-    const S area2 = wedge_square(velocity(point), acceleration(point));
-    if constexpr (spline::bounds_errors<S>) {
-      if (area2.is_zero_at_last()) return {S(0)};
-    } else if (area2 == S(0)) {
-      return {S(0)};
-    }
+  Quantity<S> curvature(Point<S>& point) {
+    if (square_of(velocity(point)) == S(0)) return {S(0), false};
+    const auto& [velocity, acceleration, jerk, n1, n2] = without_ease(point, memory_);
+    const View v(velocity, point.segment().metric), a(acceleration, point.segment().metric);
+    const S area2 = square_of_area(v, a), v2 = square_of(v);
+    if (area2 == S(0)) return {S(0)};
     return root(area2 / (v2 * v2 * v2));
   }
 
-  Quantity<S> torsion(Point<S>& point) const {
-    if (!(square(velocity(point)) > S(0))) return {S(0), false};
-    const View v = velocity(point), a = acceleration(point), j(point.derivatives().jerk, point.segment().metric);
-    const S area2 = wedge_square(v, a);
-    if (!(area2 > S(0))) return {S(0), false};
-    if (v.size() < 3) return {S(0)};
+  Quantity<S> torsion(Point<S>& point) {
+    if (square_of(velocity(point)) == S(0)) return {S(0), false};
+    const auto& [velocity, acceleration, jerk, n1, n2] = without_ease(point, memory_);
+    const std::span<const std::size_t> metric = point.segment().metric;
+    const View v(velocity, metric), a(acceleration, metric), j(jerk, metric);
+    const S area2 = square_of_area(v, a);
+    if (area2 == S(0)) return {S(0), false};
+    if (v.size() < 3) return {S(S(0) / area2)};
     if (v.size() == 3) return {minor3(v, a, j, 0, 1, 2) / area2};
     return root(wedge_square(v, a, j) / (area2 * area2));
   }
@@ -352,7 +357,49 @@ class PathShape {
   using View = spline::MetricView<S>;
 
   static View velocity(Point<S>& point) { return {point.derivatives().velocity, point.segment().metric}; }
-  static View acceleration(Point<S>& point) { return {point.derivatives().acceleration, point.segment().metric}; }
+  static constexpr bool is_double_double = std::is_same_v<S, spline::DoubleDouble>;
+
+  /// The square of a number, or no number.
+  static S in_range(const S& square) {
+    if constexpr (is_double_double) {
+      const bool is_out = square.hi != 0 && !(square.hi > 0x1p-900 && square.hi < 0x1p900);
+      if (is_out) return std::numeric_limits<S>::quiet_NaN();
+    }
+    return square;
+  }
+
+  /// |v|^2
+  static S square_of(const View& v) {
+    if constexpr (is_double_double) {
+      for (std::size_t i = 0; i < v.size(); ++i) {
+        if (v[i].hi != 0) {
+          const S sum = square(v);
+          return sum.hi == 0 ? S(std::numeric_limits<double>::quiet_NaN()) : in_range(sum);
+        }
+      }
+    }
+    return square(v);
+  }
+
+  /// |v ^ a|^2
+  static S square_of_area(const View& v, const View& a) {
+    if constexpr (!spline::has_roots<S>) {
+      return wedge_square(v, a);
+    } else {
+      using std::abs, std::ldexp;
+      const S rounding = ldexp(S(1), -std::numeric_limits<S>::digits * 2 / 3);
+      S sum(0);
+      for (std::size_t i = 0; i < v.size(); ++i) {
+        for (std::size_t k = i + 1; k < v.size(); ++k) {
+          const S first = v[i] * a[k], second = v[k] * a[i], minor = first - second;
+          const bool is_equal = abs(minor) <= rounding * (abs(first) + abs(second));
+          if (is_equal && is_double_double && minor != S(0)) return std::numeric_limits<S>::quiet_NaN();
+          if (!is_equal) sum += minor * minor;
+        }
+      }
+      return in_range(sum);
+    }
+  }
 
   static Quantity<S> root(const S& square) {
     if constexpr (spline::has_roots<S>) {
@@ -361,6 +408,8 @@ class PathShape {
       return {square, true, true};
     }
   }
+
+  spline::Derivatives<S> memory_;
 };
 
 }  // namespace tcb

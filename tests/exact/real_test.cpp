@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "exact/ball.hpp"
-#include "exact/floats.hpp"
+#include "exact/float_scalar.hpp"
 
 namespace tcb {
 namespace {
@@ -120,14 +120,14 @@ TEST(RealBall, angles_are_held) {
       const double angle = (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5) * (i % 4 == 0 ? 1e-30 : 600);
       const auto [sine, cosine] = sine_cosine(RealBall(angle));
       const RealBall back = angle_of(abs(sine), cosine);
-      const auto expect_held = [&](const Float<200>& number, const RealBall& ball) {
+      const auto expect_held = [&](const Float<664>& number, const RealBall& ball) {
         const Rational error = abs(rational_of(number) - ball.middle().rational());
         EXPECT_LE(error, Middle<Real>::number(ball.radius()).rational()) << angle;
         EXPECT_LT(ball.radius(), ErrorBound::power_of_two(20 - bits)) << angle;
       };
-      expect_held(sin(Float<200>(angle)), sine);
-      expect_held(cos(Float<200>(angle)), cosine);
-      expect_held(atan2(Float<200>(abs(sin(Float<200>(angle)))), cos(Float<200>(angle))), back);
+      expect_held(sin(Float<664>(angle)), sine);
+      expect_held(cos(Float<664>(angle)), cosine);
+      expect_held(atan2(Float<664>(abs(sin(Float<664>(angle)))), cos(Float<664>(angle))), back);
     }
   }
 }

@@ -56,14 +56,33 @@ TEST(Rounding, a_root_is_rounded_once) {
 TEST(Rounding, a_radius_leaves_a_choice_or_none) {
   const Rounding nearest({}, CellKind::real);
   const Rational third(1, 3), tiny = ratio(1, Integer(1) << 300), tie = 1 + ratio(1, Integer(1) << 53);
-  EXPECT_EQ(nearest.within(third, tiny)->cell.hi, 1.0 / 3);
-  EXPECT_FALSE(nearest.within(tie, tiny).has_value());
-  EXPECT_FALSE(nearest.within(0, ratio(1, Integer(1) << 1500)).has_value()) << "nor its sign";
-  EXPECT_EQ(nearest.at_last(tie + tiny / 2, tiny).cell.hi, 1);
-  EXPECT_EQ(nearest.at_last(-3 * tie + tiny / 2, tiny).cell.hi, -3 - 0x1p-51);
-  EXPECT_EQ(nearest.at_last(-tiny, tiny).cell.hi, 0);
-  const Rounding fixed({Kind::fixed, 100}, CellKind::real);
-  EXPECT_THROW((void)fixed.at_last(rational(Integer(1) << 1000), 1), Undecided) << "too many digits";
+  EXPECT_EQ(nearest.within(Known{third, tiny})->cell.hi, 1.0 / 3);
+  EXPECT_FALSE(nearest.within(Known{tie, tiny}).has_value());
+  EXPECT_FALSE(nearest.within(Known{0, ratio(1, Integer(1) << 1500)}).has_value()) << "nor its sign";
+}
+
+TEST(Rounding, a_number_that_is_not_told_from_a_simple_one_is_that) {
+  const Rounding nearest({}, CellKind::real);
+  const Rational tiny = ratio(1, Integer(1) << 300), tie = 1 + ratio(1, Integer(1) << 53);
+  EXPECT_EQ(nearest.snapped({tie + tiny / 2, tiny})->cell.hi, 1);
+  EXPECT_EQ(nearest.snapped({-3 * tie + tiny / 2, tiny})->cell.hi, -3 - 0x1p-51);
+  EXPECT_EQ(nearest.snapped({-tiny, tiny})->cell.hi, 0);
+  EXPECT_FALSE(nearest.snapped({Rational(1, 3) + tiny, Rational(0x1p-40)}).has_value()) << "one in so many is as near";
+  EXPECT_EQ(simple_fraction({Rational(1, 10) * power_of_two(-900), power_of_two(-1100)}),
+            Rational(1, 10) * power_of_two(-900));
+}
+
+TEST(Rounding, a_bound_decides_where_all_numbers_within_it_are_printed_alike) {
+  const Rounding nearest({}, CellKind::real), digits({Kind::digits, 3}, CellKind::real);
+  const double half = 0x1p-53;  // of the distance from 1 to the next double
+  EXPECT_EQ(nearest.within(Bounded({1, 0.9 * half}, 0.05 * half))->cell.hi, 1);
+  EXPECT_FALSE(nearest.within(Bounded({1, 0.9 * half}, 0.2 * half)).has_value());
+  EXPECT_FALSE(nearest.within(Bounded({1, half}, 1e-30)).has_value());
+  EXPECT_FALSE(nearest.within(Bounded({1, -half / 2}, 1e-30)).has_value()) << "the doubles below 1 are nearer";
+  EXPECT_FALSE(nearest.within(Bounded({0, 0}, 1e-30)).has_value());
+  EXPECT_EQ(nearest.within(Bounded(0.0))->cell.hi, 0);
+  EXPECT_EQ(digits.within(Bounded({1234.5, 0}, 0.1))->text, "1.23e+03");
+  EXPECT_FALSE(digits.within(Bounded({1235, 0}, 0.1)).has_value());
 }
 
 TEST(Rounding, the_simplest_number_between_has_the_least_denominator) {

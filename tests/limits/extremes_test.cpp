@@ -36,7 +36,7 @@ MeasuredCurve curve_of(const std::vector<TwoChannels>& cubics) {
     return [block = std::optional(SegmentBlock{segments, {}, true})]() mutable { return std::exchange(block, {}); };
   };
   const auto no_balls = [](std::size_t) -> spline::Segments<Ball> { throw Undecided(); };
-  return {blocks, no_balls, [exact](std::size_t number, bool) { return exact->at(number); }, {}, {}, {}};
+  return {blocks, no_balls, [exact](std::size_t number) { return exact->at(number); }, {}, {}, {}};
 }
 
 const Measure velocity{"velocity_x", Measure::Kind::size, 1, {0}, true};

@@ -93,5 +93,25 @@ TEST(Angles, have_nearest_whole_turns) {
   EXPECT_EQ(nearest_turns<double>(DoubleDouble(1000.0), true).hi, 1080);
 }
 
+TEST(Angle, double_doubles_have_thirty_digits) {
+  using Exact = boost::multiprecision::cpp_bin_float_100;
+  const auto exact = [](const DoubleDouble& value) { return Exact(value.hi) + Exact(value.lo); };
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> any(-20, 20), low(-0x1p-54, 0x1p-54), exponent(-80, 3);
+  Exact worst_sine = 0, worst_angle = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const double high = i % 2 == 0 ? any(random) : std::ldexp(any(random), static_cast<int>(exponent(random)));
+    const auto angle = DoubleDouble::normalized(high, high * low(random));
+    const auto [sine, cosine] = sine_cosine(angle);
+    worst_sine = std::max(
+        {worst_sine, Exact(abs(exact(sine) - sin(exact(angle)))), Exact(abs(exact(cosine) - cos(exact(angle))))});
+    const DoubleDouble y(std::abs(high)), x(any(random));
+    worst_angle = std::max(worst_angle, Exact(abs(exact(angle_of(y, x)) / atan2(exact(y), exact(x)) - 1)));
+  }
+  EXPECT_LT(worst_sine, Exact(0x1p-96));
+  EXPECT_LT(worst_angle, Exact(0x1p-98));
+  EXPECT_EQ(angle_of(DoubleDouble(0.0), DoubleDouble(1.0)).hi, 0);
+}
+
 }  // namespace
 }  // namespace tcb::spline

@@ -47,6 +47,16 @@ TEST_F(DoubleDoubleTest, comparisons_use_both_parts) {
   EXPECT_LT(DoubleDouble(0x1p60), DoubleDouble(0x1p60, 1));
 }
 
+TEST_F(DoubleDoubleTest, whole_numbers_below_and_powers_of_two) {
+  EXPECT_EQ(floor(DoubleDouble(3, -0x1p-60)).hi, 2);
+  EXPECT_EQ(floor(DoubleDouble(-2.5)).hi, -3);
+  EXPECT_EQ(floor(DoubleDouble(0x1p60, 1.5)), DoubleDouble(0x1p60, 1));
+  int exponent = 0;
+  EXPECT_EQ(frexp(DoubleDouble(12, 0x1p-60), &exponent), DoubleDouble(0.75, 0x1p-64));
+  EXPECT_EQ(exponent, 4);
+  EXPECT_EQ(abs(DoubleDouble(-1, 0x1p-60)), DoubleDouble(1, -0x1p-60));
+}
+
 TEST(Power, of_whole_halves_and_quarters) {
   EXPECT_EQ(power(3, 0).hi, 1);
   EXPECT_EQ(power(3, 1).hi, 3);

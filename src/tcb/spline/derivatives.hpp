@@ -18,8 +18,8 @@
 
 namespace tcb::spline {
 
-/// The derivatives of a segment at one place, a number per channel, with bounds on the rounding of the first two; these
-/// are 0 for exact scalars and for those that carry bounds on their errors.
+/// The derivatives of a segment at one place, a number per channel, with bounds on the rounding of the first two, which
+/// are 0 for scalars without roots.
 template <class S>
 struct Derivatives {
   std::vector<S> velocity, acceleration, jerk;
@@ -107,7 +107,7 @@ void set_derivatives(Derivatives<S>& of, std::span<const Cubic<S>> segment, cons
     of.acceleration.push_back(d2 * rate * rate + d1 * change);
     of.jerk.push_back(d3 * rate * rate * rate + S(3) * d2 * rate * change);
     if (warp.is_cubic()) of.jerk.back() += d1 * third;
-    if constexpr (has_roots<S> && !bounds_errors<S>) {
+    if constexpr (has_roots<S>) {
       const S size1 = abs(first) + abs(x) * (S(2) * abs(second) + S(3) * abs(x * cubic.d));
       const S size2 = S(2) * abs(second) + S(6) * abs(x * cubic.d);
       of.velocity_noise += unit * size1 * abs(rate);

@@ -9,6 +9,7 @@
 #include <bit>
 #include <compare>
 #include <cstdint>
+#include <limits>
 
 namespace tcb::spline {
 
@@ -78,6 +79,14 @@ struct DoubleDoubleOf {
     const D remainder = ((a.hi - product.value) - product.error) + (a.lo - quotient * b.lo);  // the first - is exact
     return normalized(quotient, remainder / b.hi);
   }
+  constexpr DoubleDoubleOf& operator+=(const DoubleDoubleOf& other) { return *this = *this + other; }
+  constexpr DoubleDoubleOf& operator-=(const DoubleDoubleOf& other) { return *this = *this - other; }
+  constexpr DoubleDoubleOf& operator*=(const DoubleDoubleOf& other) { return *this = *this * other; }
+  constexpr DoubleDoubleOf& operator/=(const DoubleDoubleOf& other) { return *this = *this / other; }
+
+  /// The whole number that it is.
+  explicit constexpr operator int() const { return static_cast<int>(hi); }
+
   friend constexpr bool operator==(const DoubleDoubleOf&, const DoubleDoubleOf&) = default;
   friend constexpr auto operator<=>(const DoubleDoubleOf& a, const DoubleDoubleOf& b) {
     return a.hi == b.hi ? a.lo <=> b.lo : a.hi <=> b.hi;
@@ -109,3 +118,16 @@ template <class S>
 using Time = working_t<S>;
 
 }  // namespace tcb::spline
+
+template <>
+struct std::numeric_limits<tcb::spline::DoubleDouble> {
+  using Number = tcb::spline::DoubleDouble;
+  static constexpr bool is_specialized = true, is_signed = true, is_integer = false, is_exact = false;
+  static constexpr bool has_infinity = true, has_quiet_NaN = true;  // NOLINT(readability-identifier-naming)
+  static constexpr int digits = 102, digits10 = 30;
+  static constexpr Number epsilon() { return 0x1p-101; }
+  static constexpr Number infinity() { return std::numeric_limits<double>::infinity(); }
+  static constexpr Number quiet_NaN() {  // NOLINT(readability-identifier-naming): names of the standard
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+};

@@ -37,9 +37,7 @@ class Warp {
     if (first_ == W(0) && last_ == W(0)) return;
     kind_ = Kind::ease;
     const W sum = first_ + last_;
-    bool may_be_one = false;  // quotients by a sum with bounds hold the undivided numbers as well
-    if constexpr (bounds_errors<S>) may_be_one = !(sum - W(1)).is_zero() && (sum - W(1)).may_be_zero();
-    if (may_be_one || sum > W(1)) {
+    if (sum > W(1)) {
       first_ = first_ / sum;
       last_ = last_ / sum;
     }
@@ -51,11 +49,7 @@ class Warp {
     warp.first_ = first_slope;
     warp.last_ = last_slope;
     warp.k_ = first_slope + last_slope - W(2);
-    if constexpr (bounds_errors<S>) {
-      warp.kind_ = Kind::cubic;  // whether a slope is 1 may be undecided
-    } else {
-      warp.kind_ = first_slope == W(1) && last_slope == W(1) ? Kind::identity : Kind::cubic;
-    }
+    warp.kind_ = first_slope == W(1) && last_slope == W(1) ? Kind::identity : Kind::cubic;
     return warp;
   }
 
@@ -154,7 +148,6 @@ class Warp {
 
   /// The distance at which the cubic has a value, by Newton's method, or by halves where that leaves the bracket.
   W root(const W& value, const W& slope) const {
-    if constexpr (bounds_errors<S>) return enclosed_warp_root(value, slope, k_);  // the last comparison is undecided
     constexpr int most_steps = 2000;  // of halves, for a slope of 0 and any number of digits in use
     W low(0), high(1), x = value;
     for (int step = 0; step < most_steps; ++step) {

@@ -15,6 +15,7 @@
 // Units: logarithms are half the angle of the turn, in radians, along its axis.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -32,18 +33,6 @@ namespace tcb::spline {
 
 template <class T>
 using Vector3 = TurnVector<T>;
-
-/// Whether further terms of the series of Arc::weight() follow; a scalar with bounds on its errors has one of its own.
-template <class T, class Least>
-bool has_effect(const T& term, const Least& least) {
-  return value_of(term) > least;
-}
-/// The sum of the series of Arc::weight() up to a term that is below rounding; a scalar with bounds on its errors has
-/// one of its own, which adds the terms that are left out.
-template <class T>
-const T& truncated_series(const T& sum, const T& /*last_term*/, const T& /*u*/, const T& /*square*/) {
-  return sum;
-}
 
 template <class T>
 struct Quaternion {
@@ -108,12 +97,11 @@ class Arc {
     using std::sqrt;
     const Quaternion<T> turn = conjugate(from) * to;
     square_ = turn.x * turn.x + (turn.y * turn.y + turn.z * turn.z);
-    is_short_ = value_of(square_) < 0.015625 && value_of(turn.w) > 0;  // bounds decide the sign of w only there
+    is_short_ = value_of(square_) < 0.015625 && value_of(turn.w) > 0;
     if (is_short_) return;
     sine_ = sqrt(square_);
     angle_ = angle_of(sine_, turn.w);
-    is_turned_ = bounds_errors<value_t<T>>;
-    if constexpr (!bounds_errors<value_t<T>>) is_turned_ = value_of(square_) < 0x1p-40;
+    is_turned_ = value_of(square_) < 0x1p-40;
     if (is_turned_) to_ = turn;
   }
 
@@ -138,11 +126,11 @@ class Arc {
     const auto whole = [](int number) { return U(static_cast<value_t<U>>(number)); };
     const U u2 = u * u;
     U sum(1), term(1);
-    for (int odd = 1; has_effect(term, least); odd += 2) {
+    for (int odd = 1; value_of(term) > least; odd += 2) {
       term = term * ((whole(odd * odd) - u2) * U(square_) / whole((odd + 1) * (odd + 2)));
       sum = sum + term;
     }
-    return u * truncated_series(sum, term, u, U(square_));
+    return u * sum;
   }
 
   /// The point at an angle from the first one, along the direction of the arc. Near opposite points this keeps more
@@ -159,13 +147,12 @@ class Arc {
   Quaternion<T> to_;               ///< or the turn to it: is_turned_
   T square_{}, sine_{}, angle_{};  ///< of the angle between the two; for a short arc, the square of its sine alone
   bool is_short_ = true;
-  bool is_turned_ = false;  ///< between nearly opposite points, or of a scalar with bounds on its errors
+  bool is_turned_ = false;  ///< between nearly opposite points
 };
 
 /// Half the angle of a rotation along its axis. Requires: |q| = 1.
 template <class S>
 Vector3<S> logarithm(const Quaternion<S>& q) {
-  if constexpr (bounds_errors<S>) return enclosed_logarithm(q);
   using std::sqrt;
   const S sine = sqrt(q.x * q.x + (q.y * q.y + q.z * q.z));
   if (sine == S(0)) return {q.x, q.y, q.z};
@@ -184,7 +171,6 @@ S half_turns_of(const Vector3<S>& turn) {
 /// The rotation with a logarithm.
 template <class S>
 Quaternion<S> exponential(const Vector3<S>& v) {
-  if constexpr (bounds_errors<S>) return enclosed_exponential(v);
   using std::sqrt;
   const S angle = sqrt(v[0] * v[0] + (v[1] * v[1] + v[2] * v[2]));
   if (angle == S(0)) return {v[0], v[1], v[2], S(1)};
@@ -202,7 +188,7 @@ Quaternion<S> rotation_of(std::span<const S> numbers, const RotationChannels& ch
     const double excess = dot(q, q) - 1;
     if (excess <= 0x1p-52 && excess >= -0x1p-52) return q;
   }
-  const S largest = rough_max(rough_max(S(abs(q.x)), S(abs(q.y))), rough_max(S(abs(q.z)), S(abs(q.w))));
+  const S largest = std::max({S(abs(q.x)), S(abs(q.y)), S(abs(q.z)), S(abs(q.w))});
   return normalized(q * S(S(1) / power_of_two_below(largest)));  // whose squares do not overflow
 }
 
@@ -254,15 +240,6 @@ class RotationSegment {
     const auto [u, w] = of_whole(place);
     if (u == S(0)) return points_[0];
     if (w == S(0)) return points_[3];
-    if constexpr (bounds_errors<S>) {
-      const S off = (u - without_radius(u)) / size_;
-      if (!is_exactly_zero(off)) {  // by the mean value theorem: bounds on the points would be wide near opposite ones
-        const auto [x, y, z] = rate(place);
-        const Quaternion<S> middle = normalized(point<S>(without_radius(u), S(1) - without_radius(u)));
-        const Quaternion<S> nearby = widened(middle, S(sqrt(x * x + (y * y + z * z))), off);
-        return middle + Quaternion<S>{x, y, z, S(0)} * nearby * (off / S(2));
-      }
-    }
     return normalized(point<S>(u, -w));
   }
 

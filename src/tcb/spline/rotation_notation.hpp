@@ -46,7 +46,7 @@ SineCosine<S> sine_cosine_of_half(const S& angle, bool degrees) {
 template <class S>
 Quaternion<S> unit_axis(const S& x, const S& y, const S& z) {
   using std::abs;
-  const S unit = power_of_two_below(rough_max(rough_max(S(abs(x)), S(abs(y))), S(abs(z))));
+  const S unit = power_of_two_below(std::max({S(abs(x)), S(abs(y)), S(abs(z))}));
   return normalized(Quaternion<S>{S(x / unit), S(y / unit), S(z / unit), S(0)});
 }
 
@@ -74,7 +74,6 @@ QuaternionMatrix<S> squared(const QuaternionMatrix<S>& a) {
 /// The eigenvector of the largest eigenvalue. Requires: the trace is 1; no other eigenvalue has its size.
 template <class S>
 Quaternion<S> eigenvector(const QuaternionMatrix<S>& a) {
-  if constexpr (bounds_errors<S>) return enclosed_eigenvector(a);
   using std::abs;
   QuaternionMatrix<S> power = a;
   constexpr int most = 32;
@@ -108,7 +107,7 @@ Quaternion<S> nearest_rotation(RotationNumbers<S> m) {
   using std::abs;
   using std::sqrt;
   S largest(0), squares(0);
-  for (const S& number : m) largest = rough_max(largest, S(abs(number)));
+  for (const S& number : m) largest = std::max(largest, S(abs(number)));
   const S unit = power_of_two_below(largest);
   for (S& number : m) {
     number /= unit;
@@ -265,11 +264,11 @@ RotationNumbers<S> signed_numbers_of(Quaternion<S> q, const RotationNotation& no
 }
 
 /// The numbers of a rotation in a notation. The angle around an axis is in [0, pi]; where it is 0, the axis is x. No
-/// zero is negative; zeros with bounds on their errors have no sign. Requires: |q| = 1.
+/// zero is negative. Requires: |q| = 1.
 template <class S>
 RotationNumbers<S> numbers_of(const Quaternion<S>& q, const RotationNotation& notation) {
   RotationNumbers<S> numbers = signed_numbers_of(q, notation);
-  for (std::size_t i = 0; !bounds_errors<S> && i < notation.numbers(); ++i) {
+  for (std::size_t i = 0; i < notation.numbers(); ++i) {
     if (numbers[i] == S(0)) numbers[i] = S(0);
   }
   return numbers;

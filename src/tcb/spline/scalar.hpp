@@ -26,6 +26,23 @@ inline DoubleDouble sqrt(const DoubleDouble& value) {
   return DoubleDouble::normalized(root, remainder.hi / (2 * root));
 }
 
+inline DoubleDouble abs(const DoubleDouble& value) { return value.hi < 0 ? -value : value; }
+
+/// The largest whole number up to a value.
+inline DoubleDouble floor(const DoubleDouble& value) {
+  const double whole = std::floor(value.hi);
+  return whole == value.hi ? DoubleDouble::normalized(whole, std::floor(value.lo)) : DoubleDouble(whole);
+}
+
+inline DoubleDouble ldexp(const DoubleDouble& value, int exponent) {
+  return {std::ldexp(value.hi, exponent), std::ldexp(value.lo, exponent)};
+}
+/// The exponent is that of the high part.
+inline DoubleDouble frexp(const DoubleDouble& value, int* exponent) {
+  (void)std::frexp(value.hi, exponent);
+  return ldexp(value, -*exponent);
+}
+
 /// x^exponent. With exponent = n + 0.b1 b2 b3... in binary, x^0.b1b2b3... is the nested root
 /// sqrt(x^b1 sqrt(x^b2 sqrt(x^b3 ...))), computed from inside.
 /// Requires: x > 0, 0 <= exponent <= 16. Promises: accurate to about 2^-95.
@@ -49,17 +66,6 @@ inline DoubleDouble power(const DoubleDouble& x, double exponent) { return power
 /// A scalar with square roots. Exact rationals have none; code that needs roots is not compiled for them.
 template <class S>
 inline constexpr bool has_roots = !std::numeric_limits<S>::is_exact;
-
-/// A scalar that carries bounds on its errors, and refuses comparisons that these leave open. It comes with functions
-/// of its own, enclosed_eigenvector() and the like, and with rough(), a double near it.
-template <class S>
-inline constexpr bool bounds_errors = false;
-
-/// Whether a number is 0, and known to be so.
-template <class S>
-bool is_exactly_zero(const S& number) {
-  return number == S(0);
-}
 
 /// A working value rounded to the scalar.
 template <class S>
@@ -111,12 +117,6 @@ constexpr working_t<S> scaled(const working_t<S>& value, const S& power_of_two) 
   } else {
     return value * power_of_two;
   }
-}
-
-/// The larger of two numbers from which a unit is made; either, where a scalar with bounds on its errors cannot tell.
-template <class S>
-S rough_max(const S& a, const S& b) {
-  return a < b ? b : a;
 }
 
 /// The largest power of two that is at most a number, but at least 2^-1000, so that its reciprocal is a double.

@@ -29,11 +29,7 @@ struct LocalParameter {
   S u{};
   S w{-1};
 
-  /// Either end will do where bounds on errors do not tell which is nearer.
-  bool near_start() const {
-    if constexpr (bounds_errors<S>) return u.rough() <= 0.5;
-    return u <= S(0.5);
-  }
+  bool near_start() const { return u <= S(0.5); }
 };
 
 /// The local parameter u, or 1 - left.
@@ -91,11 +87,9 @@ Cubic<S> cubic(const S& p0, const S& p1, const working_t<S>& out, const working_
   return cubic<S>(p0, p1, exact_difference(p1, p0), out, in);
 }
 
-/// base + x (a + x (b + x d)): Horner's rule that also carries the rounding errors of its two inner sums, unless the
-/// scalar does so itself.
+/// base + x (a + x (b + x d)): Horner's rule that also carries the rounding errors of its two inner sums.
 template <class S>
 S compensated_cubic(const S& base, const S& a, const S& b, const S& b_rest, const S& d, const S& x) {
-  if constexpr (bounds_errors<S>) return base + x * (a + x * (b + x * d));
   const auto inner = two_sum<S>(b, x * d);
   const auto slope = two_sum<S>(a, x * inner.value);
   return base + (x * slope.value + x * (x * (inner.error + b_rest) + slope.error));
@@ -173,19 +167,6 @@ template <class S>
 S first_derivative(const Cubic<S>& x, const LocalParameter<S>& at) {
   return at.near_start() ? x.out + at.u * (S(2) * x.c + at.u * (S(3) * x.d))
                          : x.in + at.w * (S(2) * x.e + at.w * (S(3) * x.d));
-}
-
-/// The part of a segment from one place to another, as a segment of its own.
-template <class S>
-Cubic<S> part_between(const Cubic<S>& whole, const LocalParameter<S>& from, const LocalParameter<S>& to) {
-  if (from.u == S(0) && to.w == S(0)) return whole;
-  const S size = from.near_start() ? S(to.u - from.u) : S(to.w - from.w), square = size * size;
-  const auto half_bend = [&](const LocalParameter<S>& at) {
-    return (at.near_start() ? whole.c + S(3) * at.u * whole.d : whole.e + S(3) * at.w * whole.d) * square;
-  };
-  return {position(whole, from),  first_derivative(whole, from) * size, half_bend(from), S(0),
-          position(whole, to),    first_derivative(whole, to) * size,   half_bend(to),   S(0),
-          whole.d * square * size};
 }
 
 }  // namespace tcb::spline

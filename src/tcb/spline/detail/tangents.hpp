@@ -209,7 +209,7 @@ class Tangents {
     S largest(0);
     for (std::size_t i = 0; i < metric_size(); ++i) {
       largest =
-          rough_max(largest, rough_max(S(abs(high_part<S>(in[metric(i)]))), S(abs(high_part<S>(out[metric(i)])))));
+          std::max({largest, S(abs(high_part<S>(in[metric(i)]))), S(abs(high_part<S>(out[metric(i)])))});
     }
     int exponent = 0;
     (void)frexp(largest, &exponent);

@@ -7,6 +7,7 @@
 //   the ends, the behaviour of PchipInterpolator of SciPy.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 #include "tcb/spline/ease.hpp"
@@ -38,13 +39,13 @@ class TimeSlopes {
 
   /// The slope at a key, per duration `own` of one of its segments.
   static W between(const W& h0, const W& h1, const W& own) {
-    const W unit = rough_max(h0, h1);
+    const W unit = std::max(h0, h1);
     const W a = h0 / unit, b = h1 / unit;
     return W(3) * (a + b) * (own / unit) / (a * a + W(4) * a * b + b * b);
   }
   /// The slope at an end, per duration h0 of its segment.
   static W at_end(const W& h0, const W& h1) {
-    const W unit = rough_max(h0, h1);
+    const W unit = std::max(h0, h1);
     const W a = h0 / unit, b = h1 / unit;
     const W numerator = W(2) * a * b + b * b - a * a;
     return numerator > W(0) ? numerator / (b * (a + b)) : W(0);
