@@ -136,6 +136,7 @@ class ExactRows::Evaluation {
     if (rows_.exact.decimal && !rows_.arc) row.exact = exact_times(row, locator);
     std::ranges::fill(cells_, std::nullopt);
     is_placed_ = {};
+    may_be_zero_ = false;
     if (rows_.arc) set_place(row);
     has_rational_place_ = !rows_.arc || (row.at_key && (!row.at_key->is_middle || !has_warps()));
     set_known(row);
@@ -278,6 +279,7 @@ class ExactRows::Evaluation {
       for (std::size_t i = 0; i < cells.size(); ++i) {
         const Quantity<Bounded>& number = written[i].number;
         cells[i] = number.defined ? rounding(index, row).within(root_of(number)) : Printed{empty_cell};
+        may_be_zero_ = may_be_zero_ || (!cells[i] && number.value.may_be_zero());
       }
     });
   }
@@ -329,7 +331,7 @@ class ExactRows::Evaluation {
     if (value.hi == 0 && in_double.hi == 0 && keeps_digits_) return rounding.exactly({0});
     if (value.hi == 0 || in_double.hi == 0 || std::abs(value.hi) < 0x1p-900) return std::nullopt;
     return rounding.within(Bounded(
-        value, std::max({0x1p-30 * std::abs((in_double - value).hi), 0x1p-80 * std::abs(value.hi), 0x1p-92 * scale})));
+        value, std::max({0x1p-34 * std::abs((in_double - value).hi), 0x1p-84 * std::abs(value.hi), 0x1p-92 * scale})));
   }
 
   /// Sets the cells that are open: rational ones exactly, and others by floats.
@@ -339,7 +341,7 @@ class ExactRows::Evaluation {
       if (is_bounded(index)) {
         set_rationals(row, index, cells);
       } else {
-        set_by_floats(row, index, cells);
+        set_by_floats(row, index, cells, rounding(index, row));
       }
     });
   }
@@ -355,7 +357,11 @@ class ExactRows::Evaluation {
   }
 
   /// The error of a float is estimated by the numbers before it, in fewer digits.
-  void set_by_floats(const FastRow& row, std::size_t index, Cells cells) {
+  void set_by_floats(const FastRow& row, std::size_t index, Cells cells, const Rounding& rounding) {
+    if (is_none(row, index)) {
+      std::ranges::fill(cells, Printed{empty_cell});
+      return;
+    }
     static const Rational of_short = power_of_two(-160), of_long = power_of_two(-430);
     static const Rational short_part = power_of_two(-60), long_part = power_of_two(-300), between = power_of_two(-210);
     std::vector<std::optional<Rational>> first(cells.size()), second = first, third;
@@ -375,20 +381,14 @@ class ExactRows::Evaluation {
     const auto part_of = [](const Rational& value, const std::optional<Rational>& before, const Rational& part) {
       return before ? Rational(abs(value - *before) * part) : Rational(0);
     };
-    const Rounding rounding = this->rounding(index, row);
-    const auto decide = [&](std::optional<Printed>& cell, const Known& known, const std::optional<Rational>& before) {
-      const Rational size = abs(known.value);
-      const bool agrees =
-          !field_may_be_none(index) || !before || abs(known.value - *before) <= size * Rational(0x1p-10);
-      if (!agrees && size > known.error) return;  // one is a quotient of errors
+    const auto decide = [&](std::optional<Printed>& cell, const Known& known) {
       cell = rounding.within(known);
       if (!cell) cell = rounding.snapped(known);
     };
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i] || !first[i] || !second[i]) continue;
       decide(cells[i],
-             {*second[i], std::max(part_of(*second[i], first[i], short_part), Rational(abs(*second[i]) * of_short))},
-             first[i]);
+             {*second[i], std::max(part_of(*second[i], first[i], short_part), Rational(abs(*second[i]) * of_short))});
     }
     if (std::ranges::all_of(cells, is_set)) return;
     try {
@@ -399,23 +399,29 @@ class ExactRows::Evaluation {
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i]) continue;
-      if (third[i]) {
+      if (!third[i]) {
+        cells[i] = Printed{empty_cell};
+      } else {
         decide(cells[i],
                {*third[i], std::max({part_of(*third[i], first[i], long_part), part_of(*third[i], second[i], between),
-                                     Rational(abs(*third[i]) * of_long)})},
-               second[i]);
+                                     Rational(abs(*third[i]) * of_long)})});
       }
-      const bool may_be_none = !third[i] || field_may_be_none(index);
-      if (!cells[i]) cells[i] = may_be_none ? Printed{empty_cell} : refuse_digits(row);
+      if (!cells[i]) refuse_digits(row);
     }
   }
 
-  /// Whether a field has no number where the curve rests, or does not bend.
-  static bool field_may_be_none(std::size_t field) {
+  /// Whether a field has no number, as the curve rests there, or does not bend.
+  bool is_none(const FastRow& row, std::size_t field) {
     const std::string_view name = fields()[field].name;
-    return name == "tangent" || name == "curvature" || name == "torsion";
+    const std::string_view needed = name == "torsion"                          ? "curvature"
+                                    : name == "tangent" || name == "curvature" ? "speed"
+                                                                               : "";
+    if (needed.empty()) return false;
+    std::optional<Printed> cell;
+    set_by_floats(row, field_of(needed), {&cell, 1}, Rounding({}, CellKind::real));
+    return is_empty(cell->cell) || cell->is_zero;
   }
-  [[noreturn]] static Printed refuse_digits(const FastRow& row) {
+  [[noreturn]] static void refuse_digits(const FastRow& row) {
     throw data_error(
         "the row at time {} has a number that cannot be computed to the requested digits; request fewer with --digits "
         "or --fixed",
@@ -450,7 +456,7 @@ class ExactRows::Evaluation {
     if (along_.size() == most_kept) along_.clear();
     AlongSegment& along = along_[segment];
     constexpr int few = 8;
-    if (!rows_.arc && ++along.rows < few) return;
+    if (!rows_.arc && (!may_be_zero_ || ++along.rows < few)) return;
     if (along.cells.empty()) look_along(segment, along.cells);
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (cells_[i]) continue;
@@ -513,6 +519,7 @@ class ExactRows::Evaluation {
   std::vector<std::optional<Printed>> cells_;  ///< of the current row
   bool has_rational_place_ = false;            ///< the current row
   std::size_t segment_ = 0;                    ///< on which it is, if it is placed by length
+  bool may_be_zero_ = false;                   ///< an open cell of the current row
   Placed is_placed_;                           ///< the current row, at these scalars
   Point<double> double_point_;
   std::optional<RowPoint<spline::DoubleDouble>> double_doubles_;  ///< nothing: they do not hold the curve

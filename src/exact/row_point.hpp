@@ -228,22 +228,40 @@ class RowPoint {
         const std::size_t number = segment_.number;
         measured_.s = length_to(number + (point_.at_end() ? 1 : 0));
         const bool is_inside = !point_.at_start() && !point_.at_end();
-        if (is_inside) *measured_.s += sample_.at.u < S(0x1p-20) ? length_to_place() : arc(number).to(sample_.at).value;
+        if (is_inside)
+          *measured_.s += sample_.at.u < S(0x1p-20) ? start_of_segment(sample_.at.u).total().value
+                                                    : arc(number).to(sample_.at).value;
       }
       point_.set(measured_, outside_ ? &*outside_ : nullptr);
     }
   }
 
-  /// The length of the segment up to a place near its start, where a panel of it leaves few digits: that of a segment
-  /// of its own.
-  S length_to_place() const {
-    const S& u = sample_.at.u;
+  /// The lengths of the current segment up to a place near its start, where a panel of it leaves few digits: those of a
+  /// segment of its own.
+  spline::SegmentLength<S> start_of_segment(const S& u) const {
     std::vector<spline::Cubic<S>> part;
     for (const spline::Cubic<S>& x : segment_.cubics) {
-      const S chord = u * (x.out + u * (x.c + u * x.d)), in = spline::first_derivative(x, sample_.at) * u;
+      const S chord = u * (x.out + u * (x.c + u * x.d)), in = u * (x.out + u * (S(2) * x.c + u * (S(3) * x.d)));
       part.push_back(spline::cubic<S>(S(0), chord, chord, S(x.out * u), in));
     }
-    return spline::SegmentLength<S>(part, rows_.exact.rules.metric).total().value;
+    return spline::SegmentLength<S>(part, rows_.exact.rules.metric);
+  }
+
+  /// The place near the start of the current segment where a length from there is reached, to all digits of its size.
+  S place_near_start(const S& length) const {
+    const auto size_of = [](int halvings) {
+      using std::ldexp;
+      return S(ldexp(S(1), -halvings));
+    };
+    const auto is_beyond = [&](int halvings) { return start_of_segment(size_of(halvings)).total().value >= length; };
+    int beyond = 0, before = 1;
+    for (; is_beyond(before); before *= 2) beyond = before;
+    while (before - beyond > 1) {
+      const int middle = (beyond + before) / 2;
+      (is_beyond(middle) ? beyond : before) = middle;
+    }
+    const auto part = start_of_segment(size_of(beyond));
+    return part.place(S(0), part.total().value, length).u * size_of(beyond);
   }
 
   /// The length from the curve's first key to the one with this number. The current segment stays known.
@@ -347,9 +365,14 @@ class RowPoint {
     if (compare(s, row.number, number + 1) >= 0) return at_key(true);
     segment_ = segment(number);
     sample_ = {};
-    arc(number).places(length_to(number), length_to(number + 1), {&s, 1}, {&sample_.at, 1});
-    require_range(sample_.at.u);
-    require_range(sample_.at.w);
+    const S start = length_to(number), end = length_to(number + 1), into = s - start;
+    if (into < S(0x1p-20) * (end - start)) {
+      if constexpr (std::is_same_v<S, spline::DoubleDouble>) throw Undecided();
+      sample_.at.u = place_near_start(into);
+      sample_.at.w = sample_.at.u - S(1);
+    } else {
+      sample_.at = arc(number).place(start, end, s);
+    }
     set_time_of_place();
     sample_.s = s;
   }

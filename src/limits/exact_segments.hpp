@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "exact/ball.hpp"
 #include "exact/exact_curve.hpp"
 #include "exact/exact_keys.hpp"
 #include "exact/float_scalar.hpp"
+#include "limits/ball.hpp"
 #include "numbers/rational.hpp"
 #include "tcb/spline/curve_keys.hpp"
 #include "tcb/spline/rotation.hpp"

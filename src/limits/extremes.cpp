@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "exact/ball.hpp"
 #include "exact/exact_keys.hpp"
+#include "limits/ball.hpp"
 #include "limits/form.hpp"
 #include "limits/search.hpp"
 #include "tcb/spline/scalar.hpp"
@@ -319,12 +319,10 @@ std::optional<Rational> bound_exactly(Search<Rational>& search, std::optional<Ra
   } catch (const Undecided&) {
   }
   try {
-    const RealPrecision precision(400);
-    return bound_with_balls<Real>(search, high, piece, measure, place, false);
+    return bound_with_balls<WideFloat>(search, high, piece, measure, place, false);
   } catch (const Undecided&) {
   }
-  const RealPrecision precision(2000);
-  return bound_with_balls<Real>(search, high, piece, measure, place, true);
+  return bound_with_balls<LastFloat>(search, high, piece, measure, place, true);
 }
 
 /// The maximum among the segments that may hold it. Throws: Undecided where numbers are too far apart for any digits.

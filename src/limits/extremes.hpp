@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "exact/ball.hpp"
+#include "limits/ball.hpp"
 #include "limits/pieces.hpp"
 #include "numbers/frame_times.hpp"
 #include "numbers/rational.hpp"

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "exact/ball.hpp"
+#include "limits/ball.hpp"
 #include "limits/pieces.hpp"
 #include "limits/polynomial.hpp"
 #include "numbers/rational.hpp"
@@ -56,7 +56,10 @@ std::pair<Form<S>, Form<S>> split(const Form<S>& form, const S& at) {
 }
 
 inline Rational exactly(const spline::DoubleDouble& x) { return Rational(x.hi) + Rational(x.lo); }
-inline Rational exactly(const Real& x) { return x.rational(); }
+template <unsigned bits>
+Rational exactly(const Float<bits>& x) {
+  return rational_of<bits>(x);
+}
 
 /// The ends of what a scalar may be, as numbers that are compared.
 template <class Number, class S>

@@ -1,4 +1,4 @@
-// Polynomials over the scalars double, Rational and RealBall: arithmetic, and Bernstein's form, which bounds them.
+// Polynomials over the scalars double, Rational and balls: arithmetic, and Bernstein's form, which bounds them.
 //
 // On [0, 1] a polynomial is within the smallest and the largest of its coefficients in Bernstein's form, and has the
 // first and the last one as its values at 0 and 1; halving the interval brings them together quadratically.

@@ -1,6 +1,6 @@
 // Ball: every result is held by its ball, against 200 digits, also for operands that cancel, and comparisons that a
 // ball does not decide are refused.
-#include "exact/ball.hpp"
+#include "limits/ball.hpp"
 
 #include <gtest/gtest.h>
 
@@ -74,11 +74,6 @@ TEST(Ball, holds_the_results_of_hostile_operands) {
     expect_held(a.number / 2, halved(a.ball), "halved");
     expect_held(ldexp(a.number, 7), ldexp(a.ball, 7), "ldexp");
     try {
-      expect_held(sqrt(abs(a.number)), sqrt(abs(a.ball)), "sqrt");
-    } catch (const Undecided&) {
-      EXPECT_TRUE(a.ball.may_be_zero());
-    }
-    try {
       expect_held(a.number / b.number, a.ball / b.ball, "/");
     } catch (const Undecided&) {
       EXPECT_GE(b.ball.radius(), 0.9 * std::abs(b.ball.middle().hi));  // it may hold 0
@@ -121,13 +116,6 @@ TEST(Ball, compares_what_it_decides) {
   EXPECT_THROW((void)(about_one < Ball(1.0)), Undecided);
   EXPECT_THROW((void)(about_one == about_one), Undecided);
   EXPECT_THROW((void)(Ball(1.0) / Ball({1e-30, 0}, 1e-20)), Undecided);
-}
-
-TEST(Ball, gives_whole_numbers_below_that_it_decides) {
-  EXPECT_TRUE(floor(Ball({2.5, 0}, 0.25)) == Ball(2.0));
-  EXPECT_TRUE(floor(Ball(-3.0)) == Ball(-3.0));
-  EXPECT_TRUE(floor(Ball({3, -0x1p-60}, 0)) == Ball(2.0));
-  EXPECT_THROW((void)floor(Ball({3, 0}, 1e-20)), Undecided);
 }
 
 TEST(Ball, refuses_what_may_overflow_and_holds_what_may_underflow) {

@@ -1,23 +1,27 @@
 // Ball: a number with a bound on its error, so that arithmetic on balls proves its own accuracy.
 //
 // Every operation returns a ball that holds the results for all numbers in its operands. Middles are double-doubles, or
-// floats of any precision (real.hpp). The errors of the operations on double-doubles themselves are bounded by
+// floats of many bits. The errors of the operations on double-doubles themselves are bounded by
 // constants that are at least twice those of the analysis in
 //   M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
 //   arithmetic", ACM Trans. Math. Softw. 44 (2017), doi:10.1145/3121432,
 // and leave room for the operations of tcb/spline/scalar.hpp, which differ from theirs. Double-doubles whose products
 // could overflow are refused, as are comparisons that a ball does not decide: then more digits are needed. At the last
-// precision (Real::is_last) numbers that a small ball does not tell apart are equal.
+// precision (is_last) numbers that a small ball does not tell apart are equal.
 #pragma once
 
 #include <cmath>
 #include <concepts>
 
-#include "exact/real.hpp"
+#include "exact/float_scalar.hpp"
 #include "exact/rounding.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb {
+
+using WideFloat = Float<400>;
+/// More digits are not used: what they do not tell from zero is zero.
+using LastFloat = Float<2000>;
 
 /// Operations on the middles of balls: each adds to `error` a bound on its own.
 template <class M>
@@ -54,22 +58,8 @@ struct Middle<spline::DoubleDouble> {
     error += 0x1p-99 * std::abs(quotient.hi) + underflow;
     return quotient;
   }
-  static M root(const M& a, double& error) {
-    const M root = spline::sqrt(a);
-    error += 0x1p-98 * root.hi + underflow;
-    return root;
-  }
-  static M floor(const M& a) {
-    const double whole = std::floor(a.hi);
-    return a.lo < 0 && whole == a.hi ? whole - 1 : whole;
-  }
   static M scaled(const M& a, int exponent) { return {std::ldexp(a.hi, exponent), std::ldexp(a.lo, exponent)}; }
   static double scaled(double bound, int exponent) { return std::ldexp(bound, exponent) + (bound > 0 ? underflow : 0); }
-  static int exponent(const M& a) {
-    int exponent = 0;
-    (void)std::frexp(a.hi, &exponent);
-    return exponent;
-  }
   static double rough(const M& a) { return a.hi; }
   static M number(double bound) { return bound; }
   /// Whether products and squares of such numbers do not overflow.
@@ -82,39 +72,35 @@ struct Middle<spline::DoubleDouble> {
   static constexpr double smallest = 0x1p-400, largest = 0x1p400;
 };
 
-template <>
-struct Middle<Real> {
-  using M = Real;
-  using Bound = ErrorBound;
+template <unsigned width>
+struct Middle<Float<width>> {
+  using M = Float<width>;
+  using Bound = Float<64>;
 
-  static int bits() { return Real::bits(); }
-  static bool is_last() { return Real::is_last(); }
-  static bool is_zero(const Real& a) { return a.is_zero(); }
-  static bool is_negative(const Real& a) { return a.is_negative(); }
-  static Bound most(const Real& a) { return a.most(); }
-  static Bound least(const Real& a) { return a.least(); }
-  static const Bound& up(const Bound& sum) { return sum; }
-  static Bound power_of_two(int exponent) { return ErrorBound::power_of_two(exponent); }
-  static Bound difference(const Bound& a, const Bound& b) { return at_least(a, b); }
+  static constexpr int bits() { return width; }
+  static constexpr bool is_last() { return std::is_same_v<M, LastFloat>; }
+  static bool is_zero(const M& a) { return a == 0; }
+  static bool is_negative(const M& a) { return a < 0; }
+  static Bound most(const M& a) { return Bound(abs(a)) * (1 + 0x1p-50); }
+  static Bound least(const M& a) { return Bound(abs(a)) * (1 - 0x1p-50); }
+  static Bound up(const Bound& sum) { return sum * (1 + 0x1p-48); }
+  static Bound power_of_two(int exponent) { return ldexp(Bound(1), exponent); }
+  static Bound difference(const Bound& a, const Bound& b) { return a - b; }
 
-  static Real sum(const Real& a, const Real& b, Bound& error) { return with_error(Real::sum(a, b), error); }
-  static Real product(const Real& a, const Real& b, Bound& error) { return with_error(Real::product(a, b), error); }
-  static Real quotient(const Real& a, const Real& b, Bound& error) { return with_error(Real::quotient(a, b), error); }
-  static Real root(const Real& a, Bound& error) { return with_error(Real::root(a), error); }
-  static Real nearest(const Rational& value, Bound& error) { return with_error(Real::nearest(value), error); }
-  static Real floor(const Real& a) { return a.floor(); }
-  static Real scaled(const Real& a, int exponent) { return ldexp(a, exponent); }
+  static M sum(const M& a, const M& b, Bound& error) { return with_error(a + b, error); }
+  static M product(const M& a, const M& b, Bound& error) { return with_error(a * b, error); }
+  static M quotient(const M& a, const M& b, Bound& error) { return with_error(a / b, error); }
+  static M scaled(const M& a, int exponent) { return ldexp(a, exponent); }
   static Bound scaled(const Bound& bound, int exponent) { return ldexp(bound, exponent); }
-  static int exponent(const Real& a) { return static_cast<int>(a.exponent()); }
-  static double rough(const Real& a) { return a.rough(); }
-  static Real number(const Bound& bound) { return ldexp(Real(bound.mantissa()), bound.exponent()); }
-  static bool is_in_range(const Real&, const Bound&) { return true; }
-  static bool is_tiny(const Real&) { return false; }
+  static double rough(const M& a) { return static_cast<double>(a); }
+  static M number(const Bound& bound) { return M(bound); }
+  static bool is_in_range(const M&, const Bound&) { return true; }
+  static bool is_tiny(const M&) { return false; }
 
  private:
-  static Real with_error(const Real::Result& result, Bound& error) {
-    if (!result.is_exact) error = error + result.value.most() * ErrorBound::power_of_two(1 - Real::bits());
-    return result.value;
+  static M with_error(const M& result, Bound& error) {
+    error += most(result) * power_of_two(1 - bits());
+    return result;
   }
 };
 
@@ -172,41 +158,11 @@ class BallOf {
   BallOf& operator*=(const BallOf& other) { return *this = *this * other; }
   BallOf& operator/=(const BallOf& other) { return *this = *this / other; }
 
-  /// Requires: the number that the ball holds is at least 0, whatever others are.
-  friend BallOf sqrt(const BallOf& a) {
-    if (a.is_zero()) return {};
-    const Bound least_square =
-        Ops::is_negative(a.middle_) ? Bound(0.0) : Ops::difference(Ops::least(a.middle_), a.radius_);
-    if (!(least_square > 0.0)) {  // from 0 to the root of the largest number
-      using std::sqrt;
-      return checked(M(), Ops::up(sqrt(Ops::most(a.middle_) + a.radius_)));
-    }
-    Bound radius = 0.0;
-    const M root = Ops::root(a.middle_, radius);
-    if (a.radius_ != 0.0) radius = radius + a.radius_ / Ops::least(root);  // a - b = (sqrt a + sqrt b)(sqrt a - sqrt b)
-    return checked(root, Ops::up(radius));
-  }
-
-  /// Throws: Undecided unless it is the same for all numbers in the ball.
-  friend BallOf floor(const BallOf& a) {
-    const BallOf below(Ops::floor(a.middle_)), above = below + BallOf(1.0);
-    if (a < above) return a >= below ? below : throw Undecided();
-    return above;
-  }
-
   friend BallOf ldexp(const BallOf& a, int exponent) {
     return checked(Ops::scaled(a.middle_, exponent), Ops::scaled(a.radius_, exponent));
   }
-  /// The exponent is that of the middle.
-  friend BallOf frexp(const BallOf& a, int* exponent) {
-    *exponent = Ops::exponent(a.middle_);
-    return ldexp(a, -*exponent);
-  }
   /// Either will do where they may be equal.
   friend BallOf rough_max(const BallOf& a, const BallOf& b) { return a.middle_ < b.middle_ ? b : a; }
-
-  /// The whole number that a ball is.
-  explicit operator int() const { return static_cast<int>(rough()); }
 
   /// The same ball with a larger radius.
   BallOf widened(const Bound& error) const { return checked(middle_, Ops::up(radius_ + error)); }
@@ -227,7 +183,6 @@ class BallOf {
 
   friend BallOf without_radius(const BallOf& a) { return BallOf(a.middle_); }
   friend BallOf abs(const BallOf& a) { return Ops::is_negative(a.middle_) ? -a : a; }
-  friend BallOf halved(const BallOf& a) { return ldexp(a, -1); }
 
   /// Each throws Undecided unless all numbers in the balls compare alike.
   friend bool operator<(const BallOf& a, const BallOf& b) { return sign_of(a, b) < 0; }
@@ -256,7 +211,6 @@ class BallOf {
 };
 
 using Ball = BallOf<spline::DoubleDouble>;
-using RealBall = BallOf<Real>;
 
 template <class S>
 inline constexpr bool is_ball = false;
@@ -269,11 +223,22 @@ inline Ball scalar_of<Ball>(const Rational& value) {
   if (!std::isfinite(number.error)) throw Undecided();
   return Ball(number.value).widened(number.error);
 }
+template <unsigned bits>
+BallOf<Float<bits>> ball_of(const Rational& value) {
+  const Float<bits> middle = float_of<bits>(value);
+  const bool is_exact = rational_of<bits>(middle) == value;
+  using Ops = Middle<Float<bits>>;
+  return BallOf<Float<bits>>(
+      middle, is_exact ? typename Ops::Bound(0)
+                       : typename Ops::Bound(Ops::most(middle) * Ops::power_of_two(2 - static_cast<int>(bits))));
+}
 template <>
-inline RealBall scalar_of<RealBall>(const Rational& value) {
-  ErrorBound radius;
-  const Real middle = Middle<Real>::nearest(value, radius);
-  return RealBall(middle, radius);
+inline BallOf<WideFloat> scalar_of<BallOf<WideFloat>>(const Rational& value) {
+  return ball_of<400>(value);
+}
+template <>
+inline BallOf<LastFloat> scalar_of<BallOf<LastFloat>>(const Rational& value) {
+  return ball_of<2000>(value);
 }
 
 }  // namespace tcb
