@@ -58,7 +58,7 @@ struct Bounded {
     if (a.is_zero()) return {};
     const spline::DoubleDouble quotient = a.value / b.value;
     const double given = (a.error + std::abs(quotient.hi) * b.error + underflow) / divisor;
-    return {quotient, up(up(given) + 0x1p-99 * std::abs(quotient.hi))};
+    return {quotient, up(up(given) + 0x1p-99 * std::abs(quotient.hi)) + smallest};
   }
   Bounded& operator+=(const Bounded& other) { return *this = *this + other; }
   Bounded& operator-=(const Bounded& other) { return *this = *this - other; }
@@ -78,6 +78,7 @@ struct Bounded {
 
   static constexpr double underflow = 0x1p-1000;  ///< more than what products lose there
   static constexpr double smallest_divisor = 0x1p-500;
+  static constexpr double smallest = 0x1p-1074;  ///< more than what quotients of errors lose there
 };
 
 /// The greatest whole number that is not above a number; without a finite error where the bound leaves a choice.

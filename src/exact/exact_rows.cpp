@@ -125,7 +125,8 @@ class ExactRows::Evaluation {
         chosen_(chosen.begin(), chosen.end()),
         keeps_digits_(request.keeps_digits),
         is_rational_curve_(rows_.exact.is_rational() && rows_.exact.rules.rotations.empty()),
-        cells_(width(chosen)) {
+        cells_(width(chosen)),
+        may_be_zero_(cells_.size()) {
     if (request.is_for_double_doubles) double_doubles_.emplace(rows_);
     for (const std::size_t index : chosen_) {
       if (!is_rational(index) && !is_time(index)) irrational_.push_back(index);
@@ -136,7 +137,8 @@ class ExactRows::Evaluation {
     if (rows_.exact.decimal && !rows_.arc) row.exact = exact_times(row, locator);
     std::ranges::fill(cells_, std::nullopt);
     is_placed_ = {};
-    may_be_zero_ = false;
+    may_be_zero_.assign(cells_.size(), false);
+    may_be_along_ = false;
     if (rows_.arc) set_place(row);
     has_rational_place_ = !rows_.arc || (row.at_key && (!row.at_key->is_middle || !has_warps()));
     set_known(row);
@@ -279,7 +281,9 @@ class ExactRows::Evaluation {
       for (std::size_t i = 0; i < cells.size(); ++i) {
         const Quantity<Bounded>& number = written[i].number;
         cells[i] = number.defined ? rounding(index, row).within(root_of(number)) : Printed{empty_cell};
-        may_be_zero_ = may_be_zero_ || (!cells[i] && number.value.may_be_zero());
+        const auto cell = static_cast<std::size_t>(&cells[i] - cells_.data());
+        may_be_zero_[cell] = std::isfinite(number.value.error) && number.value.may_be_zero();
+        may_be_along_ = may_be_along_ || (number.defined && number.value.may_be_zero());
       }
     });
   }
@@ -381,14 +385,10 @@ class ExactRows::Evaluation {
     const auto part_of = [](const Rational& value, const std::optional<Rational>& before, const Rational& part) {
       return before ? Rational(abs(value - *before) * part) : Rational(0);
     };
-    const auto decide = [&](std::optional<Printed>& cell, const Known& known) {
-      cell = rounding.within(known);
-      if (!cell) cell = rounding.snapped(known);
-    };
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i] || !first[i] || !second[i]) continue;
-      decide(cells[i],
-             {*second[i], std::max(part_of(*second[i], first[i], short_part), Rational(abs(*second[i]) * of_short))});
+      const Rational error = std::max(part_of(*second[i], first[i], short_part), Rational(abs(*second[i]) * of_short));
+      cells[i] = rounding.within(Known{*second[i], error});
     }
     if (std::ranges::all_of(cells, is_set)) return;
     try {
@@ -402,9 +402,11 @@ class ExactRows::Evaluation {
       if (!third[i]) {
         cells[i] = Printed{empty_cell};
       } else {
-        decide(cells[i],
-               {*third[i], std::max({part_of(*third[i], first[i], long_part), part_of(*third[i], second[i], between),
-                                     Rational(abs(*third[i]) * of_long)})});
+        const Known known{*third[i],
+                          std::max({part_of(*third[i], first[i], long_part), part_of(*third[i], second[i], between),
+                                    Rational(abs(*third[i]) * of_long)})};
+        cells[i] = rounding.within(known);
+        if (!cells[i]) cells[i] = rounding.snapped(known);
       }
       if (!cells[i]) refuse_digits(row);
     }
@@ -456,12 +458,13 @@ class ExactRows::Evaluation {
     if (along_.size() == most_kept) along_.clear();
     AlongSegment& along = along_[segment];
     constexpr int few = 8;
-    if (!rows_.arc && (!may_be_zero_ || ++along.rows < few)) return;
+    if (!rows_.arc && (!may_be_along_ || ++along.rows < few)) return;
     if (along.cells.empty()) look_along(segment, along.cells);
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (cells_[i]) continue;
       if (along.cells[i] == Along::empty) cells_[i] = Printed{empty_cell};
-      if (along.cells[i] == Along::zero) cells_[i] = Rounding(notation_, CellKind::real).exactly({0});
+      if (along.cells[i] == Along::zero && (rows_.arc || may_be_zero_[i]))
+        cells_[i] = Rounding(notation_, CellKind::real).exactly({0});
     }
   }
 
@@ -519,7 +522,8 @@ class ExactRows::Evaluation {
   std::vector<std::optional<Printed>> cells_;  ///< of the current row
   bool has_rational_place_ = false;            ///< the current row
   std::size_t segment_ = 0;                    ///< on which it is, if it is placed by length
-  bool may_be_zero_ = false;                   ///< an open cell of the current row
+  bool may_be_along_ = false;                  ///< a cell of the row may be 0 or empty all along its segment
+  std::vector<bool> may_be_zero_;              ///< each cell, by its bound
   Placed is_placed_;                           ///< the current row, at these scalars
   Point<double> double_point_;
   std::optional<RowPoint<spline::DoubleDouble>> double_doubles_;  ///< nothing: they do not hold the curve

@@ -329,15 +329,17 @@ class RowPoint {
   }
 
   /// Whether a length is below (-1), at (0) or above (1) that of a key. One that is written is a key's only if it is so
-  /// exactly: where the scalar does not tell them apart, and the length is so simple that this is no chance.
+  /// exactly: where the last floats do not tell them apart, and the length is so simple that this is no chance.
   int compare(const S& s, std::uint64_t row, std::size_t key) {
     const S length = length_to(key), difference = s - length, error = S(rounding) * length + errors_[key];
     if (difference > error) return 1;
     if (difference < -error) return -1;
+    if (error == S(0)) return 0;
+    constexpr int digits_of_last = 448;
+    if (digits < digits_of_last) throw Undecided();
     const auto written = rows_.arc->length(row);
     if (!written) return 0;
     const S size = scalar_of<S>(denominator(*written));
-    if (difference == S(0) && error == S(0)) return 0;
     return S(2) * error * size * size <= S(0x1p-40) ? 0 : throw Undecided();
   }
 

@@ -10,6 +10,7 @@
 // precision (is_last) numbers that a small ball does not tell apart are equal.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 
@@ -87,9 +88,17 @@ struct Middle<Float<width>> {
   static Bound power_of_two(int exponent) { return ldexp(Bound(1), exponent); }
   static Bound difference(const Bound& a, const Bound& b) { return a - b; }
 
-  static M sum(const M& a, const M& b, Bound& error) { return with_error(a + b, error); }
-  static M product(const M& a, const M& b, Bound& error) { return with_error(a * b, error); }
-  static M quotient(const M& a, const M& b, Bound& error) { return with_error(a / b, error); }
+  static M sum(const M& a, const M& b, Bound& error) {
+    const bool is_exact = a == 0 || b == 0 || std::max(top(a), top(b)) - std::min(last(a), last(b)) < bits() - 2;
+    return with_error(a + b, is_exact, error);
+  }
+  static M product(const M& a, const M& b, Bound& error) {
+    return with_error(a * b, a == 0 || b == 0 || size(a) + size(b) <= bits(), error);
+  }
+  static M quotient(const M& a, const M& b, Bound& error) {
+    const M result = a / b;
+    return with_error(result, a == 0 || (size(result) + size(b) <= bits() && result * b == a), error);
+  }
   static M scaled(const M& a, int exponent) { return ldexp(a, exponent); }
   static Bound scaled(const Bound& bound, int exponent) { return ldexp(bound, exponent); }
   static double rough(const M& a) { return static_cast<double>(a); }
@@ -98,10 +107,14 @@ struct Middle<Float<width>> {
   static bool is_tiny(const M&) { return false; }
 
  private:
-  static M with_error(const M& result, Bound& error) {
-    error += most(result) * power_of_two(1 - bits());
+  static M with_error(const M& result, bool is_exact, Bound& error) {
+    if (!is_exact) error += most(result) * power_of_two(1 - bits());
     return result;
   }
+  /// The exponents of the first and of the last bit of a number that is not 0, and how many there are.
+  static int top(const M& a) { return a.backend().exponent(); }
+  static int last(const M& a) { return top(a) - bits() + 1 + static_cast<int>(eval_lsb(a.backend().bits())); }
+  static int size(const M& a) { return top(a) - last(a) + 1; }
 };
 
 /// All numbers within `radius` of the middle.

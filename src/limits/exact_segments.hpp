@@ -64,7 +64,7 @@ void add_angles(spline::Segments<S>& segments) {
   }
 }
 
-/// The segments of a curve, one by one. Where these are irrational, they have 448 bits.
+/// The segments of a curve, one by one. Where these are irrational, they have 2400 bits, those of rotations 448.
 class ExactSegments {
  public:
   /// `turns`: also the numbers of its rotations, and their angles as further channels.
@@ -80,7 +80,7 @@ class ExactSegments {
     if (plain.is_rational()) {
       rational_ = curve_at<Rational>(plain);
     } else {
-      irrational_ = curve_at<LongFloat>(plain);
+      irrational_ = curve_at<WidestFloat>(plain);
     }
     if (turns) turning_ = curve_at<LongFloat>(exact);
     of_balls_ = turns ? exact : std::move(plain);
@@ -111,9 +111,9 @@ class ExactSegments {
   spline::Segments<Rational> operator()(std::size_t number) const {
     if (resting_) return *resting_;
     const spline::Segments<Rational> plain =
-        rational_ ? rational_->segments(number, number + 1) : rounded(*irrational_, number);
+        rational_ ? rational_->segments(number, number + 1) : rounded<2400>(*irrational_, number);
     if (!turning_) return plain;
-    spline::Segments<Rational> all = rounded(*turning_, number);
+    spline::Segments<Rational> all = rounded<448>(*turning_, number);
     all.times = plain.times;
     all.warps = plain.warps;
     const std::vector<bool> are_in_rotations = spline::in_rotations(rotations_, plain.channels);
@@ -124,10 +124,11 @@ class ExactSegments {
   }
 
  private:
-  static spline::Segments<Rational> rounded(const spline::CurveKeys<LongFloat>& curve, std::size_t number) {
+  template <unsigned bits>
+  static spline::Segments<Rational> rounded(const spline::CurveKeys<Float<bits>>& curve, std::size_t number) {
     auto segment = curve.segments(number, number + 1);
     if (!segment.rotations.empty()) add_angles(segment);
-    return converted<Rational>(segment, [](const LongFloat& x) { return rational_of<448>(x); });
+    return converted<Rational>(segment, [](const Float<bits>& x) { return rational_of<bits>(x); });
   }
 
   std::vector<spline::KeyRotation> rotations_;
@@ -136,7 +137,8 @@ class ExactSegments {
   std::shared_ptr<const spline::CurveKeys<Bounded>> bounded_;  ///< these are made when they are needed
   std::shared_ptr<const spline::CurveKeys<spline::DoubleDouble>> double_doubles_;
   std::shared_ptr<const spline::CurveKeys<Rational>> rational_;
-  std::shared_ptr<const spline::CurveKeys<LongFloat>> irrational_, turning_;
+  std::shared_ptr<const spline::CurveKeys<WidestFloat>> irrational_;
+  std::shared_ptr<const spline::CurveKeys<LongFloat>> turning_;
 };
 
 }  // namespace tcb::limits

@@ -195,7 +195,7 @@ Polynomial<S> minor_of(const Polynomial<S>& v, const Polynomial<S>& a, const Pol
   Polynomial<S> minor = sum(product(v, other_a), product(other_v, a), S(-1));
   minor.pop_back();  // which is 0
   if constexpr (std::is_same_v<S, Rational>) {
-    static const Rational noise = Rational(0x1p-400);  // of segments that are rounded to 448 bits
+    static const Rational noise = Rational(0x1p-1000) * Rational(0x1p-1000);
     const Rational least = noise * (size_of(v) * size_of(other_a) + size_of(other_v) * size_of(a));
     for (Rational& coefficient : minor) coefficient = abs(coefficient) < least ? Rational(0) : coefficient;
   }

@@ -337,7 +337,6 @@ class PathShape {
     const auto& [velocity, acceleration, jerk, n1, n2] = without_ease(point, memory_);
     const View v(velocity, point.segment().metric), a(acceleration, point.segment().metric);
     const S area2 = square_of_area(v, a), v2 = square_of(v);
-    if (area2 == S(0)) return {S(0)};
     return root(area2 / (v2 * v2 * v2));
   }
 
