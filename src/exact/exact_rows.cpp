@@ -401,6 +401,8 @@ class ExactRows::Evaluation {
       if (cells[i]) continue;
       if (!third[i]) {
         cells[i] = Printed{empty_cell};
+      } else if (second[i] == Rational(0)) {  // what is left in more digits are their errors
+        cells[i] = rounding.exactly({0});
       } else {
         const Known known{*third[i],
                           std::max({part_of(*third[i], first[i], long_part), part_of(*third[i], second[i], between),

@@ -269,7 +269,9 @@ inline constexpr std::array field_table{
     FieldOf<S>{{.name = "angular_speed", .per_rotation = true, .has_side = true, .is_rational = false},
                write_angular_speed<S>},
     FieldOf<S>{{.name = "segment", .kind = CellKind::whole, .has_side = true},
-               [](Point<S>& point, CellWriter<S> out) { out.add(static_cast<S>(static_cast<double>(point.segment().number))); }},
+               [](Point<S>& point, CellWriter<S> out) {
+                 out.add(static_cast<S>(static_cast<double>(point.segment().number)));
+               }},
     FieldOf<S>{{.name = "u", .has_side = true}, [](Point<S>& point, CellWriter<S> out) { out.add(point.u()); }},
     FieldOf<S>{{.name = "key", .kind = CellKind::whole},
                [](Point<S>& point, CellWriter<S> out) { out.add(point.key()); }},
