@@ -208,8 +208,7 @@ class Tangents {
     using std::abs, std::frexp, std::ldexp;
     S largest(0);
     for (std::size_t i = 0; i < metric_size(); ++i) {
-      largest =
-          std::max({largest, S(abs(high_part<S>(in[metric(i)]))), S(abs(high_part<S>(out[metric(i)])))});
+      largest = std::max({largest, S(abs(high_part<S>(in[metric(i)]))), S(abs(high_part<S>(out[metric(i)])))});
     }
     int exponent = 0;
     (void)frexp(largest, &exponent);
