@@ -190,7 +190,7 @@ TEST(JsonMembers, members_without_a_meaning_are_ignored) {
 std::string channel_tcbs(const std::string& text) {
   std::string shown;
   const std::string error = error_of([&] {
-    const auto keys = without_faults(open_input("f", pieces(text), {}).keys.blocks, false);
+    const auto keys = without_faults(open_input("f", pieces(text), {}).keys.blocks);
     while (const auto block = keys()) {
       for (const auto& [tension, continuity, bias] : block->keys.tcbs) {
         shown += fmt::format("[{} {} {}]", tension, continuity, bias);
@@ -216,7 +216,7 @@ TEST(JsonMembers, channels_may_have_tension_of_their_own) {
 std::string velocities(const std::string& text) {
   std::string shown;
   const std::string error = error_of([&] {
-    const auto keys = without_faults(open_input("f", pieces(text), {}).keys.blocks, false);
+    const auto keys = without_faults(open_input("f", pieces(text), {}).keys.blocks);
     while (const auto block = keys()) {
       for (const auto& [in, out] : block->keys.velocities) shown += fmt::format("[{} {}]", in, out);
       for (const bool given : block->keys.given) shown += given ? "+" : "-";
