@@ -1,6 +1,8 @@
 // Pace: at which arc length of a curve a row is at its time, and how fast it moves there.
 #include "sample/pace.hpp"
 
+#include <algorithm>
+
 namespace tcb {
 namespace {
 
@@ -23,6 +25,13 @@ PacePart Pace::at(const Rational& time) const {
     return {1 - top * fall * part.distance, top * part.speed, -top / fall * part.acceleration};
   }
   return {top * (time - rise / 2), top, 0};
+}
+
+PacePart Pace::at(const Rational& time, const Rational& first, const Rational& last) const {
+  if (first == last) return {};  // of a single key
+  const Rational duration = last - first;
+  const PacePart part = at(std::clamp<Rational>((time - first) / duration, 0, 1));
+  return {part.distance, part.speed / duration, part.acceleration / (duration * duration)};
 }
 
 }  // namespace tcb

@@ -29,7 +29,7 @@ struct PaceProfile {
   TextPosition largest_place = {};  ///< of that key
 };
 
-/// A distance, or a time, as a part of the whole, with derivatives by such a time.
+/// A part of the length, and its derivatives by time.
 struct PacePart {
   Rational distance, speed, acceleration;
 };
@@ -40,10 +40,13 @@ struct Pace {
   std::shared_ptr<const PaceProfile> profile = nullptr;  ///< instead
 
   /// The speed in a ramp is V (3 w^2 - 2 w^3), where w is the part of the ramp, and V between the ramps.
-  /// Requires: 0 <= time <= 1, and no profile.
-  PacePart at(const Rational& time) const;
+  /// Requires: a time from the first key to the last one, and no profile.
+  PacePart at(const Rational& time, const Rational& first, const Rational& last) const;
   /// V, if length and duration are 1.
   Rational top_speed() const { return 1 / (1 - (rise + fall) / 2); }
+
+ private:
+  PacePart at(const Rational& time) const;
 };
 
 }  // namespace tcb

@@ -60,9 +60,22 @@ std::vector<Rational> exact_grid_times(const SamplingRequest& request, const Ext
   return times;
 }
 
+/// Those of rows at equal parts of each segment.
+std::vector<Rational> times_per_segment(const SamplingRequest& request, std::span<const Time> keys) {
+  require_rows(Rational(keys.size() - 1) * request.count, request.max_rows);
+  std::vector<Rational> times;
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    const Rational start = request.exact(keys[i]), step = (request.exact(keys[i + 1]) - start) / request.count;
+    for (std::uint64_t row = 0; row < request.count; ++row) times.push_back(start + step * row);
+  }
+  times.push_back(request.exact(keys.back()));
+  return times;
+}
+
 /// The exact times of rows; nothing where only the rows decide them, or where they are lengths.
 std::vector<Rational> exact_times(const SamplingRequest& request, const KeptCurve& curve) {
   const bool merges_computed_keys = request.keys && !request.key_times;
+  if (request.mode == Mode::per_segment) return times_per_segment(request, curve.curve().times());
   if (by_length(request.mode) || request.mode == Mode::tolerance || merges_computed_keys) return {};
   const Extent& extent = curve.extent();
   const Rational first = request.exact(extent.first), last = request.exact(*extent.last);
@@ -81,14 +94,40 @@ std::vector<Rational> exact_times(const SamplingRequest& request, const KeptCurv
                              Rational(1, 1'000'000'000));
 }
 
-/// The times of rows that move at a pace, rounded and exact, in the range of the keys.
-struct PacedTimes {
-  std::vector<Time> rounded;
-  std::vector<Rational> exact;
-  std::optional<Rational> remainder = {};  ///< of the range after the last one
-};
+/// The rows of a request without a pace.
+RowPlaces places_by_time(const SamplingRequest& request, const KeptCurve& curve, bool exact) {
+  const Extent& extent = curve.extent();
+  RowPlaces result{.zero = request.zero};
+  if (exact) result.exact = exact_times(request, curve);
+  const auto set_rounded = [&](const std::vector<Rational>& places, int digits) {
+    std::ranges::transform(places, std::back_inserter(result.places),
+                           [digits](const Rational& place) { return nearest_time(place, digits); });
+  };
+  if (!result.exact.empty()) {
+    set_rounded(result.exact, extent.decimals);
+    return result;
+  }
+  if (request.mode == Mode::tolerance) {
+    ToleranceRows rows = rows_within_tolerance(curve, request.tolerance, request.max_rows, request.keys);
+    result.places = std::move(rows.times);
+    if (request.tolerance.limits_distance()) result.least_rows = rows.least;
+  } else if (request.mode == Mode::per_segment) {
+    set_rounded(times_per_segment(request, curve.curve().times()), extent.decimals);
+  } else if (request.places.empty()) {
+    result.places = grid_times(request, extent);
+  } else {
+    set_rounded(request.places, request.mode == Mode::at ? extent.decimals : only_doubles);
+  }
+  if (!request.keys) return result;
+  const auto bound = [&](const std::optional<Rational>& given, const Time& end) {
+    return given ? nearest_time(*given, extent.decimals) : end;
+  };
+  result.places = with_keys(result.places, curve.curve().times(), bound(request.from, extent.first),
+                            bound(request.to, *extent.last), Time(1e-9));
+  return result;
+}
 
-/// Throws: Error (usage) for a range that leaves the curve.
+/// Throws: Error (usage) for a request that leaves the curve.
 void require_on_curve(const SamplingRequest& request, const Rational& first, const Rational& last) {
   const auto require = [&](std::string_view option, const Rational& time) {
     require_not_before(option, time + request.zero, RangeEnds::of_pieces, first + request.zero);
@@ -99,61 +138,21 @@ void require_on_curve(const SamplingRequest& request, const Rational& first, con
   if (request.to && !request.origin) require("--to", *request.to);
 }
 
-/// Rows at equal parts of each segment.
-std::vector<Rational> times_per_segment(const SamplingRequest& request, std::span<const Time> keys) {
-  require_rows(Rational(keys.size() - 1) * request.count, request.max_rows);
-  std::vector<Rational> times;
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-    const Rational start = request.exact(keys[i]), step = (request.exact(keys[i + 1]) - start) / request.count;
-    for (std::uint64_t row = 0; row < request.count; ++row) times.push_back(start + step * row);
-  }
-  times.push_back(request.exact(keys.back()));
-  return times;
-}
-
-PacedTimes paced_times(const SamplingRequest& request, const KeptCurve& curve) {
-  const Extent& extent = curve.extent();
-  const Rational first = request.exact(extent.first), last = request.exact(*extent.last);
-  require_on_curve(request, first, last);
-  PacedTimes times;
-  if (request.mode == Mode::at || request.mode == Mode::per_segment) {
-    times.exact = request.mode == Mode::at ? request.places : times_per_segment(request, curve.curve().times());
-    for (const Rational& time : times.exact) times.rounded.push_back(nearest_time(time, extent.decimals));
-    return times;
-  }
-  times.rounded = grid_times(request, extent);
-  const Spacing on = spacing(request, extent);
-  for (std::uint64_t row = 0; row < times.rounded.size(); ++row) {
-    const bool is_on_grid = times.rounded[row] == on.grid.time(row, extent.decimals);
-    times.exact.push_back(is_on_grid ? on.grid.start() + on.grid.step() * row : *on.end);
-  }
-  const bool may_stop_before = request.mode == Mode::step && !times.rounded.empty();
-  if (may_stop_before && times.rounded.back() < nearest_time(*on.end, extent.decimals)) {
-    times.remainder = *on.end - times.exact.back();
-  }
-  return times;
-}
-
-/// Rows whose times are parts of the duration of the curve, at parts of its length.
-RowPlaces paced_places(const SamplingRequest& request, const KeptCurve& curve) {
-  const PacedTimes times = paced_times(request, curve);
-  const Rational first = request.exact(curve.extent().first);
-  const Rational duration = request.exact(*curve.extent().last) - first;
+/// Moves rows from their times to the arc lengths that the pace has there.
+void set_pace(RowPlaces& rows, const SamplingRequest& request, const KeptCurve& curve) {
+  const Rational first = request.exact(curve.extent().first), last = request.exact(*curve.extent().last);
   const double length = curve.length();
-  RowPlaces result{.zero = request.zero, .remainder = times.remainder};
-  for (std::size_t row = 0; row < times.exact.size(); ++row) {
-    if (duration == 0) {  // of a single key
-      result.places.emplace_back(0.0);
-      result.motions.push_back({times.rounded[row]});
-      continue;
-    }
-    const Rational passed = std::clamp<Rational>((times.exact[row] - first) / duration, 0, 1);
-    const PacePart part = request.pace->at(passed);
-    result.places.push_back(part.distance == 1 ? Time(length) : nearest_time(part.distance) * Time(length));
-    result.motions.push_back({times.rounded[row], nearest_double(part.speed / duration) * length,
-                              nearest_double(part.acceleration / (duration * duration)) * length});
+  for (std::size_t row = 0; row < rows.places.size(); ++row) {
+    Time& place = rows.places[row];
+    const Rational time = rows.exact.empty() ? request.exact(place) : rows.exact[row];
+    const PacePart part = request.pace->at(time, first, last);
+    rows.motions.push_back({place, nearest_double(part.speed) * length, nearest_double(part.acceleration) * length});
+    place = part.distance == 1 ? Time(length) : nearest_time(part.distance) * Time(length);
   }
-  return result;
+  const Rational end = request.to.value_or(last);
+  if (request.mode != Mode::step || rows.motions.empty()) return;
+  const Time& last_row = rows.motions.back().time;
+  if (last_row < nearest_time(end, curve.extent().decimals)) rows.remainder = end - request.exact(last_row);
 }
 
 /// Rows at the distances of a profile. Throws: Error (data) for one beyond the curve.
@@ -264,36 +263,12 @@ void require_extended_to(std::string_view option, const Rational& time, const Ex
 }
 
 RowPlaces row_places(const SamplingRequest& request, const KeptCurve& curve, bool exact) {
-  if (request.pace) {
-    return request.pace->profile ? profiled_places(*request.pace->profile, curve) : paced_places(request, curve);
-  }
-  const Extent& extent = curve.extent();
-  RowPlaces result{.zero = request.zero};
-  if (exact) result.exact = exact_times(request, curve);
-  const auto set_rounded = [&](const std::vector<Rational>& places, int digits) {
-    std::ranges::transform(places, std::back_inserter(result.places),
-                           [digits](const Rational& place) { return nearest_time(place, digits); });
-  };
-  if (!result.exact.empty()) {
-    set_rounded(result.exact, extent.decimals);
-    return result;
-  }
-  if (request.mode == Mode::tolerance) {
-    ToleranceRows rows = rows_within_tolerance(curve, request.tolerance, request.max_rows, request.keys);
-    result.places = std::move(rows.times);
-    if (request.tolerance.limits_distance()) result.least_rows = rows.least;
-  } else if (request.places.empty()) {
-    result.places = grid_times(request, extent);
-  } else {
-    set_rounded(request.places, request.mode == Mode::at ? extent.decimals : only_doubles);
-  }
-  if (!request.keys) return result;
-  const auto bound = [&](const std::optional<Rational>& given, const Time& end) {
-    return given ? nearest_time(*given, extent.decimals) : end;
-  };
-  result.places = with_keys(result.places, curve.curve().times(), bound(request.from, extent.first),
-                            bound(request.to, *extent.last), Time(1e-9));
-  return result;
+  if (!request.pace) return places_by_time(request, curve, exact);
+  if (request.pace->profile != nullptr) return profiled_places(*request.pace->profile, curve);
+  require_on_curve(request, request.exact(curve.extent().first), request.exact(*curve.extent().last));
+  RowPlaces rows = places_by_time(request, curve, exact);
+  set_pace(rows, request, curve);
+  return rows;
 }
 
 /// Neighbouring rows on one segment are located together.

@@ -14,28 +14,28 @@ void expect_part(const PacePart& part, const Rational& distance, const Rational&
 
 TEST(Pace, IsConstantWithoutRamps) {
   const Pace pace;
-  expect_part(pace.at(0), 0, 1, 0);
-  expect_part(pace.at(Rational(2, 7)), Rational(2, 7), 1, 0);
-  expect_part(pace.at(1), 1, 1, 0);
+  expect_part(pace.at(0, 0, 1), 0, 1, 0);
+  expect_part(pace.at(Rational(2, 7), 0, 1), Rational(2, 7), 1, 0);
+  expect_part(pace.at(1, 0, 1), 1, 1, 0);
 }
 
 TEST(Pace, RisesAndFallsSmoothly) {
   const Pace pace{.rise = Rational(1, 4), .fall = Rational(1, 4)};
   EXPECT_EQ(pace.top_speed(), Rational(4, 3));
-  expect_part(pace.at(0), 0, 0, 0);
-  expect_part(pace.at(Rational(1, 8)), Rational(1, 32), Rational(2, 3), 8);
-  expect_part(pace.at(Rational(1, 4)), Rational(1, 6), Rational(4, 3), 0);
-  expect_part(pace.at(Rational(1, 2)), Rational(1, 2), Rational(4, 3), 0);
-  expect_part(pace.at(Rational(7, 8)), Rational(31, 32), Rational(2, 3), -8);
-  expect_part(pace.at(1), 1, 0, 0);
+  expect_part(pace.at(0, 0, 1), 0, 0, 0);
+  expect_part(pace.at(Rational(1, 8), 0, 1), Rational(1, 32), Rational(2, 3), 8);
+  expect_part(pace.at(Rational(1, 4), 0, 1), Rational(1, 6), Rational(4, 3), 0);
+  expect_part(pace.at(Rational(1, 2), 0, 1), Rational(1, 2), Rational(4, 3), 0);
+  expect_part(pace.at(Rational(7, 8), 0, 1), Rational(31, 32), Rational(2, 3), -8);
+  expect_part(pace.at(1, 0, 1), 1, 0, 0);
 }
 
 TEST(Pace, HasOneRampAlone) {
   const Pace rises{.rise = 1};
   EXPECT_EQ(rises.top_speed(), 2);
-  expect_part(rises.at(Rational(1, 2)), Rational(3, 16), 1, 3);
-  expect_part(rises.at(1), 1, 2, 0);
-  expect_part(Pace{.fall = 1}.at(0), 0, 2, 0);
+  expect_part(rises.at(Rational(1, 2), 0, 1), Rational(3, 16), 1, 3);
+  expect_part(rises.at(1, 0, 1), 1, 2, 0);
+  expect_part(Pace{.fall = 1}.at(0, 0, 1), 0, 2, 0);
 }
 
 }  // namespace
