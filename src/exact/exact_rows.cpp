@@ -21,7 +21,8 @@ namespace {
 
 /// The arc lengths of the rows of a request; nothing if it places them by time.
 std::optional<ExactPlaces> arc_lengths(const SamplingRequest& request, const Extent& extent) {
-  if (!by_length(request.mode)) return std::nullopt;
+  if (!by_length(request)) return std::nullopt;
+  if (request.pace) return ExactPlaces{.pace = request.pace};
   ExactPlaces arc{request.places, 0, 0, 0, request.to};
   if (request.mode == Mode::arc_at) return arc;
   const Grid grid = spacing(request, extent).grid;
@@ -134,7 +135,8 @@ class ExactRows::Evaluation {
   }
 
   void add_row(FastRow row, const Locator& locator, Table& table) {
-    if (rows_.exact.decimal && !rows_.arc) row.exact = exact_times(row, locator);
+    if (rows_.exact.decimal && is_by_time()) row.exact = exact_times(row, locator);
+    if (rows_.arc && rows_.arc->pace) row.part = part_of_length(row);
     std::ranges::fill(cells_, std::nullopt);
     is_placed_ = {};
     may_be_zero_.assign(cells_.size(), false);
@@ -186,16 +188,29 @@ class ExactRows::Evaluation {
     if (notation_.is_rounded()) table.texts.push_back(std::move(printed.text));
   }
 
+  /// Whether rows are at times that are requested, also at a pace.
+  bool is_by_time() const { return !rows_.arc || rows_.arc->pace; }
+
+  PacePart part_of_length(const FastRow& row) const {
+    const ExactCurve& curve = rows_.exact;
+    const Rational time =
+        row.exact.time ? *row.exact.time : exact_number(row.sample.t, curve.decimal, curve.channels.frames);
+    return rows_.arc->pace->at(time, rows_.times.front(), rows_.times.back());
+  }
+
   std::size_t width(std::span<const std::size_t> chosen) const {
     return cells_in_row(chosen, {rows_.exact.keys.channels, rows_.exact.channels.rotations});
   }
 
   bool has_warps() const { return !rows_.exact.keys.eases.empty() || rows_.exact.rules.timing != spline::Timing::even; }
-  bool is_rational(std::size_t field) const { return is_rational_curve_ && fields()[field].is_rational; }
+  bool is_rational(std::size_t field) const {
+    const bool is_of_length = rows_.arc && rows_.arc->pace && fields()[field].of_pace;
+    return is_rational_curve_ && fields()[field].is_rational && !is_of_length;
+  }
   bool is_bounded(std::size_t field) const { return has_rational_place_ && is_rational(field); }
   /// Whether a field is the time of a row that is placed by time.
   bool is_time(std::size_t field) const {
-    return !rows_.arc && fields()[field].kind == CellKind::time &&
+    return is_by_time() && fields()[field].kind == CellKind::time &&
            field_writers<double>[field] == write_sample_time<double>;
   }
   Rounding rounding(std::size_t field, const FastRow& row) const {
@@ -231,6 +246,7 @@ class ExactRows::Evaluation {
     Located located{{row.sample}};
     if (row.end != nullptr) located.ends = {*row.end};
     if (row.outside != nullptr) located.outside = {*row.outside};
+    if (row.motion != nullptr) located.motions = {*row.motion};
     std::vector<Cell> cells(width(chosen));
     write_rows(cells.data(), cells.size(), chosen, row.segment, located, double_point_);
     return cells;
@@ -420,7 +436,8 @@ class ExactRows::Evaluation {
     const std::string_view needed = name == "torsion"                          ? "curvature"
                                     : name == "tangent" || name == "curvature" ? "speed"
                                                                                : "";
-    if (needed.empty()) return false;
+    const bool is_speed_of_pace = rows_.arc && rows_.arc->pace;
+    if (needed.empty() || is_speed_of_pace) return false;
     std::optional<Printed> cell;
     set_by_floats(row, field_of(needed), {&cell, 1}, Rounding({}, CellKind::real));
     return is_empty(cell->cell) || cell->is_zero;
@@ -565,7 +582,8 @@ Table ExactRows::evaluate(const SampleBlock& block, const Locator& locator, std:
     for (std::size_t i = 0; i < located.samples.size(); ++i) {
       const Sample* const end = located.ends.empty() ? nullptr : &located.ends[i];
       const Outside* const outside = located.outside.empty() ? nullptr : &located.outside[i];
-      evaluation->add_row({segment, located.samples[i], first + i, end, outside}, locator, table);
+      const Motion* const motion = located.motions.empty() ? nullptr : &located.motions[i];
+      evaluation->add_row({segment, located.samples[i], first + i, end, outside, motion}, locator, table);
     }
   }
   give_back(std::move(evaluation));

@@ -36,19 +36,23 @@ struct FastRow {
   std::uint64_t number;
   const Sample* end = nullptr;               ///< of the piece that begins at the sample, if there is one
   const Outside* outside = nullptr;          ///< of the sample, if there are rows outside the curve
+  const Motion* motion = nullptr;            ///< of the row, if it is at a pace
   std::optional<PlaceByLength> at_key = {};  ///< of a row by length that is at a key or in the middle
   ExactTimes exact = {};
+  std::optional<PacePart> part = {};  ///< of the length, for a row at a pace
 };
 
 /// The exact times or arc lengths of rows.
 struct ExactPlaces {
   std::vector<Rational> places;  ///< one per row; if there are none, row j is at from + j step
   Rational from, step;
-  std::uint64_t intervals = 0;  ///< if not 0, the step is the length from `from` to the end, divided by this number
-  std::optional<Rational> to;   ///< the end of the range, where it is not the curve's
+  std::uint64_t intervals = 0;    ///< if not 0, the step is the length from `from` to the end, divided by this number
+  std::optional<Rational> to;     ///< the end of the range, where it is not the curve's
+  std::optional<Pace> pace = {};  ///< rows are at times, and at parts of the curve's length
 
   /// The length of a row, if it is no fraction of the curve's.
   std::optional<Rational> length(std::uint64_t row) const {
+    if (pace) return std::nullopt;
     if (row == SpecialRow::at_end) return to;
     if (row == SpecialRow::at_key || intervals != 0) return std::nullopt;
     return places.empty() ? from + step * row : places[row];
@@ -118,6 +122,7 @@ class RowPoint {
   /// a scalar with roots does not decide the place of a row.
   void place(const FastRow& row) {
     outside_.reset();
+    motion_.reset();
     key_at_end_.reset();
     if (row.at_key) {
       place_at_key(*row.at_key);
@@ -126,8 +131,9 @@ class RowPoint {
     } else if constexpr (spline::has_roots<S>) {
       place_by_length(row);
     }
+    if (row.part) set_motion(*row.part);
     point_.set(segment_, nullptr);
-    point_.set(sample_, outside_ ? &*outside_ : nullptr);
+    set_sample(sample_);
     if (row.end != nullptr)
       end_ = row.exact.end_time ? sample_at(*row.exact.end_time) : sample_at(row.segment, row.end->t);
     point_.set_end(&end_);
@@ -137,7 +143,7 @@ class RowPoint {
   void write(std::size_t field, std::vector<Written<S>>& row) {
     if (fields()[field].needs_lengths) set_length();
     field_writers<S>[field](point_, CellWriter<S>(row, rows_.facts));
-    point_.set(sample_, outside_ ? &*outside_ : nullptr);
+    set_sample(sample_);
   }
 
   /// The place of a row by length.
@@ -232,7 +238,19 @@ class RowPoint {
           *measured_.s += sample_.at.u < S(0x1p-20) ? start_of_segment(sample_.at.u).total().value
                                                     : arc(number).to(sample_.at).value;
       }
-      point_.set(measured_, outside_ ? &*outside_ : nullptr);
+      set_sample(measured_);
+    }
+  }
+
+  void set_sample(const SampleOf<S>& sample) {
+    point_.set(sample, outside_ ? &*outside_ : nullptr);
+    point_.set_motion(motion_ ? &*motion_ : nullptr);
+  }
+
+  void set_motion(const PacePart& part) {
+    if constexpr (spline::has_roots<S>) {
+      const S& length = length_to(curve_->size());
+      motion_ = {S(0), scalar_of<S>(part.speed) * length, scalar_of<S>(part.acceleration) * length};
     }
   }
 
@@ -320,8 +338,10 @@ class RowPoint {
     }
   }
 
-  S arc_length(std::uint64_t row) {
+  S arc_length(const FastRow& fast) {
+    const std::uint64_t row = fast.number;
     const ExactPlaces& arc = *rows_.arc;
+    if (fast.part) return length_to(curve_->size()) * scalar_of<S>(fast.part->distance);
     if (const auto length = arc.length(row)) return scalar_of<S>(*length);
     if (row == SpecialRow::at_end) return length_to(segment_.number + 1);
     const S from = scalar_of<S>(arc.from);
@@ -355,12 +375,17 @@ class RowPoint {
     };
     if (row.number == SpecialRow::at_key) return at_key(false);
     if (row.number == SpecialRow::at_end && row.sample.at.w == 0) return at_key(true);
-    if (rows_.arc->intervals != 0 && row.number == rows_.arc->intervals) {
+    if (row.part && row.part->distance == 0) {
+      number = 0;
+      return at_key(false);
+    }
+    const bool is_whole = row.part && row.part->distance == 1;
+    if (is_whole || (rows_.arc->intervals != 0 && row.number == rows_.arc->intervals)) {
       number = curve_->size() - 1;
       return at_key(true);
     }
     segment_ = segment(number);
-    const S s = arc_length(row.number);
+    const S s = arc_length(row);
     while (number > 0 && compare(s, row.number, number) < 0) --number;
     while (number + 1 < curve_->size() && compare(s, row.number, number + 1) > 0) ++number;
     if (compare(s, row.number, number) <= 0) return at_key(false);
@@ -498,7 +523,8 @@ class RowPoint {
   Segment segment_;
   SampleOf<S> sample_, end_, measured_;
   std::optional<OutsideOf<S>> outside_;
-  std::optional<bool> key_at_end_;  ///< of a row that is placed by length, where it is at a key
+  std::optional<MotionOf<S>> motion_;  ///< of a row at a pace
+  std::optional<bool> key_at_end_;     ///< of a row that is placed by length, where it is at a key
   Point<S> point_;
 };
 

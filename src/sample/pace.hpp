@@ -12,10 +12,12 @@
 namespace tcb {
 
 /// The time of a row, and the first two derivatives of its arc length by that time.
-struct Motion {
-  Time time;
-  double speed = 0, acceleration = 0;
+template <class S>
+struct MotionOf {
+  spline::Time<S> time{};
+  S speed{0}, acceleration{0};
 };
+using Motion = MotionOf<double>;
 
 /// The rows of a profile, whose distances from the first key are arc lengths, or parts of the length of the curve.
 struct PaceProfile {

@@ -140,11 +140,14 @@ void require_on_curve(const SamplingRequest& request, const Rational& first, con
 
 /// Moves rows from their times to the arc lengths that the pace has there.
 void set_pace(RowPlaces& rows, const SamplingRequest& request, const KeptCurve& curve) {
-  const Rational first = request.exact(curve.extent().first), last = request.exact(*curve.extent().last);
+  const auto exactly = [&](const Time& time) {  // as golden rows have it
+    return rows.exact.empty() && !request.frames ? exact_number(time, false) : request.exact(time);
+  };
+  const Rational first = exactly(curve.extent().first), last = exactly(*curve.extent().last);
   const double length = curve.length();
   for (std::size_t row = 0; row < rows.places.size(); ++row) {
     Time& place = rows.places[row];
-    const Rational time = rows.exact.empty() ? request.exact(place) : rows.exact[row];
+    const Rational time = rows.exact.empty() ? exactly(place) : rows.exact[row];
     const PacePart part = request.pace->at(time, first, last);
     rows.motions.push_back({place, nearest_double(part.speed) * length, nearest_double(part.acceleration) * length});
     place = part.distance == 1 ? Time(length) : nearest_time(part.distance) * Time(length);

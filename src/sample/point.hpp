@@ -52,7 +52,7 @@ class Point {
     shape_.reset();
   }
   /// How the row moves along the curve, after its sample was set; null: as the curve does.
-  void set_motion(const Motion* motion) { motion_ = motion; }
+  void set_motion(const MotionOf<S>* motion) { motion_ = motion; }
   /// The end of the piece that begins at the sample; null: there is none.
   void set_end(const SampleOf<S>* end) { end_ = end; }
 
@@ -127,7 +127,7 @@ class Point {
   /// The angular velocity of a rotation, in the frame in which it is given, per unit of time.
   spline::Vector3<S> angular_velocity(std::size_t index) {
     if (motion_ != nullptr) {  // the rate by u, times s' / (ds/du)
-      const S factor = has_direction() ? S(motion_->speed) / local_speed_ : S(0);
+      const S factor = has_direction() ? motion_->speed / local_speed_ : S(0);
       const auto rate = segment_->rotations[index].rate(sample_->at);
       return {rate[0] * factor, rate[1] * factor, rate[2] * factor};
     }
@@ -190,7 +190,7 @@ class Point {
   }
 
   const spline::Derivatives<S>& moved() {
-    if constexpr (std::is_same_v<S, double>) {
+    if constexpr (spline::has_roots<S>) {
       if (!std::exchange(has_moved_, true)) set_moved();
     }
     return moved_;
@@ -198,17 +198,22 @@ class Point {
 
   void set_moved() {
     spline::set_derivatives<S>(moved_, segment_->cubics, sample_->at, {}, S(0), S(1));
-    const auto shape = spline::shape(moved_, segment_->metric);
-    local_speed_ = shape.moves ? shape.speed : S(0);
-    const S speed(motion_->speed), ratio = shape.moves ? speed / local_speed_ : S(0);
-    S along(0);
     const spline::MetricView<S> v(moved_.velocity, segment_->metric), a(moved_.acceleration, segment_->metric);
-    for (std::size_t i = 0; i < v.size() && shape.moves; ++i) along += v[i] / local_speed_ * a[i];
+    if constexpr (std::is_same_v<S, double>) {
+      const auto shape = spline::shape(moved_, segment_->metric);
+      local_speed_ = shape.moves ? shape.speed : 0;
+    } else {
+      local_speed_ = spline::norm(v);
+    }
+    const bool moves = local_speed_ > S(0);
+    S along(0);
+    for (std::size_t i = 0; i < v.size() && moves; ++i) along += v[i] / local_speed_ * a[i];
+    const S ratio = moves ? S(motion_->speed / local_speed_) : S(0);
     for (std::size_t i = 0; i < moved_.velocity.size(); ++i) {
-      const S direction = shape.moves ? moved_.velocity[i] / local_speed_ : S(0);
+      const S direction = moves ? S(moved_.velocity[i] / local_speed_) : S(0);
       const S across = moved_.acceleration[i] - direction * along;
-      moved_.velocity[i] = direction * speed;
-      moved_.acceleration[i] = across * ratio * ratio + direction * S(motion_->acceleration);
+      moved_.velocity[i] = direction * motion_->speed + S(0);  // a zero is not negative
+      moved_.acceleration[i] = across * ratio * ratio + direction * motion_->acceleration + S(0);
     }
   }
 
@@ -252,7 +257,7 @@ class Point {
   const SampleOf<S>* sample_ = nullptr;
   const SampleOf<S>* end_ = nullptr;
   const OutsideOf<S>* outside_ = nullptr;
-  const Motion* motion_ = nullptr;
+  const MotionOf<S>* motion_ = nullptr;
   const spline::SegmentLength<S>* known_arc_ = nullptr;
   spline::SegmentLength<S> arc_;
   bool has_arc_ = false;

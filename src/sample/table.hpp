@@ -57,6 +57,7 @@ struct Field {
   bool of_piece = false;             ///< it is of a row that is a piece, not of a sample
   bool needs_lengths = false;        ///< the segments before it have to be measured
   bool over_metric = false;          ///< it is a length or a speed over the metric channels
+  bool of_pace = false;              ///< it is that of the motion of rows at a pace
   bool has_side = false;             ///< at a key it may differ from one side to the other
   bool is_exact = true;              ///< it has an exact value, which is rounded once
   bool is_rational = true;           ///< for rational keys at a rational time it is rational, or the root of a rational
