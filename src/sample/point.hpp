@@ -208,10 +208,15 @@ class Point {
     const bool moves = local_speed_ > S(0);
     S along(0);
     for (std::size_t i = 0; i < v.size() && moves; ++i) along += v[i] / local_speed_ * a[i];
+    using std::abs, std::ldexp;
+    const S unit = ldexp(S(1), 52 - std::numeric_limits<S>::digits);  // of the noise at this scalar
+    const S noise =
+        moves ? S((moved_.acceleration_noise + moved_.velocity_noise * abs(along) / local_speed_) * unit) : S(0);
     const S ratio = moves ? S(motion_->speed / local_speed_) : S(0);
     for (std::size_t i = 0; i < moved_.velocity.size(); ++i) {
       const S direction = moves ? S(moved_.velocity[i] / local_speed_) : S(0);
-      const S across = moved_.acceleration[i] - direction * along;
+      const S turning = moved_.acceleration[i] - direction * along;
+      const S across = abs(turning) > noise ? turning : S(0);  // of a straight path
       moved_.velocity[i] = direction * motion_->speed + S(0);  // a zero is not negative
       moved_.acceleration[i] = across * ratio * ratio + direction * motion_->acceleration + S(0);
     }
