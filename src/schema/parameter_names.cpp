@@ -251,14 +251,17 @@ class SetFinder {
     }
   }
 
-  /// Whether a set has exactly the parameters that the words themselves do not name.
+  /// Whether a set has exactly the parameters that the words themselves do not name. A letter with a number is a
+  /// channel, and so is c beside tension and bias alone, the parameters of many products.
   static bool completes(const ParameterSet& set, const ParameterSet& of_words) {
     const bool are_words = of_words.count() > 0 && of_words.count(Kind::word) == of_words.count();
     if (!are_words || set.rest == Rest::nothing || !set.channel.empty()) return false;
     for (std::size_t i = 0; i < set.cells.size(); ++i) {
       if (set.cells[i].has_value() == of_words.cells[i].has_value()) return false;
     }
-    return true;
+    const bool is_continuity = set.cells[1].has_value();
+    const bool may_be_channel = set.rest == Rest::number || (set.rest == Rest::other && is_continuity);
+    return set.count(Kind::letter) == 0 || !may_be_channel;
   }
 
   /// With all letters.
