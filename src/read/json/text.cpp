@@ -20,8 +20,8 @@ namespace {
 constexpr std::string_view json_blanks = " \t\r\n";
 constexpr std::array<std::string_view, 3> json_words{"true", "false", "null"};
 constexpr std::string_view number_characters = "+-.0123456789eE";
-constexpr std::size_t node_size = 8, largest_extent = (std::size_t{1} << 29) - 1,
-                      distance_of_marks = std::size_t{1} << 20, size_of_nan = 3;
+constexpr std::uint32_t largest_extent = (1U << 29) - 1;
+constexpr std::size_t node_size = 8, distance_of_marks = std::size_t{1} << 20, size_of_nan = 3;
 
 /// A text with a number of the same size in the place of each NaN.
 std::string without_nan(std::string_view text) {
@@ -122,7 +122,7 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
  private:
   std::size_t token() const { return std::min(text_.find_first_not_of(" \t\r\n,:", now_), text_.size()); }
 
-  static std::uint32_t extent_of(std::size_t size) { return static_cast<std::uint32_t>(size) & largest_extent; }
+  static std::uint32_t size_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
   bool add(Kind kind) { return add(kind, static_cast<std::size_t>(at_ - begin_)); }
   bool add(Kind kind, std::size_t end) {
     const std::size_t begin = token();
@@ -130,8 +130,8 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
     if (end - begin > largest_extent) {
       throw data_error("a text is longer than 512 MiB; expected a shorter one; remove it").at(json_.position_at(begin));
     }
-    json_.nodes_.push_back(
-        {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(kind), extent_of(end - begin)});
+    json_.nodes_.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(kind) & 7U,
+                            size_of(end - begin) & largest_extent});
     return true;
   }
   /// The parser has read on to the character behind a number.
@@ -160,7 +160,7 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
         .at(json_.position(open_.back()));
   }
   bool close() {
-    json_.nodes_[open_.back()].extent = extent_of(json_.size() - 1 - open_.back());
+    json_.nodes_[open_.back()].extent = size_of(json_.size() - 1 - open_.back()) & largest_extent;
     open_.pop_back();
     now_ = static_cast<std::size_t>(at_ - begin_);
     return true;
