@@ -403,6 +403,7 @@ class ExactRows::Evaluation {
     };
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i] || !first[i] || !second[i]) continue;
+      if (*first[i] == 0 && *second[i] != 0) continue;  // which may be the error of a 0
       const Rational error = std::max(part_of(*second[i], first[i], short_part), Rational(abs(*second[i]) * of_short));
       cells[i] = rounding.within(Known{*second[i], error});
     }
