@@ -58,8 +58,6 @@ class OnGrid : public Sampler {
       const bool is_key =
           first == SpecialRow::at_end && request_.keys && located.coordinates[0] >= Time(segment.s_end.hi);
       if (is_key) located.samples[0] = {segment.end, {1, 0}, located.coordinates[0].hi};
-      const bool has_end = last_is_at_end_ && first < SpecialRow::at_key && last == spacing_.rows;
-      if (has_end) located.samples.back() = {segment.end, {1, 0}, located.coordinates.back().hi};
       return;
     }
     const spline::TimeMap<double> locate = segment.time_map();
