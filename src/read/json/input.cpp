@@ -522,10 +522,10 @@ Error unlike_list(const Json& json) {
       .at(json.position(second));
 }
 
-/// Whether an object has a time, as the only key of a text has.
+/// Whether an object has a time, or an arc length in a row without a time, as the only key of a text has.
 bool may_be_key(const Json& json, std::size_t object) {
   return json.is(object, Kind::object) && std::ranges::any_of(json.inside(object), [&](std::size_t value) {
-           return !json.is_nested(value) && is_usual_time(json.name(value));
+           return !json.is_nested(value) && (is_usual_time(json.name(value)) || json.name(value) == "s");
          });
 }
 
