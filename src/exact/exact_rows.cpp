@@ -4,6 +4,7 @@
 #include "exact/exact_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -320,9 +321,13 @@ class ExactRows::Evaluation {
       next += static_cast<std::ptrdiff_t>(cells.size());
       if (std::ranges::all_of(cells, is_set)) return;
       const auto written = numbers(*double_doubles_, index);
-      const bool is_position = tcb::fields()[index].name == "position" && rows_.exact.rules.rotations.empty();
+      constexpr std::array<std::string_view, 4> derivatives{"position", "velocity", "acceleration", "jerk"};
+      const auto* const order = std::ranges::find(derivatives, tcb::fields()[index].name);
+      const bool has_scale = order != derivatives.end() && rows_.exact.rules.rotations.empty();
+      double unit = 1;  // of time, to the power of the order
+      for (const auto* lower = derivatives.begin(); lower != order; ++lower) unit *= row.segment.duration().hi;
       for (std::size_t i = 0; i < cells.size(); ++i) {
-        const double scale = is_position ? double_doubles_->scale(i) : 0;
+        const double scale = has_scale && unit > 0 ? double_doubles_->scale(i) / unit : 0;
         cells[i] = estimated(written[i], given[i], scale, rounding(index, row));
       }
     });
