@@ -23,8 +23,8 @@ namespace {
 /// The arc lengths of the rows of a request; nothing if it places them by time.
 std::optional<ExactPlaces> arc_lengths(const SamplingRequest& request, const Extent& extent) {
   if (!by_length(request)) return std::nullopt;
-  if (request.pace) return ExactPlaces{.pace = request.pace};
-  ExactPlaces arc{request.places, 0, 0, 0, request.to};
+  ExactPlaces arc{request.places, 0, 0, 0, request.to, request.pace};
+  if (request.pace) return arc;
   if (request.mode == Mode::arc_at) return arc;
   const Grid grid = spacing(request, extent).grid;
   arc.from = grid.start();
