@@ -8,6 +8,7 @@
 #include "numbers/parse_number.hpp"
 #include "numbers/print_number.hpp"
 #include "sample/table.hpp"
+#include "tcb/spline/rules.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {

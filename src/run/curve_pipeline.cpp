@@ -23,6 +23,7 @@
 #include "schema/usual_names.hpp"
 #include "tcb/spline/curve.hpp"
 #include "text/utf8.hpp"
+#include "write/writer_options.hpp"
 
 namespace tcb {
 namespace {

@@ -34,6 +34,7 @@ struct SampleBlock;
 class Sampler;
 struct SegmentBlock;
 struct StreamedCurve;
+struct WriterOptions;
 
 /// The rows that are requested of a curve, and the settings that make it.
 struct CurveRequest {
