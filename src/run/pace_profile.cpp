@@ -1,6 +1,8 @@
 // Pace profiles: files of keys whose curve tells where rows are on another one.
 #include "run/pace_profile.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -37,6 +39,9 @@ CurveSettings rules_of(CurveSettings rules) {
   rules.extrapolate.reset();
   rules.metric.reset();
   rules.parameter.reset();
+  if (rules.ends && !(rules.ends->value.first.velocity.empty() && rules.ends->value.last.velocity.empty())) {
+    rules.ends.reset();  // whose velocities are those of the channels of the keys
+  }
   rules.no_overshoot = rules.tangents != spline::TangentRule::linear;
   return rules;
 }
@@ -55,6 +60,18 @@ void observe(PaceProfile& profile, const KeyBlock& block, std::size_t channel) {
     profile.largest = distance;
     profile.largest_place = place;
   }
+}
+
+/// The error without a remedy by options of the keys, which do not apply to a profile.
+Error of_profile(const Error& error) {
+  const std::string_view message = error.message();
+  const std::size_t remedy = message.rfind("; ");
+  const bool is_by_option = remedy != std::string_view::npos && message.find("--", remedy) != std::string_view::npos &&
+                            message.find("--pace", remedy) == std::string_view::npos;
+  if (!is_by_option) return error;
+  return Error(error.exit(), fmt::format("{}; correct the profile, to which options of the keys do not apply",
+                                         message.substr(0, remedy)))
+      .at(error.position());
 }
 
 PaceProfile read(const PaceFile& file, const SamplingRequest& request, const KeyOptions& keys) {
@@ -97,7 +114,13 @@ PaceProfile read(const PaceFile& file, const SamplingRequest& request, const Key
 std::shared_ptr<const PaceProfile> read_pace_profile(const PaceFile& file, const SamplingRequest& request,
                                                      const KeyOptions& keys) {
   const std::string name = shown_name(file.path);
-  PaceProfile profile = in_file(name, [&] { return read(file, request, keys); });
+  PaceProfile profile = in_file(name, [&] {
+    try {
+      return read(file, request, keys);
+    } catch (const Error& error) {
+      throw of_profile(error);
+    }
+  });
   profile.largest_place.file = name;
   return std::make_shared<const PaceProfile>(std::move(profile));
 }
