@@ -382,6 +382,7 @@ class RowPoint {
     const bool is_whole = row.part && row.part->distance == 1;
     if (is_whole || (rows_.arc->intervals != 0 && row.number == rows_.arc->intervals)) {
       number = curve_->size() - 1;
+      while (number > 0 && length_to(number) == length_to(number + 1)) --number;  // the earliest time of the length
       return at_key(true);
     }
     segment_ = segment(number);

@@ -26,10 +26,7 @@ class OnGrid : public Sampler {
         spacing_(std::move(spacing)),
         first_(spacing_.grid.time(0)),
         end_(spacing_.end ? std::optional(nearest_time(*spacing_.end)) : std::nullopt),
-        near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)),
-        last_is_at_end_(by_length_ && !request_.to && spacing_.rows != Spacing::unlimited &&
-                        !spacing_.grid.is_single() &&
-                        spacing_.grid.start() + spacing_.grid.step() * (spacing_.rows - 1) == *spacing_.end) {}
+        near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)) {}
 
   SegmentRows place(const CurveSegment& segment) override {
     const Range on = range(segment);
@@ -124,8 +121,8 @@ class OnGrid : public Sampler {
       require_rows((request_.exact(stop) - grid.start()) / grid.step(), request_.max_rows, !final);
     }
     if (is_unlimited || segment.last) require_resolution(grid, stop, digits);
-    const std::uint64_t rows = last_is_at_end_ && !segment.last ? spacing_.rows - 1 : spacing_.rows;
-    return std::min({rows, spacing_.most, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits)});
+    return std::min(
+        {spacing_.rows, spacing_.most, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits)});
   }
 
   /// Every key in the range becomes a row, on the segment that rows at keys belong to, and no other row is left near
@@ -165,8 +162,7 @@ class OnGrid : public Sampler {
   Spacing spacing_;
   Time first_;  ///< row 0, and the end, in doubles
   std::optional<Time> end_;
-  Time near_;            ///< a row this near to a key is that key
-  bool last_is_at_end_;  ///< of the curve: at its last key, also where others have the same length
+  Time near_;  ///< a row this near to a key is that key
   std::uint64_t next_ = 0;
   bool done_ = false;
   std::optional<Rational> remainder_;
