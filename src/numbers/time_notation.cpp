@@ -165,7 +165,8 @@ std::optional<Rational> broadcast_rate(std::string_view text) {
 }
 
 std::optional<Rational> frame_rate_in(std::string_view text) {
-  const auto rate = broadcast_rate(text) ? broadcast_rate(text) : parse_rational(text);
+  if (const auto known = broadcast_rate(text)) return known;
+  const auto rate = parse_rational(text);
   return rate && *rate > 0 ? rate : std::nullopt;
 }
 

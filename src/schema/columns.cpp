@@ -522,21 +522,12 @@ std::string requested_as(std::span<const std::string> names, std::size_t cell) {
 }
 
 ColumnRequests::ColumnRequests(std::span<const std::string> names) : names_(names) {
-  for (std::size_t cell = 0; cell < names.size(); ++cell) cells_.emplace(names[cell], cell);
+  for (const std::string& name : names) ++counts_[name];
 }
 
 std::string ColumnRequests::operator[](std::size_t cell) const {
-  const bool is_named = cell < names_.size() && cells_.count(names_[cell]) == 1;
+  const bool is_named = cell < names_.size() && counts_.at(names_[cell]) == 1;
   return requested_as(is_named ? std::string_view(names_[cell]) : "", cell);
-}
-
-std::vector<std::size_t> ColumnRequests::cells_of(const std::string& request) const {
-  std::vector<std::size_t> found;
-  const auto [first, last] = cells_.equal_range(request);
-  for (auto at = first; at != last; ++at) found.push_back(at->second);
-  const std::size_t number = in_digits<std::size_t>(request).value_or(0);
-  if (number > 0 && number <= names_.size()) found.push_back(number - 1);
-  return found;
 }
 
 std::vector<std::size_t> Columns::time_cells() const {

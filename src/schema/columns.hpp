@@ -52,12 +52,10 @@ class ColumnRequests {
  public:
   explicit ColumnRequests(std::span<const std::string> names);
   std::string operator[](std::size_t cell) const;
-  /// The cells that a request names, by their name or number.
-  std::vector<std::size_t> cells_of(const std::string& request) const;
 
  private:
   std::span<const std::string> names_;
-  std::unordered_multimap<std::string_view, std::size_t> cells_;
+  std::unordered_map<std::string_view, std::size_t> counts_;  ///< of each name
 };
 
 /// A value of --columns such as time=NAME, or position=NAME:NAME.
