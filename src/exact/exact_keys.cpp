@@ -145,6 +145,10 @@ ChannelFacts channel_facts(const ExactCurve& exact) {
   }
   const bool has_velocities = !exact.rules.start.velocity.empty() || !exact.rules.end.velocity.empty();
   if (has_velocities) facts.constant = facts.zero = std::vector<bool>(channels, false);  // the ends move the curve
+  const std::vector<bool> in_rotations = spline::in_rotations(exact.channels.rotations, channels);
+  for (std::size_t i = 0; i < channels; ++i) {
+    if (in_rotations[i]) facts.constant[i] = facts.zero[i] = false;  // turns move numbers that all keys have alike
+  }
   for (std::size_t i = 0; i < channels && !exact.closed; ++i) facts.cycle[i] = cycle(exact, i);
   return facts;
 }

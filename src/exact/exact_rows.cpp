@@ -137,7 +137,7 @@ class ExactRows::Evaluation {
 
   void add_row(FastRow row, const Locator& locator, Table& table) {
     if (rows_.exact.decimal && is_by_time()) row.exact = exact_times(row, locator);
-    if (rows_.arc && rows_.arc->pace) row.part = part_of_length(row);
+    if (rows_.arc && rows_.arc->pace) row.part = part_of_row(row);
     std::ranges::fill(cells_, std::nullopt);
     is_placed_ = {};
     may_be_zero_.assign(cells_.size(), false);
@@ -192,11 +192,11 @@ class ExactRows::Evaluation {
   /// Whether rows are at times that are requested, also at a pace.
   bool is_by_time() const { return !rows_.arc || rows_.arc->pace; }
 
-  PacePart part_of_length(const FastRow& row) const {
+  PacePart<Rational> part_of_row(const FastRow& row) const {
     const ExactCurve& curve = rows_.exact;
     const Rational time =
         row.exact.time ? *row.exact.time : exact_number(row.sample.t, curve.decimal, curve.channels.frames);
-    return rows_.arc->pace->at(time, rows_.times.front(), rows_.times.back());
+    return rows_.arc->pace->at<Rational>(time, rows_.times.front(), rows_.times.back());
   }
 
   std::size_t width(std::span<const std::size_t> chosen) const {
@@ -320,6 +320,7 @@ class ExactRows::Evaluation {
       const auto given = std::span(next, cells.size());
       next += static_cast<std::ptrdiff_t>(cells.size());
       if (std::ranges::all_of(cells, is_set)) return;
+      if (field_may_be_none(index) && may_rest(row)) return;
       const auto written = numbers(*double_doubles_, index);
       constexpr std::array<std::string_view, 4> derivatives{"position", "velocity", "acceleration", "jerk"};
       const auto* const order = std::ranges::find(derivatives, tcb::fields()[index].name);
@@ -331,6 +332,23 @@ class ExactRows::Evaluation {
         cells[i] = estimated(written[i], given[i], scale, rounding(index, row));
       }
     });
+  }
+
+  static bool field_may_be_none(std::size_t field) {
+    const std::string_view name = fields()[field].name;
+    return name == "tangent" || name == "curvature" || name == "torsion";
+  }
+  /// Whether the curve may rest at the row that double-doubles have placed, so that its shape there would be a quotient
+  /// of errors.
+  bool may_rest(const FastRow& row) {
+    if (row.part) {
+      const auto velocity = numbers(*double_doubles_, field_of("velocity"));
+      return !velocity.empty() && !velocity[0].number.defined;
+    }
+    double scale = 0;
+    for (std::size_t i = 0; i < rows_.exact.keys.channels; ++i) scale = std::max(scale, double_doubles_->scale(i));
+    const double speed = numbers(*double_doubles_, field_of("speed"))[0].number.value.hi;
+    return !(speed * row.segment.duration().hi > 0x1p-60 * scale);
   }
 
   void place_double_doubles(const FastRow& row) {
@@ -408,7 +426,7 @@ class ExactRows::Evaluation {
     };
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i] || !first[i] || !second[i]) continue;
-      if (*first[i] == 0 && *second[i] != 0) continue;  // which may be the error of a 0
+      if (*first[i] == 0 && (*second[i] != 0 || !keeps_digits_)) continue;  // which may be the error of a 0
       const Rational error = std::max(part_of(*second[i], first[i], short_part), Rational(abs(*second[i]) * of_short));
       cells[i] = rounding.within(Known{*second[i], error});
     }
@@ -423,7 +441,7 @@ class ExactRows::Evaluation {
       if (cells[i]) continue;
       if (!third[i]) {
         cells[i] = Printed{empty_cell};
-      } else if (second[i] == Rational(0)) {  // what is left in more digits are their errors
+      } else if (keeps_digits_ && second[i] == Rational(0)) {  // what is left in more digits are their errors
         cells[i] = rounding.exactly({0});
       } else {
         const Known known{*third[i],
@@ -442,11 +460,13 @@ class ExactRows::Evaluation {
     const std::string_view needed = name == "torsion"                          ? "curvature"
                                     : name == "tangent" || name == "curvature" ? "speed"
                                                                                : "";
-    const bool is_speed_of_pace = rows_.arc && rows_.arc->pace;
-    if (needed.empty() || is_speed_of_pace) return false;
-    std::optional<Printed> cell;
-    set_by_floats(row, field_of(needed), {&cell, 1}, Rounding({}, CellKind::real));
-    return is_empty(cell->cell) || cell->is_zero;
+    if (needed.empty()) return false;
+    const bool is_paced = needed == "speed" && row.part;  // whose speed is not that of the curve
+    const std::size_t index = field_of(is_paced ? "velocity" : needed);
+    std::vector<std::optional<Printed>> found(width({&index, 1}));
+    if (found.empty()) return false;
+    set_by_floats(row, index, found, Rounding({}, CellKind::real));
+    return is_empty(found[0]->cell) || (!is_paced && found[0]->is_zero);
   }
   [[noreturn]] static void refuse_digits(const FastRow& row) {
     throw data_error(

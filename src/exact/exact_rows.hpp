@@ -29,9 +29,9 @@ class ExactRows {
   ExactRows(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& notation);
   ~ExactRows();
 
-  /// The cells of a block, row after row, as tcb::evaluate gives them. Threads: any number, each with levels of its
-  /// own; of rows by length, whose lengths are kept for later ones, one. Throws: Error (data) for a number beyond the
-  /// range of doubles, or one that needs more digits than there are.
+  /// The cells of a block, row after row, as tcb::evaluate gives them. Threads: any number, each with an evaluation
+  /// of its own; of rows by length, whose lengths are kept for later ones, one. Throws: Error (data) for a number
+  /// beyond the range of doubles, or one that needs more digits than there are.
   Table evaluate(const SampleBlock& block, const Locator& locator, std::span<const std::size_t> chosen);
 
  private:

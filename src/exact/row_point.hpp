@@ -39,7 +39,7 @@ struct FastRow {
   const Motion* motion = nullptr;            ///< of the row, if it is at a pace
   std::optional<PlaceByLength> at_key = {};  ///< of a row by length that is at a key or in the middle
   ExactTimes exact = {};
-  std::optional<PacePart> part = {};  ///< of the length, for a row at a pace
+  std::optional<PacePart<Rational>> part = {};  ///< of the length, for a row at a pace
 };
 
 /// The exact times or arc lengths of rows.
@@ -247,7 +247,7 @@ class RowPoint {
     point_.set_motion(motion_ ? &*motion_ : nullptr);
   }
 
-  void set_motion(const PacePart& part) {
+  void set_motion(const PacePart<Rational>& part) {
     if constexpr (spline::has_roots<S>) {
       const S& length = length_to(curve_->size());
       motion_ = {S(0), scalar_of<S>(part.speed) * length, scalar_of<S>(part.acceleration) * length};

@@ -1,8 +1,8 @@
 // Ball: a number with a bound on its error, so that arithmetic on balls proves its own accuracy.
 //
 // Every operation returns a ball that holds the results for all numbers in its operands. Middles are double-doubles, or
-// floats of many bits. The errors of the operations on double-doubles themselves are bounded by
-// constants that are at least twice those of the analysis in
+// floats of many bits. The errors of the operations on double-doubles themselves are bounded by constants that are at
+// least twice those of the analysis in
 //   M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
 //   arithmetic", ACM Trans. Math. Softw. 44 (2017), doi:10.1145/3121432,
 // and leave room for the operations of tcb/spline/scalar.hpp, which differ from theirs. Double-doubles whose products
@@ -191,8 +191,6 @@ class BallOf {
 
   /// No number in the ball is larger in size.
   Bound most() const { return Ops::up(Ops::most(middle_) + radius_); }
-  /// No number in the ball is smaller in size; 0 or less if 0 may be in it.
-  Bound least() const { return Ops::difference(Ops::least(middle_), radius_); }
 
   friend BallOf without_radius(const BallOf& a) { return BallOf(a.middle_); }
   friend BallOf abs(const BallOf& a) { return Ops::is_negative(a.middle_) ? -a : a; }

@@ -219,7 +219,7 @@ template <class S, CubicForm<S> form>
 void write_cubics(Point<S>& point, CellWriter<S> out) {
   const auto h = piece_time(point);
   for (std::size_t i = 0; i < point.segment().cubics.size(); ++i) {
-    for (const S& number : form(piece_cubic(point, i), h)) out.add_of_channel(number, i, true);
+    for (const S& number : form(piece_cubic(point, i), h)) out.add_of_channel(number, i, false);
   }
 }
 

@@ -5,89 +5,46 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
 
-#include "exact/float_scalar.hpp"
+#include "exact/hostile_operands.hpp"
 
 namespace tcb {
 namespace {
 
-using Exact = Float<664>;
-
-Exact value_of(const Bounded& bounded) { return Exact(bounded.value.hi) + Exact(bounded.value.lo); }
-
-/// A number and one that is within a bound of it, which is 0 where the number is a double-double.
-struct Operand {
-  Exact number;
-  Bounded bounded;
-};
-
-class Operands {
- public:
-  explicit Operands(unsigned seed) : random_(seed) {}
-
-  /// Doubles and double-doubles of any size, with and without a bound, whose low part may be at its limit.
-  Operand next() {
-    const double high = scaled(sign() * (1 + unit()), static_cast<int>(random_() % 200) - 100);
-    const double largest_low = std::abs(high) * 0x1p-54;
-    const int kind = static_cast<int>(random_() % 4);
-    const double low = kind == 0 ? 0 : kind == 1 ? sign() * largest_low : sign() * unit() * largest_low;
-    const double radius = random_() % 3 == 0 ? 0 : scaled(std::abs(high), -static_cast<int>(random_() % 120));
-    const double at = random_() % 2 == 0 ? sign() : 2 * unit() - 1;  // the edge of the bound, or inside
-    const auto middle = spline::DoubleDouble::normalized(high, low);
-    return {Exact(middle.hi) + Exact(middle.lo) + Exact(at) * Exact(radius), Bounded(middle, radius)};
-  }
-
-  /// Nearly the negative of a number.
-  Operand near(const Operand& other) {
-    const double high = -std::nextafter(other.bounded.value.hi, sign() * std::numeric_limits<double>::infinity());
-    const double low = random_() % 2 == 0 ? -other.bounded.value.lo : 0;
-    const auto middle = spline::DoubleDouble::normalized(high, low);
-    return {Exact(middle.hi) + Exact(middle.lo), Bounded(middle, 0)};
-  }
-
- private:
-  double unit() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
-  double sign() { return random_() % 2 == 0 ? 1 : -1; }
-  static double scaled(double value, int exponent) { return std::ldexp(value, exponent); }
-
-  std::mt19937_64 random_;
-};
-
 /// The number is within the bound.
 void expect_held(const Exact& number, const Bounded& bounded, const char* operation) {
-  const Exact distance = abs(number - value_of(bounded));
+  const Exact distance = abs(number - exactly(bounded.value));
   EXPECT_LE(distance, Exact(bounded.error))
       << operation << " " << bounded.value.hi << " by " << static_cast<double>(distance) << " of " << bounded.error;
 }
 
 TEST(Bounded, holds_the_results_of_hostile_operands) {
-  Operands operands(1);
+  HostileOperands<Bounded> operands(1);
   for (int i = 0; i < 40'000; ++i) {
-    const Operand a = operands.next(), b = i % 2 == 0 ? operands.next() : operands.near(a);
-    expect_held(a.number + b.number, a.bounded + b.bounded, "+");
-    expect_held(a.number - b.number, a.bounded - b.bounded, "-");
-    expect_held(a.number * b.number, a.bounded * b.bounded, "*");
-    expect_held(-a.number, -a.bounded, "-");
-    if (std::isfinite((a.bounded / b.bounded).error)) {
-      expect_held(a.number / b.number, a.bounded / b.bounded, "/");
+    const auto a = operands.next(), b = i % 2 == 0 ? operands.next() : operands.negative(a.held.value);
+    expect_held(a.number + b.number, a.held + b.held, "+");
+    expect_held(a.number - b.number, a.held - b.held, "-");
+    expect_held(a.number * b.number, a.held * b.held, "*");
+    expect_held(-a.number, -a.held, "-");
+    if (std::isfinite((a.held / b.held).error)) {
+      expect_held(a.number / b.number, a.held / b.held, "/");
     } else {
-      EXPECT_GE(b.bounded.error, 0.9 * std::abs(b.bounded.value.hi));  // it may be 0
+      EXPECT_GE(b.held.error, 0.9 * std::abs(b.held.value.hi));  // it may be 0
     }
     if (HasFailure()) return;
   }
 }
 
 TEST(Bounded, holds_the_results_of_many_operations) {
-  Operands operands(2);
+  HostileOperands<Bounded> operands(2);
   for (int i = 0; i < 2000; ++i) {
-    Operand sum = operands.next();
+    auto sum = operands.next();
     for (int j = 0; j < 20; ++j) {
-      const Operand other = operands.next(), factor = operands.next();
-      sum = {sum.number * factor.number + other.number, sum.bounded * factor.bounded + other.bounded};
-      if (!std::isfinite(sum.bounded.error)) sum = operands.next();
-      expect_held(sum.number, sum.bounded, "* and +");
+      const auto other = operands.next(), factor = operands.next();
+      sum = {sum.number * factor.number + other.number, sum.held * factor.held + other.held};
+      if (!std::isfinite(sum.held.error)) sum = operands.next();
+      expect_held(sum.number, sum.held, "* and +");
     }
     if (HasFailure()) return;
   }

@@ -6,94 +6,51 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
 
-#include "exact/float_scalar.hpp"
+#include "exact/hostile_operands.hpp"
 
 namespace tcb {
 namespace {
 
-using Exact = Float<664>;
-
-Exact middle_of(const Ball& ball) { return Exact(ball.middle().hi) + Exact(ball.middle().lo); }
-
-/// A number and a ball that holds it, whose radius is 0 where the number is a double-double.
-struct Operand {
-  Exact number;
-  Ball ball;
-};
-
-class Operands {
- public:
-  explicit Operands(unsigned seed) : random_(seed) {}
-
-  /// Doubles and double-doubles of any size, with and without a radius, whose low part may be at its limit.
-  Operand next() {
-    const double high = scaled(sign() * (1 + unit()), static_cast<int>(random_() % 200) - 100);
-    const double largest_low = std::abs(high) * 0x1p-54;
-    const int kind = static_cast<int>(random_() % 4);
-    const double low = kind == 0 ? 0 : kind == 1 ? sign() * largest_low : sign() * unit() * largest_low;
-    const double radius = random_() % 3 == 0 ? 0 : scaled(std::abs(high), -static_cast<int>(random_() % 120));
-    const double at = random_() % 2 == 0 ? sign() : 2 * unit() - 1;  // the edge of the ball, or inside
-    const auto middle = spline::DoubleDouble::normalized(high, low);
-    return {Exact(middle.hi) + Exact(middle.lo) + Exact(at) * Exact(radius), Ball(middle, radius)};
-  }
-
-  /// Nearly the negative of a number.
-  Operand near(const Operand& other) {
-    const double high = -std::nextafter(other.ball.middle().hi, sign() * std::numeric_limits<double>::infinity());
-    const double low = random_() % 2 == 0 ? -other.ball.middle().lo : 0;
-    const auto middle = spline::DoubleDouble::normalized(high, low);
-    return {Exact(middle.hi) + Exact(middle.lo), Ball(middle)};
-  }
-
- private:
-  double unit() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
-  double sign() { return random_() % 2 == 0 ? 1 : -1; }
-  static double scaled(double value, int exponent) { return std::ldexp(value, exponent); }
-
-  std::mt19937_64 random_;
-};
-
 /// The distance of a number from the middle of a ball, in radii.
 void expect_held(const Exact& number, const Ball& ball, const char* operation) {
-  const Exact distance = abs(number - middle_of(ball));
+  const Exact distance = abs(number - exactly(ball.middle()));
   EXPECT_LE(distance, Exact(ball.radius()))
       << operation << " " << ball.middle().hi << " by " << static_cast<double>(distance) << " of " << ball.radius();
 }
 
 TEST(Ball, holds_the_results_of_hostile_operands) {
-  Operands operands(1);
+  HostileOperands<Ball> operands(1);
   for (int i = 0; i < 40'000; ++i) {
-    const Operand a = operands.next(), b = i % 2 == 0 ? operands.next() : operands.near(a);
-    expect_held(a.number + b.number, a.ball + b.ball, "+");
-    expect_held(a.number - b.number, a.ball - b.ball, "-");
-    expect_held(a.number * b.number, a.ball * b.ball, "*");
-    expect_held(-a.number, -a.ball, "-");
-    expect_held(a.number / 2, halved(a.ball), "halved");
-    expect_held(ldexp(a.number, 7), ldexp(a.ball, 7), "ldexp");
+    const auto a = operands.next(), b = i % 2 == 0 ? operands.next() : operands.negative(a.held.middle());
+    expect_held(a.number + b.number, a.held + b.held, "+");
+    expect_held(a.number - b.number, a.held - b.held, "-");
+    expect_held(a.number * b.number, a.held * b.held, "*");
+    expect_held(-a.number, -a.held, "-");
+    expect_held(a.number / 2, halved(a.held), "halved");
+    expect_held(ldexp(a.number, 7), ldexp(a.held, 7), "ldexp");
     try {
-      expect_held(a.number / b.number, a.ball / b.ball, "/");
+      expect_held(a.number / b.number, a.held / b.held, "/");
     } catch (const Undecided&) {
-      EXPECT_GE(b.ball.radius(), 0.9 * std::abs(b.ball.middle().hi));  // it may hold 0
+      EXPECT_GE(b.held.radius(), 0.9 * std::abs(b.held.middle().hi));  // it may hold 0
     }
     if (HasFailure()) return;
   }
 }
 
 TEST(Ball, holds_the_results_of_many_operations) {
-  Operands operands(2);
+  HostileOperands<Ball> operands(2);
   for (int i = 0; i < 2000; ++i) {
-    Operand sum = operands.next();
+    auto sum = operands.next();
     for (int j = 0; j < 20; ++j) {
-      const Operand other = operands.next(), factor = operands.next();
+      const auto other = operands.next(), factor = operands.next();
       try {
-        sum = {sum.number * factor.number + other.number, sum.ball * factor.ball + other.ball};
+        sum = {sum.number * factor.number + other.number, sum.held * factor.held + other.held};
       } catch (const Undecided&) {  // beyond the range
         sum = operands.next();
       }
-      expect_held(sum.number, sum.ball, "* and +");
+      expect_held(sum.number, sum.held, "* and +");
     }
     if (HasFailure()) return;
   }
