@@ -63,6 +63,8 @@ bool closes_curve(const Typed& typed) {
   return rules.period || (rules.closed && rules.closed->value);
 }
 
+bool paces_by_profile(const Typed& typed) { return typed.pace_profile.has_value(); }
+
 bool extends_curve(const Typed& typed) {
   return typed.keys.rules.extrapolate && typed.keys.rules.extrapolate->extend_curve();
 }
@@ -197,11 +199,8 @@ constexpr Conflict conflicts[] = {
      {"--fields"},
      ", as jerk is that of the times of the keys",
      [](const Typed& typed) { return any_field(typed, [](const Field& field) { return field.name == "jerk"; }); }},
-    {{"--pace"},
-     excludes,
-     {"--golden", "--time-zero"},
-     ", as the times and distances are those of the profile",
-     [](const Typed& typed) { return typed.pace_profile.has_value(); }},
+    {{"--pace"}, excludes, {"--golden"}, ", as the distances of a profile are doubles", paces_by_profile},
+    {{"--pace"}, excludes, {"--time-zero"}, ", as rows have the times of the profile", paces_by_profile},
     {{"--pace"}, needs, {"--step", "--rate", "--fps", "--count", "--per-segment", "--at"}, ", rows at times"},
     {{"--emit"}, disables, {"--end", "--keys"}},
     {{"--emit"}, disables, {"--extrapolate"}, ", whose pieces lie between keys", extends_curve},

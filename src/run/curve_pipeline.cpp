@@ -130,6 +130,20 @@ class RowEstimate {
   double length_;  ///< of the segments
 };
 
+std::string kind_of_times(TimeNotation notation, const std::optional<TimeUnit>& unit) {
+  if (is_date(notation)) return "dates";
+  return unit == TimeUnit::frames ? "frames" : fmt::format("in {}", row_of(unit.value_or(TimeUnit::s)).name);
+}
+
+/// Throws: Error (data) for a profile whose times are not like those of the keys, which rows are printed like.
+void require_like_times(const PaceProfile& profile, const TimeSchema& time) {
+  const bool differ = profile.unit && time.unit && *profile.unit != *time.unit;
+  if (!time.is_given || (!differ && is_date(profile.notation) == is_date(time.notation))) return;
+  throw data_error("the times of the profile are {}, and those of the keys {}; expected the same; convert the profile",
+                   kind_of_times(profile.notation, profile.unit), kind_of_times(time.notation, time.unit))
+      .about("--pace");
+}
+
 /// Of a curve that is measured, and the rows on it.
 PaceFacts pace_facts(const Pace& pace, const KeptCurve& curve, const RowPlaces& rows) {
   PaceFacts facts;
@@ -212,6 +226,7 @@ CurvePipeline::CurvePipeline(const CurveRequest& request, const Schema& schema, 
       may_miss_(traits.may_miss),
       leaves_gaps_(request.leaves_gaps),
       counts_gap_rows_(request.counts_gap_rows) {
+  if (request_.pace && request_.pace->profile != nullptr) require_like_times(*request_.pace->profile, schema.time);
   const auto unit = schema.time.unit;
   const bool has_duration = request_.in_seconds.has_duration || spec_.is_period_in_seconds;
   if (has_duration && unit == TimeUnit::frames)

@@ -340,7 +340,7 @@ namespace {
 
 std::string pace_in_words(const Pace& pace) {
   if (pace.profile != nullptr) return pace.profile->are_parts ? "parts of the length" : "arc lengths";
-  if (pace.rise == 0 && pace.fall == 0) return "a constant speed";
+  if (pace.is_constant()) return "a constant speed";
   return fmt::format("a speed that rises in {} of the duration, and falls in {}", ratio_text(pace.rise),
                      ratio_text(pace.fall));
 }

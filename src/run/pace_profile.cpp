@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "formats/formats.hpp"
 #include "io/input_file.hpp"
@@ -14,6 +16,7 @@
 #include "run/curve_pipeline.hpp"
 #include "sample/fields.hpp"
 #include "sample/rows.hpp"
+#include "text/suggest.hpp"
 
 namespace tcb {
 namespace {
@@ -22,14 +25,17 @@ constexpr std::string_view part_of_length = "fraction";
 
 /// The channel of the distances. Throws: Error (data) where its name does not tell it.
 std::size_t distance_channel(const Schema& schema, const PaceFile& file) {
-  const auto& names = schema.channels;
   if (!file.column.empty()) return 0;
-  const auto found =
-      std::ranges::find_if(names, [](std::string_view name) { return name == "s" || name == part_of_length; });
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < schema.channels.size(); ++i) {
+    const std::string_view name = schema.channels[i];
+    if (same_in_any_case(name, "s") || same_in_any_case(name, part_of_length)) found.push_back(i);
+  }
+  if (found.size() == 1) return found[0];
   throw data_error(
-      "a profile has no column s or fraction; expected arc lengths, or parts of the length from 0 to 1; name their "
-      "column, as in --pace @FILE:COLUMN");
+      "{}; expected one column of arc lengths, or of parts of the length from 0 to 1; name it, as in --pace "
+      "@FILE:COLUMN",
+      found.empty() ? "a profile has no column s or fraction" : "a profile has several columns s or fraction");
 }
 
 /// What the rules of the keys are for a single open channel.
@@ -76,8 +82,8 @@ Error of_profile(const Error& error) {
 
 PaceProfile read(const PaceFile& file, const SamplingRequest& request, const KeyOptions& keys) {
   InputOptions options;
-  options.units = keys.input.units;
-  options.units.are_optional = true;
+  options.units = {
+      .frame_rate = keys.input.units.frame_rate, .date_order = keys.input.units.date_order, .are_optional = true};
   options.keys.tcb = keys.input.keys.tcb;
   options.rotation.none = true;
   if (!file.column.empty()) {
@@ -85,12 +91,17 @@ PaceProfile read(const PaceFile& file, const SamplingRequest& request, const Key
   }
   const Input input = open_input(file.path, keys.bytes_of(file.path).bytes, options);
   const std::size_t channel = distance_channel(input.schema, file);
+  if (!input.schema.time.is_given) {
+    throw data_error("a profile has no column of times; expected one; name it time, or correct the profile");
+  }
   const CurveRequest samples{
       .samples = request,
       .rules = rules_of(keys.rules),
       .fields = {field_of("time"), field_of("position"), field_of("velocity"), field_of("acceleration")}};
-  PaceProfile profile{.are_parts = input.schema.channels[channel] == part_of_length};
-  Curves curves(input.schema, input.keys, keys.curves);
+  PaceProfile profile{.are_parts = same_in_any_case(input.schema.channels[channel], part_of_length),
+                      .notation = input.schema.time.notation,
+                      .unit = input.schema.time.unit};
+  Curves curves(input.schema, input.keys, {});
   std::optional<InputCurve> curve = curves.next();
   if (!curve) throw data_error("found no keys; expected at least two; add them");
   CurvePipeline pipeline(samples, input.schema, input.keys.traits, *curve->curve_info);

@@ -2,36 +2,31 @@
 #include "sample/pace.hpp"
 
 #include <algorithm>
+#include <type_traits>
+
+#include "numbers/decimal_time.hpp"
 
 namespace tcb {
-namespace {
 
-/// A ramp from speed 0 to 1 in the time 1, after the time w.
-PacePart ramp(const Rational& w) {
-  const Rational w2 = w * w, w3 = w2 * w;
-  return {w3 - w3 * w / 2, 3 * w2 - 2 * w3, 6 * (w - w2)};
-}
-
-}  // namespace
-
-PacePart Pace::at(const Rational& time) const {
-  const Rational top = top_speed(), left = 1 - time;
-  if (time < rise) {
-    const PacePart part = ramp(time / rise);
-    return {top * rise * part.distance, top * part.speed, top / rise * part.acceleration};
-  }
-  if (left < fall) {
-    const PacePart part = ramp(left / fall);
-    return {1 - top * fall * part.distance, top * part.speed, -top / fall * part.acceleration};
-  }
-  return {top * (time - rise / 2), top, 0};
-}
-
-PacePart Pace::at(const Rational& time, const Rational& first, const Rational& last) const {
+template <class S>
+PacePart<S> Pace::at(const Rational& time, const Rational& first, const Rational& last) const {
   if (first == last) return {};  // of a single key
+  const auto scalar = [](const Rational& number) {
+    if constexpr (std::is_same_v<S, Time>) {
+      return nearest_time(number);
+    } else {
+      return number;
+    }
+  };
   const Rational duration = last - first;
-  const PacePart part = at(std::clamp<Rational>((time - first) / duration, 0, 1));
-  return {part.distance, part.speed / duration, part.acceleration / (duration * duration)};
+  const Rational passed = std::clamp<Rational>((time - first) / duration, 0, 1);
+  PacePart<S> part = part_of_length<S>(scalar(passed), scalar(rise), scalar(fall));
+  if (passed == 1) part.distance = S(1);  // also after rounding
+  const S unit = scalar(duration);
+  return {part.distance, part.speed / unit, part.acceleration / (unit * unit)};
 }
+
+template PacePart<Rational> Pace::at(const Rational& time, const Rational& first, const Rational& last) const;
+template PacePart<Time> Pace::at(const Rational& time, const Rational& first, const Rational& last) const;
 
 }  // namespace tcb

@@ -148,9 +148,9 @@ void set_pace(RowPlaces& rows, const SamplingRequest& request, const KeptCurve& 
   for (std::size_t row = 0; row < rows.places.size(); ++row) {
     Time& place = rows.places[row];
     const Rational time = rows.exact.empty() ? exactly(place) : rows.exact[row];
-    const PacePart part = request.pace->at(time, first, last);
-    rows.motions.push_back({place, nearest_double(part.speed) * length, nearest_double(part.acceleration) * length});
-    place = part.distance == 1 ? Time(length) : nearest_time(part.distance) * Time(length);
+    const PacePart<Time> part = request.pace->at<Time>(time, first, last);
+    rows.motions.push_back({place, part.speed.hi * length, part.acceleration.hi * length});
+    place = part.distance * Time(length);
   }
   const Rational end = request.to.value_or(last);
   if (request.mode != Mode::step || rows.motions.empty()) return;

@@ -199,19 +199,14 @@ class Point {
   void set_moved() {
     spline::set_derivatives<S>(moved_, segment_->cubics, sample_->at, {}, S(0), S(1));
     const spline::MetricView<S> v(moved_.velocity, segment_->metric), a(moved_.acceleration, segment_->metric);
-    if constexpr (std::is_same_v<S, double>) {
-      const auto shape = spline::shape(moved_, segment_->metric);
-      local_speed_ = shape.moves ? shape.speed : 0;
-    } else {
-      local_speed_ = spline::norm(v);
-    }
+    local_speed_ = local_speed();
     const bool moves = local_speed_ > S(0);
     S along(0);
     for (std::size_t i = 0; i < v.size() && moves; ++i) along += v[i] / local_speed_ * a[i];
     using std::abs, std::ldexp;
     const S unit = ldexp(S(1), 52 - std::numeric_limits<S>::digits);  // of the noise at this scalar
     const S noise =
-        moves ? S((moved_.acceleration_noise + moved_.velocity_noise * abs(along) / local_speed_) * unit) : S(0);
+        moves ? S((moved_.acceleration_noise + moved_.velocity_noise / local_speed_ * abs(along)) * unit) : S(0);
     const S ratio = moves ? S(motion_->speed / local_speed_) : S(0);
     for (std::size_t i = 0; i < moved_.velocity.size(); ++i) {
       const S direction = moves ? S(moved_.velocity[i] / local_speed_) : S(0);
@@ -219,6 +214,24 @@ class Point {
       const S across = abs(turning) > noise ? turning : S(0);  // of a straight path
       moved_.velocity[i] = direction * motion_->speed + S(0);  // a zero is not negative
       moved_.acceleration[i] = across * ratio * ratio + direction * motion_->acceleration + S(0);
+    }
+  }
+
+  /// The length of the velocity by u; 0 where the curve rests: for doubles within the noise, for other scalars at a key
+  /// whose tangent is the error of a 0.
+  S local_speed() const {
+    if constexpr (std::is_same_v<S, double>) {
+      const auto shape = spline::shape(moved_, segment_->metric);
+      return shape.moves ? shape.speed : 0;
+    } else {
+      using std::abs, std::ldexp;
+      const S speed = spline::in_units(moved_, segment_->metric, [&](const auto& in, const spline::Units& units) {
+        return S(ldexp(spline::norm<S>({in.velocity, segment_->metric}), units.v));
+      });
+      S terms(0);
+      for (const spline::Cubic<S>& x : segment_->cubics) terms += abs(x.out) + abs(x.in) + abs(x.c) + abs(x.d);
+      const bool rests = (at_start() || at_end()) && !(speed > ldexp(terms, 16 - std::numeric_limits<S>::digits));
+      return rests ? S(0) : speed;
     }
   }
 
