@@ -139,7 +139,6 @@ def archive_of(keys, kind):
 
 def data_remedies():
     """Files, by the first word of the command that their message has; and the options of the run."""
-    across = ["1,2,3,4,5", "x,1,1,-2.5,1,3", "y,5,5,7,5,5"]
     uniform = ["--parameter", "uniform"]
     return [
         ("bzcat", bz2.compress(KEYS), uniform),
@@ -150,9 +149,7 @@ def data_remedies():
         ("iconv", KEYS.decode().encode("utf-16-le"), uniform),
         ("iconv", KEYS.decode().encode("utf-16-be"), uniform),
         ("iconv", KEYS.replace(b"\n", b",\xe9\n").replace(b"y,\xe9", b"y,name"), [*uniform, "--group", "name"]),
-        ("tr", KEYS + bytes(100), uniform),
         ("sed", b"Run 3\nof two\n" + KEYS + b"the end\n", uniform),
-        ("python3", ("t," + "\n".join(across) + "\n").encode(), []),
     ]
 
 

@@ -154,8 +154,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   traits.may_miss = options.keys.missing == Missing::skip_cell;
   traits.may_be_point = options.keys.missing == Missing::break_curve;
   traits.has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown;
-  traits.marks = columns.marks;
-  if (columns.named) traits.channels = columns.channels;
+  traits.label = columns.label;
   if (input.schema.time.counts_rows) {
     input.keys.blocks = with_row_times(std::move(input.keys.blocks), input.schema.time,
                                        traits.own_curves ? 0 : input.schema.groups.size(), options.keys.counts_rows);

@@ -114,18 +114,28 @@ Source<KeyBlock> arranged(Source<KeyBlock> blocks, const Schema& schema, const K
   const bool is_grouped = traits.has_whole_curves && !options.sort;
   const bool by_text = !schema.groups.empty() && !traits.own_curves && !is_grouped;
   if (!schema.time.is_given) require_times(options);
+  const bool are_labelled = !traits.label.empty() && schema.groups.empty();
+  if (are_labelled && options.sort) {
+    throw data_error(
+        "--sort would mix rows with different values of {} in one curve; expected the rows of one curve; give "
+        "--group {} for one curve per value, or --columns {} if the values do not distinguish curves",
+        in_quotes(traits.label), in_shell(traits.label), in_shell("carry=" + traits.label));
+  }
   if (by_text || options.sort) {
-    blocks =
-        grouped(without_faults(std::move(blocks)), {by_text ? schema.groups.size() : 0, options.sort, traits.own_curves,
-                                                    by_text ? std::vector<Mark>{} : traits.marks});
+    blocks = grouped(without_faults(std::move(blocks)),
+                     {by_text ? schema.groups.size() : 0, options.sort, traits.own_curves});
   }
   blocks = without_gaps(std::move(blocks));
   if (is_ordered && !options.sort) {
     blocks = past_midnight(std::move(blocks), schema.time.notation, schema.time.frame_rate.value_or(1), midnights);
   }
   if (is_ordered && options.duplicates == Duplicates::spread) blocks = spread_out(std::move(blocks));
-  if (is_ordered)
-    blocks = in_order(std::move(blocks), options.duplicates, {traits.marks, traits.channels, schema.time.is_by_place});
+  if (is_ordered) {
+    const bool may_group = schema.groups.empty() && !traits.own_curves;
+    const std::string column = are_labelled ? traits.label : schema.named ? "NAME" : "NUMBER";
+    blocks = in_order(std::move(blocks), options.duplicates,
+                      {schema.time.is_by_place, may_group ? column : "", are_labelled});
+  }
   return without_faults(std::move(blocks), arrive);
 }
 

@@ -9,13 +9,10 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
-#include "text/suggest.hpp"
-#include "text/utf8.hpp"
 
 namespace tcb {
 namespace {
@@ -113,33 +110,9 @@ class Groups {
       const auto last = std::find_if(first + 1, keys_.end(),
                                      [&](const KeyReference& key) { return key.curve != first->curve || key.breaks; });
       const bool breaks = std::exchange(first->breaks, false);
-      const bool is_sorted = std::ranges::is_sorted(first, last, is_earlier, time);
       std::ranges::stable_sort(first, last, is_earlier, time);
-      if (!is_sorted) require_apart({first, last});
       first->breaks = breaks;
       first = last;
-    }
-  }
-
-  /// Throws: Error (data) where rows with different texts in a column alternate, once they are sorted: they are of
-  /// different curves.
-  void require_apart(std::span<const KeyReference> keys) const {
-    for (std::size_t i = 0; i < grouping_.marks.size(); ++i) {
-      if (!grouping_.marks[i].is_text) continue;
-      std::unordered_set<std::size_t> seen;
-      std::size_t runs = 0, before = 0;
-      for (const KeyReference& key : keys) {
-        const KeyBlock& block = blocks_[key.block];
-        const std::size_t mark = block.marks[key.key * block.marks_per_key() + i];
-        if (runs == 0 || mark != before) ++runs;
-        seen.insert(before = mark);
-      }
-      if (runs > seen.size())
-        throw data_error(
-            "--sort would mix rows with different values of {} in one curve; expected the rows of one curve; give "
-            "--group {} for one curve per value, or --columns {} if the values do not distinguish curves",
-            in_quotes(grouping_.marks[i].column), in_shell(grouping_.marks[i].column),
-            in_shell("carry=" + grouping_.marks[i].column));
     }
   }
 

@@ -8,11 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
-#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,7 +18,6 @@
 #include "error.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
-#include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 #include "text/utf8.hpp"
 
@@ -65,24 +62,6 @@ Source<KeyBlock> through(Source<KeyBlock> blocks, Settings&&... settings) {
   return [stage] { return stage->next(); };
 }
 
-/// The value of a key in a column; nothing if it distinguishes no curves.
-using Label = std::function<std::optional<std::size_t>(std::size_t key)>;
-
-/// Whether times increase for each value of a column, and there are several values, some of several keys, with so many
-/// on average.
-bool distinguishes(const KeyBlock& block, const Label& label, std::size_t keys_per_value = 1) {
-  std::unordered_map<std::size_t, Time> before;
-  for (std::size_t key = 0; key < block.size(); ++key) {
-    const auto value = label(key);
-    if (!value) return false;
-    const Time time = block.keys.times[key];
-    const auto [found, is_first] = before.emplace(*value, time);
-    if (!is_first && !is_earlier(found->second, time)) return false;
-    found->second = time;
-  }
-  return before.size() > 1 && before.size() * keys_per_value <= block.size() && before.size() < block.size();
-}
-
 /// Where a key is in its input, for messages about later keys.
 struct KeyLocation {
   spline::Time<double> time;
@@ -101,8 +80,8 @@ struct KeyLocation {
 /// The stage of in_order(). With Duplicates::last, the next key may replace the last one, which is held.
 class Order : public HoldingStage {
  public:
-  Order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels)
-      : HoldingStage(std::move(blocks)), duplicates_(duplicates), labels_(std::move(labels)) {}
+  Order(Source<KeyBlock> blocks, Duplicates duplicates, OrderRemedies remedies)
+      : HoldingStage(std::move(blocks)), duplicates_(duplicates), remedies_(std::move(remedies)) {}
 
  private:
   KeyBlock pass(KeyBlock block) override {
@@ -133,7 +112,6 @@ class Order : public HoldingStage {
     std::vector<std::size_t> kept, breaks = all.breaks.before;
     all.append(block, 0, block.size());
     if (held > 0) kept.push_back(0);
-    if (column_.empty() && !is_in_order(block)) column_ = labels_.distinguishing(all, duplicates_ != Duplicates::error);
     for (std::size_t i = held; i < all.size(); ++i) {
       const bool begins_curve = block.begins_curve(i - held);
       const Placement placement = begins_curve ? Placement::begins_curve : placement_of(all.keys.times[i]);
@@ -158,7 +136,7 @@ class Order : public HoldingStage {
   Placement placement_of(const Time& time) const {
     if (!before_ || is_earlier(before_->time, time)) return Placement::follows;
     if (is_earlier(time, before_->time)) return Placement::goes_back;
-    if (!column_.empty()) return Placement::repeats;
+    if (remedies_.are_labelled) return Placement::repeats;
     switch (duplicates_) {
       case Duplicates::first: return Placement::dropped;
       case Duplicates::last: return Placement::replaces_last;
@@ -171,45 +149,27 @@ class Order : public HoldingStage {
 
   Error fault(const KeyBlock& block, std::size_t key, bool equal) const {
     const KeyLocation here = location(block, key);
-    const auto text_position = block.text_position(key);
     const std::string beginning = here.beginning(), time = time_text(here.time), before = before_->time_and_position();
-    if (!column_.empty()) {
-      return data_error(
-                 "{}time {} does not follow the time {}, but the times increase for each value of {}; expected the "
-                 "keys of one curve; give --group {} for one curve per value",
-                 beginning, time, before, in_quotes(column_), in_shell(column_))
-          .at(text_position);
+    std::string give = "give ";
+    if (remedies_.has_time_by_place) {
+      give += "--parameter uniform if the first column is no time, --columns time=NUMBER if another one is, ";
     }
-    const std::string other_time =
-        labels_.has_time_by_place
-            ? "--parameter uniform if the first column is no time, --columns time=NUMBER if another one is, or "
-            : "";
-    if (equal) {
-      return data_error(
-                 "{}time {} repeats the time {}; expected increasing times; remove one of the keys, or give "
-                 "{}--duplicates first, last or break{}",
-                 beginning, time, before, other_time,
-                 labels_.channels.empty() ? ", or --group NUMBER if the column of this number tells curves apart" : "")
-          .at(text_position);
+    if (!remedies_.group.empty()) {
+      give += fmt::format("--group {} {}, ", in_shell(remedies_.group),
+                          remedies_.are_labelled ? "for a curve of each value" : "if a column tells curves apart");
     }
-    const bool begins_again = key >= 5 && here.time.hi >= 0 && here.time.hi < before_->time.hi / 20;
-    if (begins_again) {
-      return data_error(
-                 "{}time {} is less than the time {}, as where a counter or a recording begins again; expected "
-                 "increasing times; count on, or give {}--group with a column that tells recordings apart, or --sort "
-                 "if the keys are of one recording in any order",
-                 beginning, time, before, other_time)
-          .at(text_position);
-    }
-    return data_error(
-               "{}time {} is less than the time {}; expected increasing times; sort the keys by time, or give {}--sort",
-               beginning, time, before, other_time)
-        .at(text_position);
+    const bool has_others = give.ends_with(", ");
+    give += has_others ? "or " : "";
+    return (equal ? data_error("{}time {} repeats the time {}; expected increasing times; remove one of the keys, or "
+                               "{}--duplicates first, last or break",
+                               beginning, time, before, give)
+                  : data_error("{}time {} is less than the time {}; expected increasing times; {}--sort{}", beginning,
+                               time, before, give, has_others ? " if the keys are of one curve" : ""))
+        .at(block.text_position(key));
   }
 
   Duplicates duplicates_;
-  CurveLabels labels_;
-  std::string column_;                 ///< that distinguishes curves, if one does
+  OrderRemedies remedies_;
   std::optional<KeyLocation> before_;  ///< of the last key that remained
 };
 
@@ -275,30 +235,6 @@ class Spreader : public HoldingStage {
 
 }  // namespace
 
-std::string CurveLabels::distinguishing(const KeyBlock& block, bool texts) const {
-  const std::size_t per_key = block.marks_per_key();
-  for (std::size_t i = 0; i < std::min(per_key, marks.size()); ++i) {
-    if (!marks[i].is_text && (texts || !is_usual_label(marks[i].column))) continue;
-    if (distinguishes(block, [&](std::size_t key) { return std::optional(block.marks[key * per_key + i]); })) {
-      return marks[i].column;
-    }
-  }
-  const auto number = [&](std::size_t key, std::size_t channel) -> std::optional<std::size_t> {
-    const double value = block.keys.positions[key * block.keys.channels + channel];
-    if (!(std::abs(value) < 0x1p53) || value != std::trunc(value)) return std::nullopt;
-    return static_cast<std::size_t>(static_cast<std::int64_t>(value));
-  };
-  for (std::size_t i = 0; i < channels.size() && !texts; ++i) {
-    const auto label = [&](std::size_t key) { return number(key, i); };
-    if (is_usual_label(channels[i]) && distinguishes(block, label)) return channels[i];
-  }
-  for (std::size_t i = 0; i < channels.size() && channels.size() > 1 && !texts; ++i) {
-    const auto label = [&](std::size_t key) { return number(key, i); };
-    if (!is_coordinate(channels[i]) && distinguishes(block, label, 2)) return channels[i];
-  }
-  return "";
-}
-
 Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
   return [blocks = std::move(blocks), broken = false, any = false]() mutable -> std::optional<KeyBlock> {
     std::optional<KeyBlock> block = blocks();
@@ -332,8 +268,8 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
 
 Source<KeyBlock> spread_out(Source<KeyBlock> blocks) { return through<Spreader>(std::move(blocks)); }
 
-Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels) {
-  return through<Order>(std::move(blocks), duplicates, std::move(labels));
+Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, OrderRemedies remedies) {
+  return through<Order>(std::move(blocks), duplicates, std::move(remedies));
 }
 
 Source<KeyBlock> past_midnight(Source<KeyBlock> blocks, TimeNotation notation, const Rational& rate,

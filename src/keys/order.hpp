@@ -3,12 +3,10 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "numbers/frame_times.hpp"
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
-#include "schema/columns.hpp"
 #include "schema/curve_settings.hpp"
 #include "schema/key_block.hpp"
 #include "stream/source.hpp"
@@ -17,10 +15,9 @@ namespace tcb {
 
 /// How grouped() arranges keys.
 struct Grouping {
-  std::size_t groups = 0;        ///< number of texts, from a key's first, that identify its curve
-  bool sort = false;             ///< by time; the sort is stable
-  bool own_curves = false;       ///< a curve begins with each block that has curve_info
-  std::vector<Mark> marks = {};  ///< columns that may distinguish curves, by which no sort mixes them
+  std::size_t groups = 0;   ///< number of texts, from a key's first, that identify its curve
+  bool sort = false;        ///< by time; the sort is stable
+  bool own_curves = false;  ///< a curve begins with each block that has curve_info
 };
 
 /// The keys of one curve after another, in order of first appearance, with a break before each. The first call reads
@@ -28,15 +25,11 @@ struct Grouping {
 /// Memory: 100 to 200 bytes per curve, and 16 bytes per key besides its numbers.
 Source<KeyBlock> grouped(Source<KeyBlock> blocks, const Grouping& grouping);
 
-/// The columns that may distinguish curves.
-struct CurveLabels {
-  std::vector<Mark> marks = {};            ///< of keys
-  std::vector<std::string> channels = {};  ///< names of channels, if they have any; only those of whole numbers count
-  bool has_time_by_place = false;          ///< the first column is the time, as none has a name
-
-  /// The name of a column such that times increase within each of its values, if they do not increase overall; empty:
-  /// there is none. `texts`: only columns of text.
-  std::string distinguishing(const KeyBlock& block, bool texts) const;
+/// What the remedies for times that do not increase depend on.
+struct OrderRemedies {
+  bool has_time_by_place = false;  ///< the first column is the time, as none has a name
+  std::string group = {};          ///< what --group may be given: a column, NAME or NUMBER; empty: nothing
+  bool are_labelled = false;       ///< the column seems to tell curves apart, so that equal times are those of several
 };
 
 /// The keys with times of one kind. Up to the block with the first time of more than 17 digits, times are doubles or
@@ -73,8 +66,7 @@ Source<KeyBlock> without_gaps(Source<KeyBlock> blocks);
 Source<KeyBlock> spread_out(Source<KeyBlock> blocks);
 
 /// The keys whose times increase up to the next break. Decreasing times, and equal ones where they are an error, are
-/// faults of the block, which name the column that distinguishes curves, if one does. Duplicates::last delays one key
-/// until the next is read.
-Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, CurveLabels labels = {});
+/// faults of the block. Duplicates::last delays one key until the next is read.
+Source<KeyBlock> in_order(Source<KeyBlock> blocks, Duplicates duplicates, OrderRemedies remedies = {});
 
 }  // namespace tcb

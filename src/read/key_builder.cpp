@@ -89,7 +89,6 @@ KeyBuilder::KeyBuilder(const Columns& columns, const KeyRules& rules, const KeyU
       has_channel_roles_(has_channel_roles(columns)),
       has_channel_tcbs_(has_any(columns, {Role::channel_tension, Role::channel_continuity, Role::channel_bias})),
       both_sides_(channels_with(columns, Role::velocity)),
-      marks_(columns.marks.size()),
       texts_(columns.texts()) {
   const std::size_t channels = columns.channels.size();
   block_.keys.channels = channels;
@@ -114,7 +113,6 @@ void KeyBuilder::begin_key() {
   numbers_[NumberOfKey::continuity] = continuity;
   numbers_[NumberOfKey::bias] = bias;
   numbers_[NumberOfKey::ease_in] = numbers_[NumberOfKey::ease_out] = 0;
-  std::ranges::fill(marks_, 0);
   for (std::string& text : texts_) text.clear();
   for (std::string& decimal : decimals_) decimal.clear();
   is_missing_ = false;
@@ -265,7 +263,6 @@ void KeyBuilder::add_key() {
   for (std::size_t i = 0; i < keys.given.size(); ++i) {
     keys.velocities.push_back({number(NumberOfKey::velocity_in_of, i), number(NumberOfKey::velocity_out_of, i)});
   }
-  block_.marks.insert(block_.marks.end(), marks_.begin(), marks_.end());
   for (const std::string& text : texts_) block_.texts.add(text);
   for (const std::string& decimal : decimals_) block_.decimals.add(decimal);
 }

@@ -56,11 +56,6 @@ class KeyBuilder {
   /// A text as in schema/texts.hpp.
   void set_text(const Columns::Column& column, std::string text) { texts_[column.channel] = std::move(text); }
 
-  /// A cell of a column without a role.
-  void set_mark(const Columns::Column& column, std::string_view text) {
-    if (column.channel < marks_.size()) marks_[column.channel] = std::hash<std::string_view>()(text);
-  }
-
   /// The cell has no value. Returns whether that is allowed; if so, the row may be skipped or be a gap.
   bool miss(const Columns::Column& column);
   /// The key is skipped, or is a gap, as it has no value for some cell.
@@ -121,8 +116,7 @@ class KeyBuilder {
   bool is_missing_ = false;  ///< a value is missing that a key needs
   std::size_t faults_ = 0;   ///< the number of faults before it
   Time time_;
-  std::vector<double> numbers_;     ///< in the order of NumberOfKey; NaN where one is missing
-  std::vector<std::size_t> marks_;  ///< as in KeyBlock
+  std::vector<double> numbers_;  ///< in the order of NumberOfKey; NaN where one is missing
   std::vector<std::string> texts_;
   std::vector<std::string> decimals_;  ///< in the order of NumberOfKey; empty if they are not kept
 };

@@ -19,7 +19,6 @@
 #include "numbers/print_number.hpp"
 #include "read/csv/csv_reader.hpp"
 #include "read/input.hpp"
-#include "read/memory_use.hpp"
 #include "text/utf8.hpp"
 
 namespace tcb {
@@ -82,7 +81,6 @@ struct NpyArray {
   std::uint64_t rows = 0;
   std::size_t row_size = 0;
   bool is_structured = false;
-  bool is_fortran = false;  ///< column after column
 };
 
 Error not_a_number(std::string_view column, std::string_view type) {
@@ -91,6 +89,13 @@ Error not_a_number(std::string_view column, std::string_view type) {
       "the array{} is of type {}; expected floats of 32 or 64 bits, integers or booleans; convert it, as with "
       "array.astype(float)",
       which, type);
+}
+
+Error not_plain(std::string_view column) {
+  return data_error(
+      "the array has column {}, which has several numbers; expected one number in each column; convert it, as with "
+      "numpy.lib.recfunctions.structured_to_unstructured(array)",
+      in_quotes(column));
 }
 
 /// Reads the dictionary of a header, as Python writes it: {'descr': TYPE, 'fortran_order': BOOL, 'shape': (N, ...), }.
@@ -111,7 +116,7 @@ class NpyHeader {
       if (name == "descr") {
         read_columns(array);
       } else if (name == "fortran_order") {
-        array.is_fortran = boolean();
+        require_rows();
       } else if (name == "shape") {
         shape = numbers();
       } else {
@@ -169,15 +174,17 @@ class NpyHeader {
     at_ = end + 1;
     return value;
   }
-  bool boolean() {
+  /// Reads whether the numbers are column after column. Throws: Error (data) where they are.
+  void require_rows() {
+    constexpr std::string_view no = "False";
     blanks();
-    for (const bool value : {true, false}) {
-      const std::string_view name = value ? "True" : "False";
-      if (!text_.substr(at_).starts_with(name)) continue;
-      at_ += name.size();
-      return value;
+    if (text_.substr(at_).starts_with("True")) {
+      throw data_error(
+          "the array is stored column after column (fortran_order); expected row after row; save it again, as with "
+          "numpy.ascontiguousarray(array)");
     }
-    refuse(at_);
+    if (!text_.substr(at_).starts_with(no)) refuse(at_);
+    at_ += no.size();
   }
   /// A tuple, which with one entry has a comma.
   std::vector<std::uint64_t> numbers() {
@@ -204,26 +211,12 @@ class NpyHeader {
       expect('(');
       const std::string name = string();
       expect(',');
-      const NpyColumn one = column(name, string());
-      const bool is_array = skip(',');
-      is_array ? add_elements(array, one) : array.columns.push_back(one);
+      blanks();
+      if (text_.substr(at_).starts_with('[')) throw not_plain(name);
+      array.columns.push_back(column(name, string()));
+      if (skip(',')) throw not_plain(name);
       expect(')');
     });
-    for (NpyColumn& one : array.columns) {
-      one.offset = array.row_size;
-      array.row_size += one.size;
-    }
-  }
-
-  /// Adds a column for each element of an array in each row.
-  void add_elements(NpyArray& array, const NpyColumn& of) {
-    const std::vector<std::uint64_t> shape = numbers();
-    if (shape.size() != 1 || shape[0] > most_columns - std::min(most_columns, array.columns.size()))
-      throw not_a_number(of.name, "an array of several dimensions");
-    for (std::uint64_t i = 0; i < shape[0]; ++i) {
-      array.columns.push_back(of);
-      array.columns.back().name = fmt::format("{}[{}]", of.name, i);
-    }
   }
 
   /// A type is the order of bytes, < or >, which is | for single bytes, a kind, and a size.
@@ -257,11 +250,7 @@ class NpyHeader {
                        array.is_structured ? "1" : "2, a row for each key");
     }
     array.rows = shape[0];
-    if (array.is_structured) {
-      array.is_fortran = false;  // one dimension has one order
-      return;
-    }
-    array.columns.resize(shape[1], array.columns.front());
+    if (!array.is_structured) array.columns.resize(shape[1], array.columns.front());
     for (NpyColumn& one : array.columns) {
       one.offset = array.row_size;
       array.row_size += one.size;
@@ -293,27 +282,24 @@ void append(std::string& out, const NpyColumn& column, const char* bytes) {
 /// The lines of rows that are read one after the other.
 class NpyRows {
  public:
-  NpyRows(NpyArray array, NpyBytes bytes, std::uint64_t max_memory)
-      : array_(std::move(array)), bytes_(std::move(bytes)) {
-    if (array_.is_fortran) set_columns(MemoryUse(max_memory));
-  }
+  NpyRows(NpyArray array, NpyBytes bytes) : array_(std::move(array)), bytes_(std::move(bytes)) {}
 
   std::optional<std::string> operator()() {
     if (row_ == array_.rows) {
-      if (!array_.is_fortran && !bytes_.take(1).empty()) throw goes_on();
-      return std::nullopt;
+      if (bytes_.take(1).empty()) return std::nullopt;
+      throw data_error(
+          "the file goes on after the array; expected as many rows as its header has; save each array in a file of its "
+          "own");
     }
     constexpr std::uint64_t most_rows = 1024, most_bytes = 1UL << 20;
     const std::uint64_t rows =
         std::min({most_rows, std::max<std::uint64_t>(1, most_bytes / array_.row_size), array_.rows - row_});
-    const std::string block = array_.is_fortran ? "" : bytes_.take_all(rows * array_.row_size);
+    const std::string block = bytes_.take_all(rows * array_.row_size);
     std::string text;
     for (std::uint64_t i = 0; i < rows; ++i) {
       for (std::size_t k = 0; k < array_.columns.size(); ++k) {
         if (k > 0) text += npy_delimiter;
-        append(
-            text, array_.columns[k],
-            array_.is_fortran ? in_column(row_ + i, k) : block.data() + i * array_.row_size + array_.columns[k].offset);
+        append(text, array_.columns[k], block.data() + i * array_.row_size + array_.columns[k].offset);
       }
       text += '\n';
     }
@@ -322,36 +308,12 @@ class NpyRows {
   }
 
  private:
-  /// Reads whole columns. Throws: Error (data) where there are fewer or more bytes.
-  void set_columns(MemoryUse memory) {
-    const std::size_t size = array_.columns.front().size;
-    constexpr std::size_t part = 1UL << 20;
-    while (true) {
-      const std::string more = bytes_.take(part);
-      memory.add(more.size());
-      columns_ += more;
-      if (more.size() < part) break;
-    }
-    const std::uint64_t numbers = columns_.size() / size / array_.columns.size();
-    if (array_.rows > numbers) throw array_ends_early();
-    if (array_.rows * array_.row_size < columns_.size()) throw goes_on();
-  }
-  static Error goes_on() {
-    return data_error(
-        "the file goes on after the array; expected as many rows as its header has; save each array in a file of its "
-        "own");
-  }
-  const char* in_column(std::uint64_t row, std::size_t column) const {
-    return columns_.data() + (column * array_.rows + row) * array_.columns.front().size;
-  }
-
   NpyArray array_;
   NpyBytes bytes_;
-  std::string columns_;  ///< in Fortran order
   std::uint64_t row_ = 0;
 };
 
-/// The text of an array, and in `options` how it is delimited. An array in Fortran order is kept while it is read.
+/// The text of an array, and in `options` how it is delimited.
 Source<std::string> text_of_npy(Source<std::string> bytes, InputOptions& options) {
   NpyBytes input(std::move(bytes));
   const std::string head = input.take_all(npy_magic.size() + 2);
@@ -376,7 +338,7 @@ Source<std::string> text_of_npy(Source<std::string> bytes, InputOptions& options
   for (const NpyColumn& column : array.columns) {
     if (array.is_structured) names += (names.empty() ? "" : std::string(1, npy_delimiter)) + column.name;
   }
-  Source<std::string> rows = NpyRows(std::move(array), std::move(input), options.max_memory);
+  Source<std::string> rows = NpyRows(std::move(array), std::move(input));
   return names.empty() ? rows : preceded_by(names + "\n", std::move(rows));
 }
 

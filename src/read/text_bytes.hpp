@@ -37,7 +37,7 @@ class TextBytes {
       throw data_error("this is a NUL byte; expected text in UTF-8; {}",
                        may_be_utf16 ? fmt::format("convert it, as in iconv -f UTF-16{} -t UTF-8 <FILE | tcbsample",
                                                   nul.column == 1 ? "BE" : "LE")
-                                    : "if it is text, remove such bytes, as in tr -d '\\0' <FILE | tcbsample")
+                                    : "if it is text, remove such bytes")
           .at({"", nul.line, nul.column});
     }
     const std::size_t before = text.size();

@@ -462,11 +462,8 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
   assign_channels(columns, of_channels);
   for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
     if (columns.cells[cell].role != Role::ignored) continue;
-    columns.cells[cell].channel = is_unused[cell] ? most_marks : columns.ignored.size();
     if (is_unused[cell]) continue;
     columns.ignored.push_back(header.empty() ? fmt::format("column {}", cell + 1) : header[cell]);
-    if (columns.marks.size() == most_marks) continue;
-    columns.marks.push_back({requested_as(header, cell), !numeric[cell]});
   }
   if (columns.channels.empty()) {
     std::vector<std::string> texts;
@@ -484,7 +481,7 @@ Columns find_columns(std::span<const std::string> header, const std::vector<bool
             ? fmt::format(
                   "give {}--parameter uniform if the only column is a position",
                   header.empty() ? "" : fmt::format("--columns {} ", in_shell(request_of("position", header, 0))))
-            : std::string("give a table with numbers"));
+            : std::string("write the numbers alone, with delimiters between them"));
   }
   return columns;
 }
@@ -505,7 +502,7 @@ Columns find_time_column(std::span<const std::string> header, const std::vector<
   assign_the_rest(columns, header, numeric, usual_times(columns, header, numeric), false, true);
   if (!columns.has(Role::time)) throw data_error("no column is the time by its name; expected one called time");
   for (Columns::Column& column : columns.cells) {
-    if (column.role == Role::ignored || column.role == Role::unused) column = {Role::ignored, most_marks};
+    if (column.role == Role::ignored || column.role == Role::unused) column = {};
   }
   return columns;
 }

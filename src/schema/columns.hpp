@@ -67,15 +67,12 @@ inline bool is_element_of(std::string_view outer, std::string_view column) {
          (column[outer.size()] == '[' || column[outer.size()] == '.');
 }
 
-/// The largest number of columns without a role that are compared.
-inline constexpr std::size_t most_marks = 4;
-
 /// The meaning of the cells of all records of an input.
 struct Columns {
   struct Column {
     Role role = Role::ignored;
     std::size_t channel = 0;  ///< of positions and of roles in one; of groups and labels, the index among the texts of
-                              ///< a key; of clocks, among these; of others, among the marks
+                              ///< a key; of clocks, among these
     bool is_text = false;     ///< it has no role because it holds texts,
     bool is_empty = false;    ///< or because its first cells have no number; another one with a number is a fault
   };
@@ -87,10 +84,10 @@ struct Columns {
   std::vector<std::string> groups;       ///< names of the group columns
   std::vector<std::string> labels;       ///< names of the columns of labels
   std::vector<std::string> ignored;      ///< names of the columns without a role
-  std::vector<Mark> marks;               ///< the first ignored columns
   std::string likely_time = {};          ///< the first channel as it can be requested, if it may be the time
   std::vector<std::string> doubts = {};  ///< notes: what the columns may mean besides
   std::optional<double> time_gap = {};   ///< the mean of the first gaps between times that are whole
+  std::string label = {};                ///< the ignored column, as it can be requested, that may be one of labels
 
   bool has(Role role) const;
   /// The cells that make the time of a record, in this order.

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <unordered_map>
 #include <unordered_set>
 
 #include "numbers/dates.hpp"
@@ -429,25 +429,6 @@ Found parameters_that_are_data(const FoundColumns& found) {
       in_quotes(found.names[first->first]), first->second, positions_of(found));
 }
 
-Found column_numbers_above_rows(const FoundColumns& found) {
-  if (!found.names.empty() || found.has_header || found.rows.size() < 2 || found.rows[0].size() < 3) {
-    return std::nullopt;
-  }
-  const double begin = number_in(found, found.rows[0], 0);
-  if (begin != 0 && begin != 1) return std::nullopt;
-  for (std::size_t cell = 0; cell < found.rows[0].size(); ++cell) {
-    if (number_in(found, found.rows[0], cell) != begin + static_cast<double>(cell)) return std::nullopt;
-  }
-  bool has_fraction = false;
-  for (std::size_t cell = 0; cell < found.rows[1].size(); ++cell) {
-    const double number = number_in(found, found.rows[1], cell);
-    has_fraction = has_fraction || number != std::floor(number);
-  }
-  const double step = number_in(found, found.rows[1], 0) - begin;
-  if (!has_fraction && step == 1) return std::nullopt;
-  return note("the first line counts the columns; --header takes it as their names, not as a key");
-}
-
 /// A column without a role whose cells are times: dates, times of day or timecode, or numbers by its name.
 bool holds_times(const FoundColumns& found, std::size_t cell) {
   const bool has_notation = !found.rows.empty() && cell < found.rows[0].size() && find_notation(found.rows[0][cell]);
@@ -497,78 +478,6 @@ Found labels_of_curves(const FoundColumns& found) {
   return std::nullopt;
 }
 
-/// An array of two numbers, of which the first rises.
-Found time_in_array(const FoundColumns& found) {
-  const bool has_two = found.array.size() > 0 && found.columns.channels.size() == 2 && found.rows.size() > 1;
-  const bool is_decided = found.requested.timeless || is_requested(found, Role::position);
-  if (!has_two || is_decided || found.columns.has(Role::time) || is_usual_position(found.array)) return std::nullopt;
-  const std::size_t cell = cells_with(found, Role::position)[0];
-  for (std::size_t row = 1; row < found.rows.size(); ++row) {
-    if (!(number_in(found, found.rows[row - 1], cell) < number_in(found, found.rows[row], cell))) return std::nullopt;
-  }
-  return note("no member is the time, and the first number of {0} rises; --columns {1} takes it as the time",
-              in_quotes(found.array), in_shell(fmt::format("time={0}[0],position={0}[1]", found.array)));
-}
-
-/// Names such as Jan and January.
-bool is_month(std::string_view name) {
-  constexpr std::array<std::string_view, 12> months{"january",   "february", "march",    "april",
-                                                    "may",       "june",     "july",     "august",
-                                                    "september", "october",  "november", "december"};
-  constexpr std::size_t least = 3;
-  return name.size() >= least &&
-         std::ranges::any_of(months, [&](std::string_view month) { return month.starts_with(in_lower_case(name)); });
-}
-
-/// Names of channels that are months, or numbers that do not only count the columns, as where each has the values at
-/// one time.
-Found times_as_names(const FoundColumns& found) {
-  if (found.requested.timeless || found.columns.has(Role::time) || is_requested(found, Role::position))
-    return std::nullopt;
-  const std::vector<std::string>& channels = found.columns.channels;
-  if (found.names.empty() || channels.size() < 3) return std::nullopt;
-  if (std::ranges::all_of(channels, is_month)) {
-    return error(
-        "the columns are called {}, as months are; expected a row for each; transpose the table{}, or give --parameter "
-        "uniform if the rows are keys without times",
-        listed(channels), transposed(found.delimiter, "--columns ignore=1 --parameter uniform"));
-  }
-  std::vector<double> times;
-  for (const std::string& channel : channels) times.push_back(parse_number(channel).value_or(nan));
-  const auto all_steps = [&times](const auto& step) {
-    return std::ranges::adjacent_find(times, [&](double a, double b) { return !step(a, b); }) == times.end();
-  };
-  const bool count = (times[0] == 0 || times[0] == 1) && all_steps([](double a, double b) { return b == a + 1; });
-  if (count || !all_steps(std::less<>())) return std::nullopt;
-  return error(
-      "the columns are called {}, as times are; expected a row for each time; transpose the table{}, or give "
-      "--parameter uniform if the rows are keys without times",
-      listed(channels), transposed(found.delimiter, "--columns time=1"));
-}
-
-Found time_in_two_numbers(const FoundColumns& found) {
-  constexpr double in_2000 = 946'684'800, in_2100 = 4'102'444'800, second = 1e9;
-  if (!found.names.empty() || !found.requested.roles.empty() || found.requested.timeless || found.rows.size() < 2) {
-    return std::nullopt;
-  }
-  bool repeats = false, is_large = false;
-  double before = nan;
-  for (const auto& row : found.rows) {
-    const double seconds = number_in(found, row, 0), nanoseconds = number_in(found, row, 1);
-    const bool are_whole = seconds == std::floor(seconds) && nanoseconds == std::floor(nanoseconds);
-    if (!are_whole || seconds < in_2000 || seconds >= in_2100 || nanoseconds < 0 || nanoseconds >= second) {
-      return std::nullopt;
-    }
-    repeats = repeats || seconds == before;
-    is_large = is_large || nanoseconds >= 1e6;
-    before = seconds;
-  }
-  if (!is_large && !repeats) return std::nullopt;
-  return error(
-      "columns 1 and 2 seem to be the seconds and the nanoseconds of a time; expected names, or roles; give --columns "
-      "time=1,nanoseconds=2 if they are, or --columns time=1 if column 2 is a position");
-}
-
 /// Two numbers of which the second one counts the time since 1970, and the first one does not.
 Found time_in_second_number(const FoundColumns& found) {
   if (!found.columns.has_time_by_place || found.numeric.size() != 2 || found.rows.size() < 2) return std::nullopt;
@@ -583,40 +492,20 @@ Found time_in_second_number(const FoundColumns& found) {
       "--columns time=2,position=1 for the second one, or --columns time=1 for the first");
 }
 
-Found date_in_three_numbers(const FoundColumns& found) {
-  if (found.requested.timeless || !found.requested.roles.empty() || found.columns.has(Role::clock)) return std::nullopt;
-  const std::vector<std::size_t> cells = parts_of_date(found.names, found.rows);
-  if (cells.empty()) return std::nullopt;
-  if (found.delimiter == 0) {
-    return error(
-        "the year, the month and the day seem to be in {}, {} and {}; expected one column of times, such as "
-        "2024-03-01T13:00; join them, or give --columns time=NAME if one of them is the time",
-        shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2]));
-  }
-  return error(
-      "the year, the month and the day seem to be in {}, {} and {}; expected the time; give --columns {} to join "
-      "them, with columns of the hour, the minute and the second if there are such, or --columns time=NAME if one of "
-      "them is the time",
-      shown(found, cells[0]), shown(found, cells[1]), shown(found, cells[2]), roles_of(found, "time", cells));
-}
-
+/// Numbers in a column of dates that count no unit, such as 20240301.
 Found dates_as_numbers(const FoundColumns& found) {
-  if (found.requested.timeless || is_requested(found, Role::time) || found.rows.empty()) return std::nullopt;
-  for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
-    if (!found.numeric[cell] || !names_dates(found.names[cell])) continue;
-    const bool are_dates = std::ranges::all_of(found.rows, [&](const auto& row) {
-      double number = number_in(found, row, cell);
-      // As 20240301, or with hours, minutes and seconds.
-      for (int part = 0; part < 3 && number > 21001231; ++part) number = std::floor(number / 100);
-      const double day = std::fmod(number, 100), month = std::fmod(std::floor(number / 100), 100);
-      const bool has_date = day >= 1 && day <= 31 && month >= 1 && month <= 12;
-      return number == std::floor(number) && number >= 19000101 && number <= 21001231 && has_date;
-    });
-    if (!are_dates) continue;
+  constexpr double least = 1e7;
+  if (found.has_time_unit || found.requested.timeless || is_requested(found, Role::time) || found.rows.empty()) {
+    return std::nullopt;
+  }
+  for (std::size_t cell = 0; cell < std::min(found.names.size(), found.rows[0].size()); ++cell) {
+    const std::string_view date = found.rows[0][cell];
+    if (!names_dates(found.names[cell]) || !(number_in(found, found.rows[0], cell) >= least)) continue;
+    if (unit_since_1970(date)) continue;
     return error(
-        "the dates in column {} are written as whole numbers, such as {}; expected marks between year, month and day, "
-        "as in 2024-03-01; add them",
-        shown(found, cell), found.rows[0][cell]);
+        "column {} has dates by its name, but numbers such as {}; expected dates such as 2024-03-01, or numbers in a "
+        "unit of time; write the dates so, or give --time-unit if they are such numbers",
+        shown(found, cell), date);
   }
   return std::nullopt;
 }
@@ -632,33 +521,6 @@ bool are_units(const FoundColumns& found, const std::array<std::size_t, 4>& cell
     }
     return std::abs(std::sqrt(sum) - 1) <= 1e-3;
   });
-}
-
-/// Columns of slopes beside a single position, as animation curves of game engines have them.
-Found slopes_by_name(const FoundColumns& found) {
-  constexpr std::array<std::array<std::string_view, 2>, 4> slopes{{{"inSlope", "outSlope"},
-                                                                   {"inTangent", "outTangent"},
-                                                                   {"ArriveTangent", "LeaveTangent"},
-                                                                   {"leftTangent", "rightTangent"}}};
-  for (const auto& both : slopes) {
-    const auto is_slope = [&](std::string_view name) {
-      return std::ranges::any_of(both, [&](std::string_view slope) { return same_in_any_case(name, slope); });
-    };
-    const auto& channels = found.columns.channels;
-    const auto value = std::ranges::find_if(
-        channels, [](std::string_view name) { return same_in_any_case(name, "value") || same_in_any_case(name, "y"); });
-    if (std::ranges::count_if(channels, is_slope) != 2 || value == channels.end()) continue;
-    const auto has_slope = [&](const std::vector<std::string_view>& row) {
-      for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
-        if (is_slope(found.names[cell]) && number_in(found, row, cell) != 0) return true;
-      }
-      return false;
-    };
-    if (std::ranges::none_of(found.rows, has_slope)) continue;  // zeros are often not used
-    return note("columns {} may be the slopes of {}; --columns {} takes them as velocities", listed(both),
-                in_quotes(*value), in_shell(fmt::format("{0}_vin={1},{0}_vout={2}", *value, both[0], both[1])));
-  }
-  return std::nullopt;
 }
 
 /// Whether nine columns are a rotation matrix, row after row, in all of the first records.
@@ -813,7 +675,7 @@ Found minutes_and_seconds(const FoundColumns& found) {
 
 /// Texts that tell how keys of other programs are interpolated.
 Found other_interpolation_of_keys(const FoundColumns& found) {
-  if (found.delimiter == 0 || found.has_tangents) return std::nullopt;
+  if (found.is_plain || found.has_tangents) return std::nullopt;
   constexpr std::string_view known = "interpolation interpolationtype interpolationmode interp interptype interpmode";
   for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
     const bool is_told = found.columns.cells[cell].role == Role::ignored && !found.numeric[cell] &&
@@ -827,28 +689,11 @@ Found other_interpolation_of_keys(const FoundColumns& found) {
 }
 
 /// The list. The first error is the one that is shown.
-constexpr std::array about_columns{pieces_of_curve,
-                                   labels_of_curves,
-                                   time_in_array,
-                                   parameters_in_short,
-                                   near_miss_of_role,
-                                   letters_that_are_data,
-                                   parameters_by_other_names,
-                                   parameters_that_are_data,
-                                   column_numbers_above_rows,
-                                   times_as_names,
-                                   times_without_role,
-                                   durations_without_times,
-                                   time_in_two_numbers,
-                                   time_in_second_number,
-                                   date_in_three_numbers,
-                                   dates_as_numbers,
-                                   rotation_vector_by_name,
-                                   poses_as_matrices,
-                                   quaternion_by_norm,
-                                   minutes_and_seconds,
-                                   slopes_by_name,
-                                   other_interpolation_of_keys};
+constexpr std::array about_columns{
+    pieces_of_curve,         labels_of_curves,          parameters_in_short,      near_miss_of_role,
+    letters_that_are_data,   parameters_by_other_names, parameters_that_are_data, times_without_role,
+    durations_without_times, time_in_second_number,     dates_as_numbers,         rotation_vector_by_name,
+    poses_as_matrices,       quaternion_by_norm,        minutes_and_seconds,      other_interpolation_of_keys};
 
 // The rows about a request.
 
@@ -1062,31 +907,25 @@ std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::
   return "";
 }
 
-std::string transposed(char delimiter, std::string_view options) {
-  if (delimiter == 0 || delimiter == ' ') return "";
-  const std::string mark = delimiter == '\t' ? "\\t" : std::string(1, delimiter);
-  return fmt::format(
-      ", as in python3 -c 'import csv, itertools, sys; "
-      "csv.writer(sys.stdout).writerows(itertools.zip_longest(*csv.reader(sys.stdin{})))' <FILE | tcbsample {}",
-      delimiter == ',' ? "" : fmt::format(", delimiter=\"{}\"", mark), options);
-}
-
-std::string pose_of(const FoundColumns& found) {
-  for (std::size_t i = 0; i + 4 <= found.numeric.size(); ++i) {
-    const std::array four{i, i + 1, i + 2, i + 3};
-    const bool has_fraction = std::ranges::any_of(found.rows, [&](const auto& row) {
-      const double number = number_in(found, row, i + 3);
-      return number != std::floor(number);
-    });
-    if (!has_fraction || !are_units(found, four)) continue;
-    std::vector<std::size_t> behind;
-    for (std::size_t cell = i + 4; behind.size() < 3 && cell < found.names.size(); ++cell) {
-      if (found.names[cell] != found.names[i + behind.size()]) break;
-      behind.push_back(cell);
+std::string label_of_curves(const FoundColumns& found) {
+  const std::vector<std::size_t> times = found.columns.time_cells();
+  if (times.size() != 1 || found.requested.samples) return "";
+  for (std::size_t cell = 0; cell < found.columns.cells.size(); ++cell) {
+    const Columns::Column& column = found.columns.cells[cell];
+    if (column.role != Role::ignored || !column.is_text) continue;
+    std::unordered_map<std::string_view, double> last;  // times, by the text beside them
+    bool rise = true, rise_in_each = true;
+    double before = -std::numeric_limits<double>::infinity();
+    for (const auto& row : found.rows) {
+      const double time = number_in(found, row, times[0]);
+      const auto [same, is_first] = last.emplace(cell < row.size() ? row[cell] : "", time);
+      rise = rise && time > before;
+      rise_in_each = rise_in_each && (is_first || time > same->second);
+      before = same->second = time;
     }
-    return fmt::format("--columns {} for the position, and --rotation {} for the rotation",
-                       behind.empty() ? "position=NUMBER:NUMBER" : roles_of(found, "position", behind),
-                       roles_of(found, "quaternion", by_letters(found, four)));
+    if (!rise && rise_in_each && last.size() > 1 && last.size() < found.rows.size()) {
+      return requested_as(found.names, cell);
+    }
   }
   return "";
 }
@@ -1104,25 +943,22 @@ std::vector<std::size_t> parts_of_date(std::span<const std::string> names,
       Part{{"minute", "mm", "mn", "min"}, 0, 59},  Part{{"second", "ss", "sec", "seconds"}, 0, 60}};
   std::vector<std::size_t> cells;
   for (const Part& part : parts) {
-    if (names.empty() && cells.size() == needed) break;
     // The minute may have the name of the month, and follows the hour.
     const std::size_t first = cells.size() <= needed ? 0 : cells.back() + 1;
-    std::size_t cell = names.empty() ? cells.size() : first;
+    std::size_t cell = first;
     for (; cell < names.size(); ++cell) {
       std::string_view name = names[cell];
       if (name.starts_with('#')) name.remove_prefix(1);
       if (std::ranges::any_of(part.names, [&](auto known) { return same_in_any_case(name, known); })) break;
     }
-    const double least = names.empty() && cells.empty() ? 1900 : part.least;
     const bool fits = std::ranges::all_of(rows, [&](const auto& row) {
       const double number = cell < row.size() ? parse_number(row[cell]).value_or(-1) : -1;
-      return number >= least && number <= part.most && (number == std::floor(number) || &part == &parts.back());
+      return number >= part.least && number <= part.most && (number == std::floor(number) || &part == &parts.back());
     });
-    if (!fits || (!names.empty() && cell == names.size())) break;
+    if (!fits || cell == names.size()) break;
     cells.push_back(cell);
   }
-  const bool is_clear = !names.empty() || rows.size() > 1;
-  return cells.size() >= needed && is_clear ? cells : std::vector<std::size_t>();
+  return cells.size() >= needed ? cells : std::vector<std::size_t>();
 }
 
 std::optional<std::size_t> find_only_time(std::span<const std::string> names,

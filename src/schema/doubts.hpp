@@ -27,10 +27,9 @@ struct FoundColumns {
   const ColumnOptions& requested;
   std::vector<ParameterSet> parameters = {};  ///< those of the names
   NumberMarks marks = {};
-  char delimiter = 0;                   ///< between cells of text; 0: there is none
+  bool is_plain = false;                ///< as in DelimitedHead
   bool has_rotations = false;           ///< rotations are requested, or none
   bool has_tcb_scale = false;           ///< the scale of tension, continuity and bias is requested
-  bool has_header = false;              ///< it is requested whether there is a header
   bool has_time_unit = false;           ///< the unit of times is requested
   bool has_tangents = false;            ///< so are the tangents, or the preset
   std::vector<std::string> meant = {};  ///< names of the numbers of an array, none of which is in doubt
@@ -44,15 +43,12 @@ std::vector<std::string> doubts_of_columns(const FoundColumns& found);
 /// columns whose last one is 0, 0, 0, 1, in all rows. Empty for others.
 std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::size_t size);
 
-/// The options that take four neighbours of norm 1 as a rotation, and those of the same names behind them as the
-/// position, in words; empty where there are no such four.
-std::string pose_of(const FoundColumns& found);
+/// The column of texts without a role for each of which the times of the first records increase, though they do not
+/// over all records; empty where there is none.
+std::string label_of_curves(const FoundColumns& found);
 
-/// A command that makes rows of the columns of a table, and reads them with options; empty without a delimiter.
-std::string transposed(char delimiter, std::string_view options);
-
-/// The columns of a year, a month and a day, by their names, or the first three without names, as far as their numbers
-/// in the first records are such; with names, also of an hour, a minute and a second. Empty where there are none.
+/// The columns of a year, a month and a day by their names, as far as their numbers in the first records are such, and
+/// of an hour, a minute and a second. Empty where there are none.
 std::vector<std::size_t> parts_of_date(std::span<const std::string> names,
                                        std::span<const std::vector<std::string_view>> rows);
 

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "schema/curve_settings.hpp"
 #include "schema/key_block.hpp"
-#include "schema/roles.hpp"
 #include "stream/source.hpp"
 
 namespace tcb {
@@ -19,10 +17,7 @@ struct KeyTraits {
   bool may_miss = false;          ///< positions may be missing
   bool may_be_point = false;      ///< a curve may be a single key between two breaks
   bool has_tcb_scale = false;     ///< the scale of tension, continuity and bias is given
-
-  // What may distinguish curves where times decrease:
-  std::vector<Mark> marks = {};            ///< columns without a role
-  std::vector<std::string> channels = {};  ///< names of the channels of keys as they are read, if they have names
+  std::string label = {};         ///< as in Columns
 };
 
 /// The keys of an input as they are read.

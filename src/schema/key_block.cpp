@@ -42,7 +42,6 @@ void KeyBlock::append(const KeyBlock& from, std::size_t first, std::size_t last)
   copy(text_positions.columns, from.text_positions.columns, first, last);
   copy(text_positions.numbers, from.text_positions.numbers, first, last);
   text_positions.path = from.text_positions.path;
-  copy(marks, from.marks, first * from.marks_per_key(), last * from.marks_per_key());
   copy(texts, from.texts, from.size(), first, last);
   copy(decimals, from.decimals, from.size(), first, last);
 }

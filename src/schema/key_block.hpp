@@ -73,14 +73,12 @@ struct KeyBlock {
   Texts texts = {};     ///< of each key: those of its groups, then its labels
   Texts decimals = {};  ///< of each key in the order of NumberOfKey: its numbers as written
   WrittenRotations rotations = {};
-  std::vector<std::size_t> marks = {};  ///< of each key: hashes of its cells in the columns of KeyTraits::marks
   KeyBreaks breaks = {};
   std::shared_ptr<const CurveInfo> curve_info = {};  ///< of the curve that begins here, if each has its own
   KeyFaults faults = {};
 
   std::size_t size() const { return text_positions.lines.size(); }
   bool empty() const { return text_positions.lines.empty(); }
-  std::size_t marks_per_key() const { return empty() ? 0 : marks.size() / size(); }
   std::size_t texts_per_key() const { return empty() ? 0 : texts.size() / size(); }
   std::string_view text(std::size_t key, std::size_t i) const { return texts[key * texts_per_key() + i]; }
 

@@ -108,10 +108,4 @@ struct RoleRequest {
 /// "time=frame,position=px:py:pz". Throws: Error (usage).
 std::vector<RoleRequest> parse_roles(std::string_view text);
 
-/// A column without a role, whose cells may distinguish curves.
-struct Mark {
-  std::string column;    ///< as it can be requested
-  bool is_text = false;  ///< it holds texts
-};
-
 }  // namespace tcb

@@ -14,7 +14,7 @@ namespace {
 constexpr RemovedName table[] = {
     {"--segments", "",
      "give --count @N+1@, or --count @N@ for the rows of a closed curve without the repeated first one"},
-    {"--units", "", "leave it out; the error about a unit in a cell prints the sed command that removes it"},
+    {"--units", "", "leave it out; write the numbers without units"},
     {"--like-input", "",
      "give --output-delimiter CHAR and --output-decimal MARK; for line ends of CR and LF, pipe the rows through "
      "sed 's/$/\\r/'"},

@@ -158,14 +158,14 @@ void append(std::string& bytes, double value, bool big_endian) {
   bytes.append(raw, sizeof number);
 }
 
-/// The table as an array of NumPy: each version, type, order of bytes and of axes; rows of numbers or of records.
+/// The table as an array of NumPy: each version, type and order of bytes; rows of numbers or of records.
 std::string to_npy(Choices& choices, const Table& table, Fault fault) {
   const bool is_whole = std::ranges::none_of(table.rows, [](const auto& row) {
     return std::ranges::any_of(row, [](const std::string& cell) { return cell.find('.') != std::string::npos; });
   });
   const char type = is_whole ? choices.one({'f', 'i'}) : 'f';
   const int width = type == 'f' ? choices.one({8, 4}) : choices.one({8, 4, 2});
-  const bool big_endian = choices.yes(), by_columns = choices.yes(), is_structured = choices.yes();
+  const bool big_endian = choices.yes(), is_structured = choices.yes();
   const std::size_t rows = table.rows.size(), columns = table.names.size();
   const std::string number = fmt::format("'{}{}{}'", big_endian ? '>' : '<', type, width);
   std::string descr = number;
@@ -176,8 +176,7 @@ std::string to_npy(Choices& choices, const Table& table, Fault fault) {
     descr += "]";
   }
   const std::string shape = is_structured ? fmt::format("({},)", rows) : fmt::format("({}, {})", rows, columns);
-  std::string header =
-      fmt::format("{{'descr': {}, 'fortran_order': {}, 'shape': {}, }}", descr, by_columns ? "True" : "False", shape);
+  std::string header = fmt::format("{{'descr': {}, 'fortran_order': False, 'shape': {}, }}", descr, shape);
   if (fault == Fault::nested) header.insert(header.find(", 'shape'"), "s");
   if (fault == Fault::member_twice) header.replace(header.find("'shape'"), 7, "'shapes'");
   if (fault == Fault::count) header.replace(header.find(shape), 1, "((");
@@ -197,10 +196,7 @@ std::string to_npy(Choices& choices, const Table& table, Fault fault) {
     if (width == 8) return append<std::int64_t>(bytes, value, big_endian);
     width == 4 ? append<std::int32_t>(bytes, value, big_endian) : append<std::int16_t>(bytes, value, big_endian);
   };
-  const bool transposed = by_columns && !is_structured;
-  for (std::size_t i = 0; i < rows * columns; ++i) {
-    transposed ? put(i % rows, i / rows) : put(i / columns, i % columns);
-  }
+  for (std::size_t i = 0; i < rows * columns; ++i) put(i / columns, i % columns);
   if (fault == Fault::cell_surplus) bytes += std::string(static_cast<std::size_t>(width), '\0');
   if (fault == Fault::cell_missing) bytes.resize(bytes.size() - static_cast<std::size_t>(width));
   return bytes;

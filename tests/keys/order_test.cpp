@@ -40,8 +40,7 @@ TEST(InOrder, increasing_times_stay_as_they_are) {
 TEST(InOrder, equal_times_are_refused_or_one_is_kept_or_a_curve_begins) {
   const std::string keys = "0 1\n1 2\n1 3\n1 4\n2 5\n";
   const std::string remedy =
-      "; expected increasing times; remove one of the keys, or give --duplicates first, last or break, or "
-      "--group NUMBER if the column of this number tells curves apart]";
+      "; expected increasing times; remove one of the keys, or give --duplicates first, last or break]";
   EXPECT_EQ(in_any_blocks([&](std::size_t size) {
               std::string all = shown_keys(in_order(keys_of(keys, size), Duplicates::error));
               return all.substr(all.find("[f:3"), all.find(']') - all.find("[f:3") + 1);
@@ -64,17 +63,17 @@ TEST(InOrder, the_last_of_equal_times_begins_the_curve_that_the_first_began) {
 }
 
 TEST(InOrder, decreasing_times_are_refused_each_with_the_previous_key) {
-  const CurveLabels by_place{{}, {}, true};
+  const OrderRemedies by_place{true, "NUMBER"};
   const std::string all = shown_keys(in_order(keys_of("0 1\n2 2\n1.5 3\n1 4\n3 5\n", 5), Duplicates::first, by_place));
-  const std::string remedy = "; expected increasing times; sort the keys by time, ";
+  const std::string remedy = "; expected increasing times; give ";
   const std::string unnamed =
       remedy +
-      "or give --parameter uniform if the first column is no time, --columns time=NUMBER if another one is, or "
-      "--sort]";
+      "--parameter uniform if the first column is no time, --columns time=NUMBER if another one is, --group NUMBER if "
+      "a column tells curves apart, or --sort if the keys are of one curve]";
   EXPECT_EQ(all, " 1:1 2:2 3:3 4:4 5:5 [f:3: error: time 1.5 is less than the time 2 on line 2" + unnamed +
                      " [f:4: error: time 1 is less than the time 1.5 on line 3" + unnamed);
-  const std::string named = shown_keys(in_order(keys_of("2 2\n1 3\n", 5), Duplicates::first, {{}, {"x"}}));
-  EXPECT_EQ(named, " 1:2 2:3 [f:2: error: time 1 is less than the time 2 on line 1" + remedy + "or give --sort]");
+  const std::string named = shown_keys(in_order(keys_of("2 2\n1 3\n", 5), Duplicates::first));
+  EXPECT_EQ(named, " 1:2 2:3 [f:2: error: time 1 is less than the time 2 on line 1" + remedy + "--sort]");
 }
 
 TEST(InOrder, keys_of_json_are_named_by_their_path) {
@@ -87,8 +86,7 @@ TEST(InOrder, keys_of_json_are_named_by_their_path) {
   };
   EXPECT_EQ(shown_keys(in_order(blocks, Duplicates::error)),
             " 1:0 [f:1: error: curves[2].keys[8]: time 3 repeats the time 3 of curves[2].keys[7]; expected increasing "
-            "times; remove one of the keys, or give --duplicates first, last or break, or --group NUMBER if the "
-            "column of this number tells curves apart]");
+            "times; remove one of the keys, or give --duplicates first, last or break]");
 }
 
 TEST(PastMidnight, days_are_added_up_to_the_next_break) {

@@ -35,11 +35,9 @@ TEST(Doubts, are_notes_where_one_reading_is_plain) {
            {"BaseDateTime,LAT\n2024-03-01T00:00:00,5\n2024-03-01T00:01:00,6\n",
             "the dates in column \"BaseDateTime\" are taken as the times"},
            {"DATE,TIME,x\n2024-03-01,08:00:00,5\n2024-03-01,09:00:00,6\n", "are taken as one time"},
-           {"0,1,2\n0,0.5,3\n1,0.7,4\n", "the first line counts the columns; --header"},
            {"t,x\ns,mm\n0,5\n1,6\n", "the line below the names is taken as units: s, mm"},
            {"0,9,1,0,0,0\n1,8,0,1,0,0\n", "columns 3, 4, 5, 6 may be a quaternion; --rotation quaternion=3:4:5:6"},
            {"t,x\nTS,V\n\"\",Avg\n0,5\n1,6\n", "the line below the names is taken as units: TS, V"},
-           {"%time,header.stamp,x\n5,5,1\n6,6,2\n", "have the same times; the first is taken"},
            {"t,rvec_x,rvec_y,rvec_z\n0,0,0,1\n1,0,1,0\n", "--rotation axis-angle=rvec_x:rvec_y:rvec_z"},
            {"\"#\",\"Date Time, GMT\",x\n1,2024-05-01 10:00,5\n2,2024-05-01 11:00,6\n",
             "column \"#\" is taken as the index"},
@@ -60,17 +58,16 @@ TEST(Doubts, are_errors_where_readings_give_different_numbers) {
            {",x,y\n0,1,2\n1,2,3\n", "give --columns time=1 if it is the time"},
            {"aDateTime,bDateTime,LAT\n2024-03-01,2024-03-01,6\n2024-03-02,2024-03-02,7\n", "--columns time=aDateTime"},
            {"sensor_time,x\n0,5\n0,6\n", "--columns time=sensor_time"},
-           {"1700000000,100000000,1\n1700000000,200000000,2\n", "--columns time=1,nanoseconds=2 if they are"},
+           {"%time,header.stamp,x\n5,5,1\n6,6,2\n", "give --columns time=%time or --columns time=header.stamp"},
            {"t,w,x,y,z\n0,1,0,0,0\n1,0,1,0,0\n", "--rotation quaternion=x:y:z:w for a rotation"},
            {"t,x,x_tens\n0,1,2\n1,2,3\n", "give --columns tension_x=x_tens if that is so"},
            {"t,q[0],q[1],q[2],q[3]\n0,1,0,0,0\n1,0,1,0,0\n", "'quaternion=q[1]:q[2]:q[3]:q[0]'"},
            {"a:b,id,x\n1,1,2\n2,1,3\n", "give --group id"},
-           {"# YY MM DD hh\n# yr mo dy hr\n2024 05 01 00 3\n2024 05 01 01 4\n", "seem to be in column 1, column 2"},
-           {"DATE,x\n20240301,5\n20240302,6\n", "such as 20240301; expected marks between year, month and day"},
+           {"DATE,x\n20240301,5\n20240302,6\n", "numbers such as 20240301; expected dates such as 2024-03-01"},
            {"Machine\t\nOrder\t7\nX\tV\n0.0\t1.5\n0.1\t1.7\n", "give --skip-lines 2"},
            {"title of all\n0.0\t1.5\n0.1\t1.7\n0.2\t1.8\n", "give --skip-lines 1"},
            {"\"A\",\"1\"\n\"TS\",\"x\"\n\"TS\",\"V\"\n\"\",\"Avg\"\n0,5\n1,6\n", "give --skip-lines 1"},
-           {"t,lon\n0,26.9W\n1,27.1W\n", "write south and west as negative numbers"},
+           {"t,lon\n0,26.9W\n1,27.1W\n", "\"26.9W\" is not a number"},
            {"Title\nof two words\nt,x\n0,1\n1,2\n", "give --skip-lines 2"},
        }) {
     EXPECT_THAT(doubts_of(row.text), HasSubstr(row.words)) << row.text;
@@ -105,6 +102,18 @@ TEST(Doubts, are_none_where_the_request_or_the_input_decides) {
   options = {};
   options.rotation.none = true;
   EXPECT_EQ(doubts_of("t,w,x,y,z\n0,1,0,0,0\n1,0,1,0,0\n", options), "");
+}
+
+TEST(Doubts, a_column_of_texts_labels_curves_if_times_increase_beside_each_of_them) {
+  const auto label = [](const std::string& rows) {
+    return open_input("f", pieces("t,x,name\n" + rows), {}).keys.traits.label;
+  };
+  EXPECT_EQ(label("0,1,a\n0,1,b\n1,1,a\n1,1,b\n"), "name");
+  EXPECT_EQ(label("0,1,a\n2,1,a\n1,1,b\n3,1,b\n"), "name");
+  EXPECT_EQ(label("0,1,a\n2,1,a\n1,1,a\n3,1,b\n"), "");
+  EXPECT_EQ(label("0,1,a\n2,1,b\n1,1,c\n3,1,d\n"), "") << "one each";
+  EXPECT_EQ(label("0,1,a\n1,1,a\n2,1,a\n"), "") << "one for all";
+  EXPECT_EQ(label("0,1,a\n1,1,b\n2,1,a\n"), "") << "times increase over all";
 }
 
 TEST(Doubts, lengths_measure_space_where_channels_name_it) {

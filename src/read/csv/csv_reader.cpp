@@ -107,7 +107,6 @@ class RecordReader {
         if (column.is_empty || (column.is_text && !head_.is_plain && tokenizer_.line() <= last_line_of_roles)) {
           require_text(cell, column);
         }
-        keys_.set_mark(column, cell);
         break;
       case Role::group:
       case Role::carry: read_text(cell, column); break;
@@ -386,7 +385,6 @@ Records open_delimited(Source<std::string> bytes, InputOptions options) {
   constexpr std::size_t most_of_preamble = 1UL << 16;
   const std::string first = beginning.text.substr(0, most_of_preamble);
   const bool is_any = options.delimited.names.empty() && !options.columns.samples;
-  if (is_any) require_bare_numbers(first, dialect, beginning.line);
   const std::uint64_t first_line = beginning.line;
   Source<Chunk> chunks =
       split_delimited(preceded_by(std::move(beginning.text), std::move(bytes)), dialect, beginning.line);
@@ -408,7 +406,6 @@ Records open_delimited(Source<std::string> bytes, InputOptions options) {
       return found;
     } catch (const Error& error) {
       if (error.exit() != Exit::data) throw;
-      if (is_any && dialect.comment == "#") require_no_remarks(first, first_line, dialect.delimiter);
       const auto table = find_table_below(first);
       if (!table) throw;
       const std::string_view reason = error.message();

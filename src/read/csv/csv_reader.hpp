@@ -66,33 +66,26 @@ struct LaterTable {
   std::size_t cells;    ///< in each of its lines
   bool has_names;       ///< above them
   std::string options;  ///< that its columns need, as " --no-header"; may be empty
-  std::string mark;     ///< with which all lines above it begin, and no other; empty: there is none
   bool follows_text;    ///< a line above it, below the first one, has no number
 };
 
-/// Two lines at least of the same number of cells that are mostly numbers, and the line of names directly above them;
-/// of several such tables the first one, or a longer one with names. Nothing where that is the first line.
+/// Two lines at least of the same number of cells that are mostly numbers, and the line of names directly above them:
+/// of several such tables the longest one. Nothing where that is the first line.
 std::optional<LaterTable> find_later_table(std::string_view text, const Dialect& dialect);
 
 /// What to do about a table below line `first`. `reason`: why the text from there on is none; may be empty.
 Error unlike_table(const LaterTable& table, std::uint64_t first, std::string_view reason);
 
-/// Throws: Error (data) where a comment follows a number in a row. `line`: that of the first row.
-void require_no_remarks(std::string_view text, std::uint64_t line, char delimiter);
-
 /// The remedy for numbers that are within other text.
 inline constexpr std::string_view numbers_alone = "write the numbers alone";
-
-/// Throws: Error (data) where the numbers of the first lines are within other text, or lines are drawn between cells.
-void require_bare_numbers(std::string_view text, const Dialect& dialect, std::uint64_t line);
 
 /// The names in a line, between two blanks at least, as each of them may have blanks.
 std::vector<std::string_view> names_between_blanks(std::string_view line);
 
-/// Removes names at the end for which the rows have no cells: empty ones, and the comments of LabVIEW.
+/// Removes empty names at the end for which the rows have no cells.
 template <typename Names>
 void remove_unused(Names& names, std::size_t cells) {
-  while (names.size() > cells && (names.back().empty() || names.back() == "Comment")) names.pop_back();
+  while (names.size() > cells && names.back().empty()) names.pop_back();
 }
 
 /// Opens delimited text whose delimiter is given, or else detected in the first record.

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -58,9 +57,12 @@ std::vector<std::string> comment_names(std::string_view comment, const Dialect& 
 
 bool are_units(const std::vector<std::string>& cells) { return tcb::are_units(HeadCells(cells.begin(), cells.end())); }
 
+/// Whether a cell begins with a number, behind a sign, a minus of U+2212, or a currency.
 bool begins_like_number(std::string_view cell) {
-  cell = without_currency(cell);
-  const std::size_t digit = cell.find_first_not_of("+-.,");
+  for (const std::string_view sign : {"\u2212", "$", "\u20AC", "\u00A3"}) {
+    if (cell.starts_with(sign)) cell.remove_prefix(sign.size());
+  }
+  const std::size_t digit = cell.find_first_not_of("+-., ");
   return digit < cell.size() && is_digit(cell[digit]);
 }
 
@@ -78,14 +80,6 @@ bool has_comma_in_number(std::string_view cell) {
     }
   }
   return false;
-}
-
-/// Whether these are the widths and types of columns, as in 5s, 15s and 20d of the RDB tables of USGS.
-bool are_formats(const std::vector<std::string>& cells) {
-  return cells.size() > 1 && std::ranges::all_of(cells, [](const std::string& cell) {
-           return cell.size() > 1 && cell.find_first_not_of("0123456789") == cell.size() - 1 &&
-                  std::string_view("sdn").find(cell.back()) != std::string_view::npos;
-         });
 }
 
 bool is_text(std::string_view cell) { return !is_missing_sign(cell, {}) && !looks_numeric(cell); }
@@ -321,14 +315,6 @@ std::string remedy_for_row(const HeadRecords& first, std::size_t data, const Dia
              : lines;
 }
 
-/// Whether the names lack that of the first cells, which are in quotes and name the rows, as R writes them.
-bool has_row_names(const std::vector<std::string>& names, const HeadRecords& first, std::size_t data) {
-  return std::all_of(first.records.begin() + static_cast<std::ptrdiff_t>(data), first.records.end(),
-                     [&](const auto& row) {
-                       return row.cells.size() == names.size() + 1 && first.chunks[row.chunk].text[row.offset] == '"';
-                     });
-}
-
 /// Throws: Error (data) if the first record has another number of cells than there are names, if there are any.
 void require_names_for_cells(const std::vector<std::string>& names, const HeadRecords& first, std::size_t data,
                              const DelimitedHead& head) {
@@ -336,10 +322,8 @@ void require_names_for_cells(const std::vector<std::string>& names, const HeadRe
   const std::size_t cells = row.cells.size();
   if (names.empty() || names.size() == cells) return;
   if (head.is_of_format) throw line_unlike_format(cells, names.size()).at({"", row.line, 1});
-  require_bare_numbers(std::string_view(first.chunks[row.chunk].text).substr(row.offset), head.dialect, row.line);
   const std::string_view names_of_rows =
-      cells == names.size() + 1 ? "add a name to the header if the first cells name the rows, as R writes them, or "
-                                : "";
+      cells == names.size() + 1 ? "add a name to the header if the first cells name the rows, or " : "";
   throw data_error("the number of cells in the first row is {}, but {} in the header; expected the same number; {}{}",
                    cells, names.size(), names_of_rows, remedy_for_row(first, data, head.dialect))
       .at({"", row.line, 1});
@@ -354,9 +338,7 @@ void require_text(const Chunk& data, const DelimitedHead& head, const std::vecto
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!head.columns.cells[i].is_text || numeric[i]) continue;
     const std::string cell = unquoted(cells[i]);
-    constexpr std::string_view minus = "\xE2\x88\x92";  // U+2212
-    if (!begins_like_number(cell.starts_with(minus) ? cell.substr(minus.size()) : cell)) continue;
-    if (find_notation(cell)) continue;
+    if (!begins_like_number(cell) || find_notation(cell)) continue;
     const std::string name = i < names.size() ? names[i] : fmt::format("column {}", i + 1);
     const Error fault = why_not_number(name, cell, head.marks);
     if (is_coordinate(name)) throw Error(fault).at(tokenizer.position(cells[i]));
@@ -391,7 +373,6 @@ void require_numbers(const HeadRecords::Record& record, const std::vector<std::s
 /// may be that of a key.
 std::size_t first_key(const std::vector<HeadRecords::Record>& records) {
   std::size_t key = 1;
-  if (records.size() > 2 && are_formats(records[1].cells) && !are_formats(records[2].cells)) return 2;
   while (key < records.size() && may_describe(records[key].cells)) ++key;
   for (std::size_t i = 1; i < key; ++i) {
     auto names = records[0].cells, cells = records[i].cells;
@@ -414,11 +395,6 @@ void take_descriptions(DelimitedHead& head, std::span<const HeadRecords::Record>
   std::vector<std::string> units, lines;
   for (const HeadRecords::Record& record : records) {
     const bool has_units = are_units(record.cells);
-    if (are_formats(record.cells)) {
-      head.columns.doubts.push_back(
-          fmt::format("the line below the names is taken as formats: {}", listed(record.cells)));
-      continue;
-    }
     if (has_units && units.empty()) units = record.cells;
     if (!has_units) lines.push_back(fmt::format("{}", record.line));
   }
@@ -445,34 +421,6 @@ void require_no_title(const std::vector<HeadRecords::Record>& records) {
   if (are_empty(two) || are_units(two) || !may_describe(two)) return;
   throw data_error("the line has one cell, {}, as titles do; expected the names of the columns; give --skip-lines {}",
                    in_quotes(one[0]), records[1].line - 1)
-      .at({"", records[0].line, 1});
-}
-
-/// Throws: Error (data) where each record has a word first and numbers behind it, which rise in the first one, as where
-/// the columns are the keys.
-void require_keys_in_rows(const std::vector<HeadRecords::Record>& records, const DelimitedHead& head) {
-  const auto& names = records[0].cells;
-  const std::size_t least = is_text(names[0]) ? 4 : 3;
-  if (records.size() < 2 || head.dialect.delimiter == ' ' || names.size() < least) return;
-  double before = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < names.size(); ++i) {
-    const std::optional<double> number = parse_number(names[i]);
-    if (!number || !(*number > before)) return;
-    before = *number;
-  }
-  const auto is_number = [&](const std::string& cell) { return may_be_number(cell, head); };
-  const auto have_one_word = [](const auto& one, const auto& two) { return one.cells[0] == two.cells[0]; };
-  if (std::ranges::adjacent_find(records, have_one_word) != records.end()) return;  // it is that of a curve
-  for (const HeadRecords::Record& record : records) {
-    const auto& cells = record.cells;
-    const bool is_word = &cells == &names ? !parse_number(cells[0]) : !may_be_value(cells[0], head);
-    if (!is_word || cells.size() != names.size() || !std::all_of(cells.begin() + 1, cells.end(), is_number)) return;
-  }
-  throw data_error(
-      "the numbers in the first row rise from {}, and each other row has a word and numbers, as where the keys run "
-      "across the columns; expected a row for each key; transpose the table{}, or give --no-header if the rows are "
-      "keys",
-      names[1], transposed(head.dialect.delimiter, "--columns time=1"))
       .at({"", records[0].line, 1});
 }
 
@@ -591,7 +539,7 @@ void require_delimiter_in_header(const HeadRecords& first, const Dialect& dialec
   const bool carriage_returns =
       std::ranges::any_of(record.cells, [](const auto& cell) { return cell.find('\r') != std::string::npos; });
   throw(carriage_returns ? data_error("the input is a single line that contains carriage returns; expected a line for "
-                                      "each key; change them to line feeds, as in tr '\\r' '\\n' <FILE | tcbsample")
+                                      "each key; change them to line feeds")
                          : data_error("no row follows the header; expected a row for each key; see --help"))
       .at({"", record.line, 1});
 }
@@ -652,7 +600,6 @@ class RolesByCells {
     const bool is_given = requested_.has(Role::time) || requested_.timeless;
     if (!is_given) take_date_and_clock();
     if (!is_given && !requested_.has(Role::time)) take_parts_of_date();
-    if (!requested_.has(Role::time) && !requested_.timeless) take_equal_times();
     if (!requested_.has(Role::time) && !requested_.timeless && !has_rate_) take_time_beside_frames();
     if (!requested_.has(Role::time) && !requested_.timeless) take_only_time();
     if (!names_.empty()) take_index();
@@ -719,24 +666,6 @@ class RolesByCells {
     }
     requested_.roles.push_back({Role::time, columns});
     notes_.push_back(fmt::format("columns {} are taken as one time", listed(shown_columns)));
-  }
-
-  /// Two columns of times with the same cells are one time, as in tables of ROS.
-  void take_equal_times() {
-    const auto is_repeated = [&](std::string_view cell) { return std::ranges::count(rows_[0], cell) > 1; };
-    if (std::ranges::none_of(rows_[0], is_repeated)) return;
-    std::vector<std::size_t> times;
-    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
-      if (is_time(cell) && !is_requested(cell)) times.push_back(cell);
-    }
-    const auto are_equal = [&](const HeadCells& row) {
-      return times[1] < row.size() && row[times[0]] == row[times[1]];
-    };
-    if (times.size() != 2 || rows_.size() < 2 || !std::ranges::all_of(rows_, are_equal)) return;
-    request(Role::time, times[0]);
-    request(Role::unused, times[1]);
-    notes_.push_back(
-        fmt::format("columns {} and {} have the same times; the first is taken", shown(times[0]), shown(times[1])));
   }
 
   /// Of a column that counts frames and another one of times, the other one is the time.
@@ -929,23 +858,8 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
   } else {
     std::ranges::copy(parameters, std::back_inserter(requested.roles));
   }
-  try {
-    head.columns = requested.times_only ? find_time_column(names, numeric, requested.roles)
-                                        : find_columns(names, numeric, requested.roles, requested.timeless);
-  } catch (const Error& error) {
-    const Columns none;
-    const std::string pose = error.message().starts_with("two columns are called") ? pose_of({.names = names,
-                                                                                              .rows = rows,
-                                                                                              .numeric = numeric,
-                                                                                              .columns = none,
-                                                                                              .requested = requested,
-                                                                                              .marks = head.marks})
-                                                                                   : "";
-    if (pose.empty() || options.rotation.none || !options.rotation.requests.empty()) throw;
-    const std::string_view fault = error.message();
-    throw data_error("{}; expected different names; give {}, whose columns have the norm 1",
-                     fault.substr(0, fault.find(';')), pose);
-  }
+  head.columns = requested.times_only ? find_time_column(names, numeric, requested.roles)
+                                      : find_columns(names, numeric, requested.roles, requested.timeless);
   for (std::size_t cell = 0; cell < numeric.size(); ++cell) {
     Columns::Column& column = head.columns.cells[cell];
     column.is_empty = column.is_text && std::ranges::all_of(rows, [&](const HeadCells& row) {
@@ -961,16 +875,16 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
         .requested = options.columns,
         .parameters = parameter_sets(names, numeric, options.columns),
         .marks = head.marks,
-        .delimiter = head.is_plain ? '\0' : head.dialect.delimiter,
+        .is_plain = head.is_plain,
         .has_rotations = options.rotation.none || !options.rotation.requests.empty(),
         .has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown || options.has_shown_tcb_scale,
-        .has_header = options.delimited.header.has_value(),
         .has_time_unit = options.units.time.has_value(),
         .has_tangents = options.given.tangents || options.given.preset,
         .meant = options.delimited.meant,
         .array = options.delimited.array};
     std::ranges::copy(doubts_of_columns(found), std::back_inserter(notes));
     head.columns.time_gap = first_time_gap(found);
+    head.columns.label = label_of_curves(found);
   }
   head.columns.doubts = std::move(notes);
 }
@@ -993,10 +907,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     throw columns.samples ? data_error("the file is empty; expected samples; give the file that has them")
                           : data_error("the input is empty; expected a row for each key; see --help");
   if (!options.delimited.delimiter) require_delimiter(first, dialect);
-  if (!options.delimited.header && !columns.samples && !head.is_of_format) {
-    require_no_title(first.records);
-    if (!columns.has(Role::time) && !columns.timeless) require_keys_in_rows(first.records, head);
-  }
+  if (!options.delimited.header && !columns.samples && !head.is_of_format) require_no_title(first.records);
   std::vector<std::size_t> unread;
   if (!options.delimited.header && !columns.samples) unread = repeated_words(first, head);
   const bool is_named = unread.empty() && is_header(first.records[0], head, columns.samples);
@@ -1037,8 +948,6 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   }
   head.begins_with_value = may_be_value(row.cells[0], head);
   if (header && head.begins_with_value) remove_unused(names, row.cells.size());
-  const bool lacks_name = !names.empty() && !head.is_of_format && has_row_names(names, first, data);
-  if (lacks_name) names.insert(names.begin(), "");
   require_names_for_cells(names, first, data, head);
   head.facts.encoding = convert_names(names, position);
   head.facts.names_quaternion = !columns.samples && name_quaternion(names);
@@ -1055,9 +964,6 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
       find_key_columns(head, names, numeric, cells_of(rest, dialect), options, unread);
     }
     take_descriptions(head, described, options.units);
-    if (lacks_name) {
-      head.columns.doubts.emplace_back("the header has no name for the first column, which is taken as names of rows");
-    }
     if (has_commas) head.columns.doubts.emplace_back("the comma in numbers is taken as the decimal mark");
     std::vector<std::string> times{first_time(row.cells, head.columns)};
     if (find_date_format(times[0])) {

@@ -1,4 +1,4 @@
-// Texts that are no tables: lines above a table and below it, numbers within other text, cells with lines between them.
+// Tables below other lines.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,160 +15,12 @@
 namespace tcb {
 namespace {
 
-bool is_letter(char c) { return lower(c) >= 'a' && lower(c) <= 'z'; }
-
 /// Whether a line has this number of words with some delimiter, so that it may be the names of as many columns.
 bool has_words(std::string_view line, std::size_t count) {
   return std::ranges::any_of(std::string_view("\t;, "), [&](char delimiter) {
     const auto words = split(line, delimiter);
     return words.size() - static_cast<std::size_t>(std::ranges::count(words, "")) == count;
   });
-}
-
-/// Throws: Error (data) where lines are drawn between the cells, as programs print tables for people.
-void require_no_drawing(std::string_view text, std::uint64_t first) {
-  constexpr std::string_view corner = "\xE2\x94", double_corner = "\xE2\x95";  // of box-drawing characters
-  constexpr int most_lines = 4;
-  std::size_t end = 0;
-  for (int line = 0; line < most_lines && end < text.size(); ++line)
-    end = std::min(text.find('\n', end), text.size()) + 1;
-  const std::vector<std::string_view> lines = split(text.substr(0, end), '\n');
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::string_view line = lines[i];
-    const bool is_rule = line.find("--") != std::string_view::npos &&
-                         line.find_first_of("|+") != std::string_view::npos &&
-                         line.find_first_not_of("-+|:= \r") == std::string_view::npos;
-    const bool is_box = line.starts_with(corner) || line.starts_with(double_corner);
-    if (!is_rule && !is_box) continue;
-    throw data_error(
-        "the table is drawn with lines between its cells; expected cells between delimiters; export it as CSV")
-        .at({"", first + i, 0});
-  }
-}
-
-/// The text of a line with # for each number, which are counted unless they are parts of words; empty where a mark of
-/// dates and times divides numbers.
-std::string without_numbers(std::string_view line, std::size_t& numbers) {
-  std::string text;
-  for (std::size_t at = 0; at < line.size();) {
-    if (!is_digit(line[at])) {
-      text += line[at++];
-      continue;
-    }
-    const std::size_t size = text.size();
-    if (size > 1 && text[size - 2] == '#' && std::string_view(":/-").find(text.back()) != std::string_view::npos)
-      return "";
-    if (text.empty() || !is_letter(text.back())) ++numbers;
-    at = std::min(line.find_first_not_of("0123456789.eE", at), line.size());
-    text += '#';
-  }
-  std::erase(text, '-');
-  return text;
-}
-
-/// Whether a line begins with a bracket. Requires: it is not empty.
-bool is_open(std::string_view line) { return std::string_view("([{<").find(line[0]) != std::string_view::npos; }
-
-/// Whether a word begins somewhere, not as a unit or an exponent behind a number.
-bool has_word(std::string_view text) {
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    if (is_letter(text[at]) && (at == 0 || (text[at - 1] != '#' && !is_letter(text[at - 1])))) return true;
-  }
-  return false;
-}
-
-/// What is behind the time that begins a line, such as "[2024-03-01 10:00:00.5]"; nothing where none does.
-std::optional<std::string_view> behind_time(std::string_view line) {
-  const auto skip = [&](std::string_view characters) {
-    const std::size_t size = std::min(line.find_first_not_of(characters), line.size());
-    line.remove_prefix(size);
-    return size;
-  };
-  skip("[(<");
-  const std::size_t end = line.find_first_not_of("0123456789-");
-  if (end == 10 && end < line.size() && find_notation(line.substr(0, end))) line.remove_prefix(end + 1);
-  constexpr std::string_view digits = "0123456789";
-  if (skip(digits) == 0 || skip(":") != 1 || skip(digits) != 2 || skip(":") != 1 || skip(digits) != 2)
-    return std::nullopt;
-  if (line.size() > 1 && (line[0] == '.' || line[0] == ',') && is_digit(line[1])) {
-    line.remove_prefix(1);
-    skip(digits);
-  }
-  return line;
-}
-
-/// Throws: Error (data) where a time begins the first two lines, and numbers are within the same text behind it.
-void require_no_log(std::string_view one, std::string_view two, char delimiter) {
-  const auto rest = behind_time(one), below = behind_time(two);
-  const auto cells = split(one, delimiter);
-  if (!rest || !below || (delimiter != ' ' && find_notation(bare(trimmed(cells[0]))))) return;
-  constexpr std::size_t of_time = 2;
-  for (std::size_t i = of_time; delimiter == ' ' && i < cells.size(); ++i) {
-    if (cells[i] != "->" && looks_numeric(cells[i])) return;
-  }
-  std::size_t numbers = 0, numbers_below = 0;
-  const std::string text = without_numbers(*rest, numbers);
-  const bool has_text = has_word(text) || rest->find("->") != std::string_view::npos;
-  if (!has_text || numbers == 0 || without_numbers(*below, numbers_below) != text) return;
-  throw data_error(
-      "a time and other text begin each line, as in {}; expected cells between delimiters; write the time and the "
-      "numbers alone",
-      in_quotes(one));
-}
-
-/// A line of the input without blanks around it, and its number from 1.
-struct NumberedLine {
-  std::string_view text;
-  std::uint64_t number = 0;
-};
-
-/// Throws: Error (data) where two lines have the same text around numbers, and no cell is a number.
-void require_cells_of_numbers(const NumberedLine& line, const NumberedLine& below, char delimiter) {
-  std::size_t numbers = 0, numbers_below = 0;
-  const std::string_view one = line.text;
-  const std::string text = without_numbers(one, numbers);
-  if (text.empty() || numbers < 2) return;
-  const auto is_space = [](char c) { return c == ' ' || c == '\t'; };
-  std::string frame = text, frame_below = without_numbers(below.text, numbers_below);
-  std::erase_if(frame, is_space);
-  std::erase_if(frame_below, is_space);
-  if (frame != frame_below || numbers != numbers_below) return;
-  const auto cells = split(one, delimiter);
-  const auto is_value = [](std::string_view cell) {
-    const std::string_view value = bare(trimmed(cell));
-    return !value.empty() && (looks_numeric(value) || find_notation(value));
-  };
-  const auto count = [&](std::string_view marks) {
-    return std::ranges::count_if(cells[0], [&](char c) { return marks.find(c) != std::string_view::npos; });
-  };
-  const bool has_brackets = count("([{<") > count(")]}>");
-  if (!has_brackets && (!has_word(text) || std::ranges::any_of(cells, is_value))) return;
-  throw data_error(
-      "the numbers are within other text, as in {}; expected cells between delimiters; {}, and give --parameter "
-      "uniform if none is a time",
-      in_quotes(trimmed(one)), numbers_alone)
-      .at({"", line.number, 0});
-}
-
-/// The roles of columns without names by their first rows: where the first counts the rows, and the second has numbers
-/// with fractions that rise, that is the time. Empty columns at the end are none.
-std::string roles_by_cells(const std::vector<std::vector<std::string_view>>& rows) {
-  const auto number = [&](std::size_t row, std::size_t cell) {
-    return parse_number(bare(rows[row][cell])).value_or(-1);
-  };
-  const std::size_t cells = rows[0].size();
-  bool has_time = cells > 2 && rows.size() > 2 && (rows[0][0] == "0" || rows[0][0] == "1") &&
-                  rows[0][1].find('.') < rows[0][1].size();
-  for (std::size_t row = 1; row < rows.size(); ++row) {
-    has_time = has_time && number(row, 0) == number(row - 1, 0) + 1 && number(row, 1) > number(row - 1, 1);
-  }
-  std::vector<std::string> roles;
-  if (has_time) roles = {"time=2", "ignore=1"};
-  const auto is_empty = [&](std::size_t cell) {
-    return std::ranges::all_of(rows, [&](const auto& row) { return row[cell].empty(); });
-  };
-  for (std::size_t i = cells; i > 2 && is_empty(i - 1); --i) roles.push_back(fmt::format("ignore={}", i));
-  return roles.empty() ? "" : fmt::format(" --columns {}", fmt::join(roles, ","));
 }
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
@@ -179,29 +31,17 @@ class LinesOfCells {
   LinesOfCells(std::string_view text, char delimiter, const Dialect& dialect)
       : lines_(split(text, '\n')), delimiter_(delimiter), dialect_(dialect) {}
 
-  /// The first row of a table below another line: two rows at least of the same number of cells that are mostly
-  /// numbers. More rows, of another number of cells and with names, are preferred, as what is above describes them
-  /// then.
+  /// The first row of the longest table below another line: rows of the same number of cells that are mostly numbers,
+  /// two at least. Rows of as many cells below others may be of the same table.
   std::optional<std::size_t> first_row() const {
-    constexpr std::size_t enough = 16;
     Rows best{0, 0, 1}, rows;
-    for (std::size_t line = 1; line < lines_.size() && best.count < enough; ++line) {
+    for (std::size_t line = 1; line < lines_.size(); ++line) {
       if (!is_text(lines_[line])) continue;
-      if (lines_[line].starts_with("***End_of_Header***")) best = {0, 0, 1};  // of LabVIEW, which writes two of them
       const Cells row = cells(line);
-      if (!is_of_numbers(row)) {
-        rows = {};
-        continue;
-      }
-      if (rows.count == 2 && best.first == rows.first && is_led_by_other_word(rows.first, row[0])) {
-        best = rows = {line - 1, row.size(), 1};
-      }
-      if (row.size() != rows.cells) rows = {line, row.size(), 0};
-      if (++rows.count != best.count + 1) continue;
-      const bool is_other = best.first > 0 && rows.first != best.first;
-      if (is_other && (rows.cells == best.cells || !names_above(rows.first))) continue;
-      if (is_other && !table_at(best.first)) break;
-      best = rows;
+      const std::size_t size = is_of_numbers(row) ? row.size() : 0;
+      if (size != rows.cells) rows = {line, size, 0};
+      const bool may_be_same = size == best.cells && rows.first != best.first;
+      if (size > 0 && ++rows.count > best.count && !may_be_same) best = rows;
     }
     return best.first > 0 ? std::optional(best.first) : std::nullopt;
   }
@@ -227,8 +67,7 @@ class LinesOfCells {
                       other == end ? 0 : static_cast<std::uint64_t>(other - first),
                       size,
                       head.has_value(),
-                      head ? "" : (has_text(cells(row)) ? " --no-header" : "") + roles_by_cells(rows_from(row)),
-                      comment_above(row),
+                      !head && has_text(cells(row)) ? " --no-header" : "",
                       std::any_of(at(1), at(row), has_no_number)};
   }
 
@@ -241,12 +80,6 @@ class LinesOfCells {
     std::size_t cells = 0;
     std::size_t count = 0;
   };
-
-  /// Whether a line begins with another word than the next line and the one after it, which begins with `word`.
-  bool is_led_by_other_word(std::size_t line, std::string_view word) const {
-    const Cells first = cells(line), second = cells(line + 1);
-    return !is_number(word) && !is_number(first[0]) && first[0] != word && !second.empty() && second[0] == word;
-  }
 
   bool is_text(std::string_view line) const { return !is_blank(line) && !dialect_.is_comment(line); }
 
@@ -321,26 +154,6 @@ class LinesOfCells {
     return are_names ? std::optional(below - 1) : std::nullopt;
   }
 
-  /// The first rows of as many cells.
-  std::vector<Cells> rows_from(std::size_t row) const {
-    constexpr std::size_t enough = 16;
-    std::vector<Cells> rows{cells(row)};
-    for (std::size_t next = row + 1; next < std::min(lines_.size(), row + enough); ++next) {
-      Cells more = cells(next);
-      if (more.size() != rows[0].size()) break;
-      rows.push_back(std::move(more));
-    }
-    return rows;
-  }
-
-  /// The mark of comments with which all lines above a row begin; empty: there is none.
-  std::string comment_above(std::size_t row) const {
-    const char mark = lines_[0].empty() ? ' ' : lines_[0][0];
-    const bool are_comments = std::string_view("%!;@*\\/$").find(mark) != std::string_view::npos &&
-                              std::all_of(lines_.begin(), at(row), [&](auto line) { return line.starts_with(mark); });
-    return are_comments ? std::string(1, mark) : "";
-  }
-
   const std::vector<std::string_view> lines_;
   const char delimiter_;
   const Dialect& dialect_;
@@ -356,53 +169,6 @@ std::vector<std::string_view> names_between_blanks(std::string_view line) {
     at = end;
   }
   return names;
-}
-
-void require_bare_numbers(std::string_view text, const Dialect& dialect, std::uint64_t line) {
-  require_no_drawing(text, line);
-  std::uint64_t number = line;
-  const auto take_line = [&] {  // that is neither blank nor a comment; the last one of the text may be a part of a line
-    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n'), ++number) {
-      const NumberedLine taken{trimmed(text.substr(0, end)), number};
-      const bool is_used = !taken.text.empty() && !dialect.is_comment(text.substr(0, end));
-      text.remove_prefix(end + 1);
-      if (is_used) return ++number, taken;
-    }
-    return NumberedLine{};
-  };
-  NumberedLine one = take_line(), two = take_line();
-  if (two.text.empty()) return;
-  require_no_log(one.text, two.text, dialect.delimiter);
-  const auto are_quoted = [&](std::string_view row) {
-    const auto cells = split(row, dialect.delimiter);
-    return std::ranges::all_of(
-        cells, [](std::string_view cell) { return cell.size() > 1 && cell.front() == '\'' && cell.back() == '\''; });
-  };
-  if (are_quoted(one.text) && are_quoted(two.text)) {
-    throw data_error("the cells are in single quotes, as in {}; expected double quotes, or none; change them",
-                     one.text);
-  }
-  require_cells_of_numbers(one, two, dialect.delimiter);
-  constexpr std::uint64_t most_above = 16;  // of the rows of an array in a program
-  while (number < line + most_above && !two.text.empty()) {
-    one = std::exchange(two, take_line());
-    if (is_open(one.text)) require_cells_of_numbers(one, two, dialect.delimiter);
-  }
-}
-
-void require_no_remarks(std::string_view text, std::uint64_t line, char delimiter) {
-  for (const std::string_view row : split(text, '\n')) {
-    const std::size_t mark = std::min(row.find(" # "), row.size());
-    const std::string_view numbers = trimmed(row.substr(0, mark));
-    const std::string_view last = trimmed(numbers.substr(numbers.rfind(delimiter) + 1));
-    if (mark < row.size() && row.find('"') == std::string_view::npos && looks_numeric(last)) {
-      throw data_error(
-          "text follows {} in the row; expected a comment on a line of its own; move it there, or remove it",
-          in_quotes("#"))
-          .at({"", line, 0});
-    }
-    ++line;
-  }
 }
 
 std::optional<LaterTable> find_later_table(std::string_view text, const Dialect& dialect) {
@@ -430,9 +196,8 @@ Error unlike_table(const LaterTable& table, std::uint64_t first, std::string_vie
   }
   return data_error(
              "the lines above line {} are not part of the table that seems to begin there{}; expected a table from the "
-             "first line on; give {} {}{}",
-             line, also, table.mark.empty() ? "--skip-lines" : "--comment",
-             table.mark.empty() ? fmt::format("{}", line - 1) : in_shell(table.mark), table.mark.empty() ? options : "")
+             "first line on; give --skip-lines {}{}",
+             line, also, line - 1, options)
       .at({"", first, 0});
 }
 

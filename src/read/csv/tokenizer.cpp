@@ -70,13 +70,6 @@ std::optional<NumberMarks> marks_of(std::string_view text) {
   return found == other_marks.end() ? std::nullopt : std::optional(*found);
 }
 
-/// Whether a number is followed by the letter of a hemisphere, which is no unit: 26.9W is -26.9.
-bool has_hemisphere(std::string_view cell) {
-  const std::size_t end = cell.find_first_not_of("0123456789.,+- ");
-  return end > 0 && end != std::string_view::npos && end + 1 == cell.size() &&
-         std::string_view("NSEW").find(cell[end]) != std::string_view::npos;
-}
-
 }  // namespace
 
 Tokenizer::Tokenizer(const Chunk& chunk, const Dialect& dialect)
@@ -214,50 +207,6 @@ bool has_thousands_separators(std::string_view text) {
   return marks && marks->thousands != 0 && !parse_number(text);
 }
 
-std::string_view without_currency(std::string_view cell) {
-  for (const std::string_view currency : {"$", "\u20AC", "\u00A3"}) {
-    if (!cell.starts_with(currency)) continue;
-    cell.remove_prefix(currency.size());
-    cell.remove_prefix(std::min(cell.find_first_not_of(' '), cell.size()));
-  }
-  return cell;
-}
-
-namespace {
-
-/// A number without the unit after it or the currency before it, as in 2.35 m and $5; any other text as it is.
-std::string_view without_unit_of_number(std::string_view cell) {
-  if (const std::string_view amount = without_currency(cell); amount.size() < cell.size() && !amount.empty()) {
-    return is_digit(amount[0]) || std::string_view("+-.").find(amount[0]) != std::string_view::npos ? amount : cell;
-  }
-  if (has_hemisphere(cell)) return cell;
-  const std::size_t last = cell.find_last_of("0123456789.");
-  // The digit of a unit such as m/s2 is no part of the number.
-  const std::size_t end = cell.find_first_not_of("0123456789.,+-eE'_ ");
-  if (last == std::string_view::npos || end == std::string_view::npos || end == 0) return cell;
-  std::size_t size = end;
-  while (size > 0 && (cell[size - 1] == ' ' || cell[size - 1] == '\t')) --size;
-  return size > 0 && is_unit(cell.substr(end)) ? cell.substr(0, size) : cell;
-}
-
-/// A command that removes the unit or the currency of a number, which is the rest of the cell, from a text.
-std::string sed_that_removes_unit(std::string_view cell, std::string_view number) {
-  const bool is_before = number.data() != cell.data();
-  std::string_view unit = is_before ? cell.substr(0, cell.size() - number.size()) : cell.substr(number.size());
-  unit.remove_prefix(std::min(unit.find_first_not_of(" \t"), unit.size()));
-  unit = unit.substr(0, unit.find_last_not_of(' ') + 1);
-  std::string pattern;
-  for (const char c : unit) {
-    if (std::string_view("^$[]()").find(c) != std::string_view::npos) pattern += '\\';
-    pattern += c;
-  }
-  const std::string script =
-      is_before ? "s#" + pattern + " *##g" : "s#([0-9.]) *" + pattern + R"(([",;|[:space:]]|$)#\1\2#g)";
-  return fmt::format("sed -E {} FILE | tcbsample", in_shell(script));
-}
-
-}  // namespace
-
 Error date_not_read(std::string_view column, std::string_view cell, std::string_view known) {
   return data_error(
       "{}: {} is a date in a form that is not read; expected it as {}; write the dates so, as to_datetime of pandas "
@@ -294,28 +243,7 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
                      column, in_quotes(cell))
                : number_with_marks(column, cell, other->decimal, other->thousands);
   }
-  if (has_hemisphere(cell)) {
-    return data_error(
-        "{}: {} is a number with the letter of a hemisphere or of a unit; expected a number alone; remove the letter, "
-        "and write south and west as negative numbers",
-        column, in_quotes(cell));
-  }
   if (const std::string known = date_in_known_form(cell); !known.empty()) return date_not_read(column, cell, known);
-  const std::string_view number = without_unit_of_number(cell);
-  if (number.size() < cell.size() && !Decimals(marks).number(number) && marks_of(number)) {
-    const std::optional<NumberMarks> other = marks_of(number);
-    if (without_currency(cell).size() < cell.size() && other->decimal == marks.decimal) {
-      return data_error(
-          "{}: {} is an amount with a currency; expected a number alone; remove what is not, as in {} "
-          "--thousands {}",
-          column, in_quotes(cell), sed_that_removes_unit(cell, number), in_shell({&other->thousands, 1}));
-    }
-    return why_not_number(column, number, marks);
-  }
-  if (number.size() < cell.size() && Decimals(marks).number(number)) {
-    return data_error("{}: {} is a number with a unit; expected a number alone; remove the unit, as in {}", column,
-                      in_quotes(cell), sed_that_removes_unit(cell, number));
-  }
   const bool has_digit = cell.find_first_of("0123456789") != std::string_view::npos;
   const bool may_be_time = (cell.find(':') != std::string_view::npos && cell[0] >= '0' && cell[0] <= '9') ||
                            (has_digit && cell.find_first_of("-/ ", 1) != std::string_view::npos &&
@@ -335,8 +263,8 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
     return data_error("{}: {} has an exponent as Fortran writes it; expected e or E; change it", column,
                       in_quotes(cell));
   }
-  const std::size_t blank = cell.find_first_of(" \t");
-  const bool several = blank != std::string_view::npos && parse_number(with_point(cell.substr(0, blank)));
+  const auto numbers = split(with_point(cell), ' ');
+  const bool several = std::ranges::all_of(numbers, [](std::string_view number) { return looks_numeric(number); });
   return several ? data_error(
                        "{}: {} is not a number; expected one number in each cell; give the delimiter with --delimiter",
                        column, in_quotes(cell))

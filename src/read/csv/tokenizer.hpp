@@ -95,9 +95,6 @@ Error number_beyond_doubles(std::string_view column, std::string_view cell);
 /// Whether a text is a number with marks between thousands, such as 1,234.5, 1.234,5 or 1 234.
 bool has_thousands_separators(std::string_view text);
 
-/// A cell without the sign of a currency before it, as in $5.
-std::string_view without_currency(std::string_view cell);
-
 /// A date in a form that is not read, which `known` is as date_in_known_form() returns it.
 Error date_not_read(std::string_view column, std::string_view cell, std::string_view known);
 
