@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "numbers/decimal_time.hpp"
+#include "numbers/rational.hpp"
 
 namespace tcb {
 
@@ -13,7 +13,8 @@ PacePart<S> Pace::at(const Rational& time, const Rational& first, const Rational
   if (first == last) return {};  // of a single key
   const auto scalar = [](const Rational& number) {
     if constexpr (std::is_same_v<S, Time>) {
-      return nearest_time(number);
+      const double high = nearest_double(number);
+      return Time(high, nearest_double(number - Rational(high)));
     } else {
       return number;
     }
