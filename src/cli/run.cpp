@@ -1,12 +1,15 @@
 // Run: the job of a command line is done by the entry of its product.
 #include "cli/run.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "cli/open_questions.hpp"
 #include "cli/plan.hpp"
 #include "io/atomic_output.hpp"
 #include "io/system.hpp"
@@ -54,8 +57,14 @@ Exit run(const std::vector<std::string>& words) {
   try {
     return std::visit(Run(), parse(words, &color));
   } catch (const std::exception& failure) {
-    const Error error = failure_of(failure);
-    return refuse(error.exit(), error_text(error, colors_messages(color)));
+    const OpenQuestions open = open_questions(words, failure_of(failure));
+    const bool has_colors = colors_messages(color);
+    std::string text = error_text(open.error, has_colors);
+    if (!open.settled_by.empty()) {
+      text += fmt::format("\n{}{}, where they are meant, settle these errors",
+                          message_head("tcbsample", MessageKind::note, has_colors), open.settled_by);
+    }
+    return refuse(open.error.exit(), text);
   }
 }
 

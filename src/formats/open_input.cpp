@@ -79,6 +79,21 @@ const Format& format_of(std::string_view path, std::string_view beginning) {
   return *best;
 }
 
+/// Throws: Error (data) for JSON in a file whose name is that of another format.
+void require_no_json(const Format& format, std::string_view path, std::string_view beginning) {
+  const auto next = [&](std::size_t at) {
+    return std::min(beginning.find_first_not_of(" \t\r\n", at), beginning.size());
+  };
+  const std::size_t first = next(0), second = next(first + 1);
+  if (!format.input->takes_delimiters || second == beginning.size() || !without_compression(path).ends_with(format.ending)) return;
+  const std::string_view inside = beginning[first] == '{' ? "\"}" : beginning[first] == '[' ? "[{\"" : "";
+  if (inside.find(beginning[second]) == std::string_view::npos) return;
+  throw at_first_byte(
+      data_error("this is JSON, and the name of the file is that of the format {}; expected the same; "
+                 "give --input-format json, or rename the file",
+                 format.name));
+}
+
 /// The options, with what the format decides unless it is requested.
 InputOptions options_of(const Format& format, Source<std::string>& bytes, const InputOptions& given) {
   const InputFormat& input = *format.input;
@@ -125,6 +140,7 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   }
   if (given.format == nullptr) require_no_removed_format(path);
   const Format& format = given.format != nullptr ? *given.format : format_of(path, beginning);
+  if (given.format == nullptr) require_no_json(format, path, beginning);
   bytes = preceded_by(std::move(beginning), std::move(bytes));
   InputOptions options = options_of(format, bytes, given);
   options.keys.counts_rows = options.units.frame_rate && options.keys.missing == Missing::skip_row;

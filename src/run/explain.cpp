@@ -374,33 +374,41 @@ std::string as_object(const Facts& lines) {
   return out + "}\n";
 }
 
-void explain(const std::string& path, const ExplainJob& job, Output& output) {
-  const InputBytes opened = open_file(path);
-  const Input input = open_input(path, opened.bytes, job.keys.input);
-  Facts lines{{"file", shown_name(path)}};
-  append(lines, input_facts(input));
-  const auto print_lines = [&] {
+/// Calls print(facts) with the facts of a file; at an error with those that are known.
+template <class Print>
+void explain(const std::string& path, const ExplainJob& job, const Print& print) {
+  in_file(shown_name(path), [&] {
+    const InputBytes opened = open_file(path);
+    const Input input = open_input(path, opened.bytes, job.keys.input);
+    Facts lines{{"file", shown_name(path)}};
+    append(lines, input_facts(input));
+    try {
+      append(lines, facts_of_curves(input, job, opened.arrive));
+    } catch (const Error&) {
+      print(lines);
+      throw;
+    }
+    print(lines);
+  });
+}
+
+}  // namespace
+
+void require_explained(const ExplainJob& job) {
+  for (const InputFile& file : find_inputs(job.files).files) explain(file.path, job, [](const Facts&) {});
+}
+
+Exit explain(const ExplainJob& job) {
+  Output output("-");
+  const auto print = [&](const Facts& lines) {
     if (job.format->is_json) return output.write(as_object(lines));
     for (const auto& [name, value] : lines) {
       output.write(fmt::format("{}: {}\n", printable(name), printable(value)));
     }
   };
-  try {
-    append(lines, facts_of_curves(input, job, opened.arrive));
-  } catch (const Error&) {
-    print_lines();
-    throw;
-  }
-  print_lines();
-}
-
-}  // namespace
-
-Exit explain(const ExplainJob& job) {
-  Output output("-");
   for (const InputFile& file : find_inputs(job.files).files) {
     try {
-      in_file(shown_name(file.path), [&] { explain(file.path, job, output); });
+      explain(file.path, job, print);
     } catch (const Error&) {
       output.commit();  // what is known of the files so far helps to mend the error
       throw;

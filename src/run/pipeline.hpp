@@ -39,4 +39,7 @@ struct ExplainJob {
 /// resample() does; what was detected at the beginning of the file is printed all the same.
 Exit explain(const ExplainJob& job);
 
+/// Throws: the error that explain() does, but prints nothing.
+void require_explained(const ExplainJob& job);
+
 }  // namespace tcb

@@ -360,7 +360,8 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
     if (role == Role::position && !header.empty() && tells_curves_apart(header[cell])) {
       throw data_error(
           "column {} looks like a label, not a position; expected its role; give --group {} for one curve per value, "
-          "--columns {} to keep it in the rows, or --columns {} to leave it out",
+          "--columns {} to keep it in the rows, or --columns {} to leave it out; --columns position=NAME:NAME takes it "
+          "as a position, and --angle NAME=degrees as an angle",
           in_quotes(header[cell]), in_shell(requested_as(header, cell)), in_shell(request_of("carry", header, cell)),
           in_shell(request_of("ignore", header, cell)));
     }

@@ -168,10 +168,22 @@ bool may_be_value(std::string_view cell, const DelimitedHead& head) {
 bool is_header(const HeadRecords::Record& record, const DelimitedHead& head,
                const std::optional<SampleNames>& samples) {
   std::span<const std::string> cells = record.cells;
+  const auto notation = find_notation(cells[0]);
+  if (notation && is_date(*notation)) return false;
   if (samples && samples->groups.size() + samples->labels.size() < cells.size()) {
     cells = cells.first(cells.size() - samples->labels.size()).subspan(samples->groups.size());
   }
   return !std::ranges::all_of(cells, [&](const auto& cell) { return may_be_value(cell, head); });
+}
+
+/// Whether the first record numbers the columns besides the first one, which has no name, as pandas writes them.
+bool has_numbered_columns(const HeadRecords& first) {
+  const auto& names = first.records[0].cells;
+  if (names.size() < 2 || !names[0].empty() || first.records.size() < 2) return false;
+  for (std::size_t cell = 1; cell < names.size(); ++cell) {
+    if (names[cell] != fmt::format("{}", cell - 1)) return false;
+  }
+  return !first.records[1].cells[0].empty();
 }
 
 /// The columns in which the first two records have the same word, so that the first record is no header; empty where it
@@ -860,6 +872,10 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
   }
   head.columns = requested.times_only ? find_time_column(names, numeric, requested.roles)
                                       : find_columns(names, numeric, requested.roles, requested.timeless);
+  for (const std::size_t cell : unread) {
+    if (is_requested[cell] || requested.times_only || head.is_of_format) continue;
+    head.columns.ignored.push_back(names.empty() ? fmt::format("column {}", cell + 1) : names[cell]);
+  }
   for (std::size_t cell = 0; cell < numeric.size(); ++cell) {
     Columns::Column& column = head.columns.cells[cell];
     column.is_empty = column.is_text && std::ranges::all_of(rows, [&](const HeadCells& row) {
@@ -910,13 +926,14 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   if (!options.delimited.header && !columns.samples && !head.is_of_format) require_no_title(first.records);
   std::vector<std::size_t> unread;
   if (!options.delimited.header && !columns.samples) unread = repeated_words(first, head);
-  const bool is_named = unread.empty() && is_header(first.records[0], head, columns.samples);
+  const bool is_numbered = unread.empty() && has_numbered_columns(first);
+  const bool is_named = is_numbered || (unread.empty() && is_header(first.records[0], head, columns.samples));
   const bool header = options.delimited.header.value_or(is_named);
   if (header && !head.is_of_format) require_delimiter_in_header(first, dialect);
   std::size_t data = header ? 1 : 0;
   std::vector<std::string> names = header ? first.records[0].cells : std::vector<std::string>{};
   TextPosition position{"", first.records[0].line, 0};  // of the names
-  if (header && !options.delimited.header) require_clear_header(first, head, columns);
+  if (header && !is_numbered && !options.delimited.header) require_clear_header(first, head, columns);
   const std::size_t below = data;
   if (header && !columns.samples && !head.is_plain) data = first_key(first.records);
   if (data == first.records.size()) refuse_header_alone(first.records[0]);

@@ -256,6 +256,10 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
         "argument format",
         column, in_quotes(cell));
   }
+  if (const std::size_t minus = cell.find("\u2212"); minus != std::string_view::npos) {
+    return data_error("{}: {} has the minus sign U+2212; expected -; replace it, as in sed s/\u2212/-/g", column,
+                      in_quotes(cell));
+  }
   std::string as_exponent(cell);
   std::ranges::replace_if(
       as_exponent, [](char c) { return c == 'D' || c == 'd'; }, 'E');

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "numbers/parse_number.hpp"
 #include "read/csv/csv_reader.hpp"
 #include "text/suggest.hpp"
 
@@ -34,6 +35,8 @@ std::size_t number_end(std::string_view text, std::size_t at) {
 struct CellOfText {
   std::size_t begin = 0, end = 0;
   std::size_t numbers = 0;  ///< of a vector; 0: it is none
+  std::size_t first = 0;    ///< where the first number, or its name, begins
+  bool may_be_one = false;  ///< as the numbers may also be parts of one, such as 0,5
 };
 
 /// What divides two numbers of a vector: blanks, ",", ";" or ", "; empty for anything else.
@@ -43,38 +46,70 @@ std::string_view mark_in(std::string_view between) {
   return mark.empty() ? " " : mark == "," || mark == ";" ? mark : "";
 }
 
-/// The vector in the cell that begins at a place: at least two numbers in brackets, each behind a name and "=" or
-/// alone, and all divided alike, as commas may be decimal marks in (0,5, 1,5). No numbers: there is none.
+/// Whether numbers without brackets may be one: with a decimal comma, thousands, or degrees with minutes.
+bool may_be_one(std::string_view cell, std::string_view mark) {
+  if (mark != " ") return mark == "," && (Decimals({','}).number(cell) || has_thousands_separators(cell));
+  std::size_t parts = 0, points = 0;
+  for (const std::string_view part : split(cell, ' ')) {
+    if (part.empty()) continue;
+    ++parts;
+    if (part.find('.') != std::string_view::npos) ++points;
+  }
+  return points < parts;
+}
+
+/// The place of the bracket behind a word that begins at a place, as in POINT (1 2); the same place without one.
+std::size_t bracket_behind_word(std::string_view text, std::size_t at) {
+  std::size_t end = at;
+  while (end < text.size() && (is_digit(text[end]) || (lower(text[end]) >= 'a' && lower(text[end]) <= 'z') ||
+                               (end > at && text[end] == ' '))) {
+    ++end;
+  }
+  const bool is_word = end > at && !is_digit(text[at]);
+  return is_word && end < text.size() && text[end] == '(' ? end : at;
+}
+
+/// The vector in the cell that begins at a place: at least two numbers, each behind a name and "=" or alone, and all
+/// divided alike, as commas may be decimal marks in (0,5, 1,5). They are in brackets, behind a word or not, as in
+/// POINT (1 2), or alone, as in "1.5, 2.5". No numbers: there is none.
 CellOfText vector_at(std::string_view text, std::size_t begin, char delimiter) {
   const auto get = [&](std::size_t at) { return at < text.size() ? text[at] : '\n'; };
   const bool is_quoted = get(begin) == '"';
-  std::size_t at = begin + (is_quoted ? 1 : 0), numbers = 0;
+  const std::size_t inner = begin + (is_quoted ? 1 : 0);
+  std::size_t at = bracket_behind_word(text, inner), numbers = 0;
   const std::size_t bracket = std::string_view("([{<").find(get(at));
-  if (bracket == std::string_view::npos) return {};
+  const bool has_brackets = bracket != std::string_view::npos;
+  const auto is_end_at = [&](std::size_t place) {
+    const char c = get(place);
+    return has_brackets ? c == ")]}>"[bracket] : c == '\n' || c == '\r' || c == (is_quoted ? '"' : delimiter);
+  };
+  if (has_brackets) ++at;
+  const std::size_t first = at;
   std::string_view mark;
-  for (std::size_t end = ++at;; end = at) {  // of the last number
-    while (std::string_view(" ,;").find(get(at)) != std::string_view::npos) ++at;
+  for (std::size_t end = at;; end = at) {  // of the last number
+    while (!is_end_at(at) && std::string_view(" ,;").find(get(at)) != std::string_view::npos) ++at;
     const std::string_view between = text.substr(end, at - end);
-    const bool is_end = get(at) == ")]}>"[bracket];
+    const bool is_end = is_end_at(at);
     if ((is_end || numbers == 0) && !trimmed(between).empty()) return {};
     if (is_end) break;
     const std::string_view next = between.empty() ? "" : mark_in(between);
     if (numbers > 0 && (next.empty() || (numbers > 1 && next != mark))) return {};
     mark = next;
     const std::size_t name = at;
-    while (lower(get(at)) >= 'a' && lower(get(at)) <= 'z') ++at;
+    while (has_brackets && lower(get(at)) >= 'a' && lower(get(at)) <= 'z') ++at;
     if (at > name && get(at++) != '=') return {};
     const std::size_t number = at;
     at = number_end(text, at);
-    if (at == number) return {};
+    if (at == number || (!has_brackets && !parse_number(text.substr(number, at - number)))) return {};
     ++numbers;
   }
-  ++at;
+  const std::string_view alone = trimmed(text.substr(first, at - first));
+  if (has_brackets) ++at;
   if (is_quoted && get(at++) != '"') return {};
   std::size_t next = at;
   while (get(next) != delimiter && (Dialect::is_blank(get(next)) || get(next) == '\r')) ++next;
   const bool ends_cell = get(next) == delimiter || get(next) == '\n';
-  return {begin, at, ends_cell && numbers > 1 ? numbers : 0};
+  return {begin, at, ends_cell && numbers > 1 ? numbers : 0, first, !has_brackets && may_be_one(alone, mark)};
 }
 
 /// The place behind a quoted cell that begins at a place.
@@ -111,7 +146,9 @@ std::vector<CellOfText> cells_in_line(std::string_view text, std::size_t begin, 
 /// Puts a delimiter between the numbers of a vector, and blanks in the place of all else.
 void spread(std::string& text, const CellOfText& vector, char delimiter) {
   std::size_t numbers = 0;
-  for (std::size_t at = vector.begin; at < vector.end;) {
+  std::fill(text.begin() + static_cast<std::ptrdiff_t>(vector.begin),
+            text.begin() + static_cast<std::ptrdiff_t>(vector.first), ' ');
+  for (std::size_t at = vector.first; at < vector.end;) {
     if (is_of_number(text[at])) {
       at = number_end(text, at);
       if (++numbers < vector.numbers) text[at++] = delimiter;
@@ -134,10 +171,23 @@ std::string with_cells_of_numbers(std::string text, char delimiter, const std::v
   return text;
 }
 
+/// The parts of a name such as "lat,lon" and "x y z"; none if there are not as many as numbers.
+std::vector<std::string> names_in(std::string_view name, std::size_t numbers) {
+  for (const char mark : std::string_view(",;/ ")) {
+    std::vector<std::string> parts;
+    for (const std::string_view part : split(name, mark)) {
+      if (!trimmed(part).empty()) parts.emplace_back(trimmed(part));
+    }
+    if (parts.size() == numbers) return parts;
+  }
+  return {};
+}
+
 /// The names of the numbers of a vector.
 std::vector<std::string> part_names(std::string_view name, std::size_t numbers) {
   constexpr std::array coordinates{"x", "y", "z", "w"};
-  std::vector<std::string> parts;
+  std::vector<std::string> parts = names_in(name, numbers);
+  if (!parts.empty()) return parts;
   for (std::size_t i = 0; i < numbers; ++i) {
     parts.push_back(numbers <= coordinates.size() ? fmt::format("{}.{}", name, coordinates[i])
                                                   : fmt::format("{}[{}]", name, i));
@@ -177,18 +227,22 @@ std::vector<VectorColumn> name_vectors(std::vector<Chunk>& chunks, const std::ve
   const auto cells_in = [&](const LineOfChunk& line) {
     return cells_in_line(chunks[line.chunk].text, line.begin, line.end, delimiter);
   };
-  const std::string_view second =
-      std::string_view(chunks[lines[1].chunk].text).substr(lines[1].begin, lines[1].end - lines[1].begin);
-  if (second.find_first_of("([{<") == std::string_view::npos) return {};
   const std::vector<CellOfText> names = cells_in(lines[0]), cells = cells_in(lines[1]);
   if (cells.size() != names.size() || cells.size() < 2) return {};
   const bool has_header = std::ranges::all_of(names, [](const CellOfText& cell) { return cell.numbers == 0; });
   std::string& text = chunks[lines[0].chunk].text;
+  const std::string_view second = chunks[lines[1].chunk].text;
+  const bool has_points = std::ranges::any_of(cells, [&](const CellOfText& cell) {
+    const std::string_view number = trimmed(second.substr(cell.begin, cell.end - cell.begin));
+    return cell.numbers == 0 && number.find('.') != std::string_view::npos && parse_number(number);
+  });
   std::vector<VectorColumn> columns;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i].numbers == 0) continue;
     const std::string_view cell = trimmed(std::string_view(text).substr(names[i].begin, names[i].end - names[i].begin));
     const std::string name = has_header ? unquoted(cell) : fmt::format("{}", i + 1);
+    const bool is_one = cells[i].may_be_one && !has_points && names_in(name, cells[i].numbers).empty();
+    if (is_one) continue;
     if (name.find('"') != std::string::npos) return {};
     columns.push_back({i, name, part_names(name, cells[i].numbers)});
   }

@@ -1,0 +1,22 @@
+// Open questions: the errors that would follow an error of the data once its remedy is applied, so that one run names
+// all of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "error.hpp"
+
+namespace tcb {
+
+/// An error, with those that follow it as others.
+struct OpenQuestions {
+  Error error;
+  std::string settled_by;  ///< the options that settle all; empty where there is a single error, or no option for one
+};
+
+/// The questions that an error of a command leaves open. Each is found by explaining the files with the options that
+/// the remedies so far name, which reads them once more; standard input is not read again.
+OpenQuestions open_questions(const std::vector<std::string>& words, Error error);
+
+}  // namespace tcb
