@@ -28,9 +28,6 @@ constexpr auto side_names = std::to_array<Named<bool>>({{"right", false}, {"left
 /// For an option whose value is asked for by has() or value().
 void only_given(Typed&, Text) {}
 
-/// Timecode counts the frames of a second in whole numbers.
-constexpr int most_frames_per_second = 1'000'000'000;
-
 constexpr std::string_view expects_time_zero =
     "is not a time; expected a number in the unit of the times of the keys, or first";
 

@@ -167,7 +167,7 @@ std::optional<Rational> broadcast_rate(std::string_view text) {
 std::optional<Rational> frame_rate_in(std::string_view text) {
   if (const auto known = broadcast_rate(text)) return known;
   const auto rate = parse_rational(text);
-  return rate && *rate > 0 ? rate : std::nullopt;
+  return rate && *rate > 0 && *rate <= most_frames_per_second && within_doubles(1 / *rate) ? rate : std::nullopt;
 }
 
 }  // namespace tcb

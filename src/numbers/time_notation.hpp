@@ -52,7 +52,10 @@ inline constexpr std::array broadcast_rates{BroadcastRate{"23.976", 24}, Broadca
 /// The rate of NTSC video for which a decimal such as "29.97" stands; nothing for other texts.
 std::optional<Rational> broadcast_rate(std::string_view text);
 
-/// The rate of frames that a number is, also such a decimal; nothing for one that is not above 0.
+/// Timecode counts the frames of a second in whole numbers.
+inline constexpr int most_frames_per_second = 1'000'000'000;
+
+/// The rate of frames that a number is, also such a decimal; nothing for one that is not above 0, or beyond the most.
 std::optional<Rational> frame_rate_in(std::string_view text);
 
 enum class TimeNotation {
