@@ -70,6 +70,24 @@ bool are_all(const FileMember& member, Kind kind) {
 
 bool is_one(const FileMember& member, Kind kind) { return !member.is_array && are_all(member, kind); }
 
+/// The name of an object, without the path to it.
+std::string_view last_name(const FileObject& object) {
+  return std::string_view(object.path).substr(object.path.find_last_of('.') + 1);
+}
+
+/// What is before the names of parameters in an object: its name, where that says what they are.
+std::string prefix_of_parameters(const FileObject& object) {
+  const std::string name = compact(last_name(object));
+  return name == "tcb" || name == "tbc" ? name + "." : "";
+}
+
+bool is_parameter(std::string_view word) { return lists_word("tension continuity bias tcb tbc", word); }
+
+bool has_meaning(std::string_view name) {
+  const std::string word = compact(name);
+  return is_setting_name(name) || lists_word(rate_names, word) || is_parameter(word);
+}
+
 /// What replaces the preset, and the rules for tangents and ends, of the file.
 std::string undo_of_rules() { return fmt::format("--preset {}", spline::presets[0].name); }
 
@@ -91,10 +109,6 @@ class SettingsReader {
   FileSettings found;
 
  private:
-  /// The name of the current object.
-  std::string_view last_name() const {
-    return std::string_view(object_->path).substr(object_->path.find_last_of('.') + 1);
-  }
   std::string path(std::string_view name) const {
     return object_->path.empty() ? std::string(name) : fmt::format("{}.{}", object_->path, name);
   }
@@ -132,11 +146,6 @@ class SettingsReader {
     }
   }
 
-  static bool has_meaning(std::string_view name) {
-    const std::string word = compact(name);
-    return is_setting_name(name) || lists_word(rate_names, word) || is_parameter(word);
-  }
-
   /// Throws: Error (data) where members of one meaning differ, such as "closed" and "loop".
   void require_same(std::string_view names, Kind kind, std::string_view option) const {
     const FileMember* first = nullptr;
@@ -161,7 +170,7 @@ class SettingsReader {
       std::string path;
     };
     std::vector<Origin> origins;
-    const std::string object = compact(last_name()), outer = object == "tcb" || object == "tbc" ? object + "." : "";
+    const std::string outer = prefix_of_parameters(*object_);
     const auto add = [&](const std::string& name, const FileMember& member, const Value& value) {
       names.push_back(outer + name);
       usable.push_back(value.kind == Kind::number);
@@ -204,8 +213,6 @@ class SettingsReader {
     }
   }
 
-  static bool is_parameter(std::string_view word) { return lists_word("tension continuity bias tcb tbc", word); }
-
   void require_tcb(const FileMember& member) const {
     if (has_tcb_ || (member.values.size() == 3 && are_all(member, Kind::number))) return;
     throw at(member, data_error("this is not an array of three numbers; expected [T,C,B]; correct it, or give --tcb "
@@ -214,9 +221,10 @@ class SettingsReader {
 
   void require_number(const FileMember& member) const {
     if (has_tcb_ || is_one(member, Kind::number) || is_one(member, Kind::missing)) return;
-    if (!member.is_array && member.values.empty()) return;  // an object
+    const bool is_object = !member.is_array && member.values.empty();
+    if (is_object && (!object_->is_own || may_hold_settings(member.name))) return;
     throw at(member, data_error("{} is not a number; expected one; correct it, or give --tcb 0,0,0 to leave it out",
-                                in_quotes(shown(member))));
+                                is_object ? "this" : in_quotes(shown(member))));
   }
 
   void require_parameters(const ParameterSet& set, const FileMember& first,
@@ -317,7 +325,8 @@ class SettingsReader {
     if (word == "period") {
       shown_closing_ = fmt::format("{} to {}", origin.subject, value);
     } else {
-      shown_rules_.push_back(fmt::format("{} to {}", origin.subject, value));
+      std::erase_if(shown_rules_, [&](const auto& rule) { return rule.first == word; });
+      shown_rules_.emplace_back(word, fmt::format("{} to {}", origin.subject, value));
     }
   }
 
@@ -326,7 +335,14 @@ class SettingsReader {
       throw at(member, data_error("this is not an array of names in quotes; expected one; correct it"));
     }
     add_place(member);
-    for (const Value& value : member.values) found.channels.push_back(value.text);
+    found.channels.clear();
+    std::unordered_set<std::string_view> names;
+    for (const Value& value : member.values) {
+      if (!names.insert(value.text).second) {
+        throw at(member, data_error("two names are {}; expected different ones; correct them", in_quotes(value.text)));
+      }
+      found.channels.push_back(value.text);
+    }
   }
 
   void read_id(const FileMember& member) {
@@ -362,6 +378,7 @@ class SettingsReader {
     constexpr std::array of_keys{Role::tension, Role::continuity, Role::bias, Role::ease_in, Role::ease_out};
     const auto of_channel = channel_role_of(member.name);
     const auto role = find_role(member.name);
+    if (has_tcb_ && is_parameter(compact(member.name))) return;
     if ((role && std::ranges::count(of_keys, *role) > 0) || (of_channel && of_channel->role < Role::velocity)) {
       throw at_name(member, data_error("this member is outside the keys; expected it in each key; move it there"));
     }
@@ -406,12 +423,14 @@ class SettingsReader {
   void add_notes() {
     std::vector<std::string> parameters(shown_parameters_.begin(), shown_parameters_.end());
     std::erase(parameters, "");
+    std::vector<std::string> rules;
+    for (const auto& [word, text] : shown_rules_) rules.push_back(text);
     const auto add = [&](const std::vector<std::string>& settings, std::string_view effect, std::string_view undo) {
       if (settings.empty()) return;
       found.notes.push_back(fmt::format("the file sets {}{}; {} undoes it", listed(settings), effect, undo));
     };
     add(parameters, ", for keys that have none", "--tcb 0,0,0");
-    add(shown_rules_, "", undo_of_rules());
+    add(rules, "", undo_of_rules());
     if (!shown_closing_.empty()) add(std::vector{shown_closing_}, ", which closes the curve", "--closed=no");
   }
 
@@ -423,7 +442,7 @@ class SettingsReader {
   std::unordered_set<const FileMember*> parameters_ = {};  ///< of the current object
   // What is set, and to which value:
   std::array<std::string, 3> shown_parameters_;
-  std::vector<std::string> shown_rules_;
+  std::vector<std::pair<std::string, std::string>> shown_rules_;  ///< by their names
   std::string shown_closing_;
 };
 
@@ -434,6 +453,24 @@ bool may_hold_settings(std::string_view name) { return lists_word(inner_names, c
 bool is_setting_name(std::string_view name) {
   const std::string word = compact(name);
   return lists_word(closing_names, word) || std::ranges::count(own_names, word) > 0;
+}
+
+void keep_settings(FileObject& object) {
+  if (!prefix_of_parameters(object).empty()) return;
+  std::vector<std::string> names;
+  for (const FileMember& member : object.members) {
+    if (is_one(member, Kind::number)) names.push_back(member.name);
+  }
+  // Other names than the words themselves depend on the names beside them.
+  for (const ParameterSet& set : parameter_sets(names, std::vector<bool>(names.size(), true), {.timeless = true})) {
+    if (!set.is_clear() && !set.is_doubtful()) continue;
+    for (const auto& cell : set.cells) {
+      if (cell && !is_parameter(compact(names[*cell]))) return;
+    }
+  }
+  std::erase_if(object.members, [](const FileMember& member) {
+    return !has_meaning(member.name) && !lists_word(spline_names, compact(member.name));
+  });
 }
 
 FileSettings read_settings(std::span<const FileObject> objects, const InputOptions& options) {

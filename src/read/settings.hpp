@@ -45,6 +45,10 @@ struct FileObject {
   bool is_own = false;  ///< it has the list "keys" or "curves", so that all of its members should be settings
 };
 
+/// Erases the members of an object that change no settings, so that an object around many lists is read as a whole
+/// only once. Requires: the object was read.
+void keep_settings(FileObject& object);
+
 struct FileSettings {
   CurveInfo curve_info = {};
   std::optional<spline::Tcb<double>> tcb = {};  ///< of keys that have none

@@ -1,6 +1,8 @@
 // Settings in JSON: the members of the objects around a table, or beside its columns, as those of a file.
 #include "read/json/settings.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -83,8 +85,13 @@ void JsonSettings::add_object(std::size_t object, std::string path, bool is_own,
 
 const std::vector<FileObject>& JsonSettings::objects_in(std::size_t object, std::string_view path, bool is_own) {
   const auto [at, is_new] = known_.try_emplace(object);
-  if (is_new) add_object(object, std::string(path), is_own, at->second);
-  return at->second;
+  Known& known = at->second;
+  if (is_new) {
+    add_object(object, std::string(path), is_own, known.objects);
+  } else if (!std::exchange(known.is_read, true)) {
+    std::ranges::for_each(known.objects, keep_settings);
+  }
+  return known.objects;
 }
 
 FileSettings JsonSettings::around(const JsonTable& table, const InputOptions& options) {

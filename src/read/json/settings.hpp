@@ -1,8 +1,6 @@
 // Settings in JSON: the members of the objects around a table, or beside its columns, as those of a file.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,9 +33,13 @@ class JsonSettings {
   const std::vector<FileObject>& objects_in(std::size_t object, std::string_view path, bool is_own);
 
   const Json& json_;
-  std::unordered_set<std::size_t> tables_ = {};                          ///< members that are on the way to tables
-  std::unordered_map<std::size_t, std::vector<FileObject>> known_ = {};  ///< by the object
-  Json::Mark mark_ = {0, {0, 0}};                                        ///< the last member
+  struct Known {
+    std::vector<FileObject> objects = {};
+    bool is_read = false;  ///< and only the members that are settings are kept
+  };
+  std::unordered_set<std::size_t> tables_ = {};        ///< members that are on the way to tables
+  std::unordered_map<std::size_t, Known> known_ = {};  ///< by the object
+  Json::Mark mark_ = {0, {0, 0}};                      ///< the last member
 };
 
 }  // namespace tcb
