@@ -33,6 +33,13 @@ inline std::vector<std::string> group_title(const std::vector<std::string>& name
   return title;
 }
 
+/// Adds a cell in quotes to delimited text. Source: RFC 4180.
+inline void add_quoted(std::string& text, std::string_view cell) {
+  text += '"';
+  for (const char c : cell) text.append(c == '"' ? 2 : 1, c);
+  text += '"';
+}
+
 /// Many texts in one string.
 class Texts {
  public:

@@ -11,6 +11,7 @@
 #include "error.hpp"
 #include "numbers/print_number.hpp"
 #include "schema/key_block.hpp"
+#include "schema/texts.hpp"
 #include "write/output_format.hpp"
 
 namespace tcb {
@@ -36,9 +37,9 @@ std::string delimited_text(std::string_view text, char delimiter) {
                      !(delimiter == ' ' &&
                        (text.empty() || text.starts_with('>') || text.find_first_of(" \t") != std::string_view::npos));
   if (plain) return std::string(text);
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + '"';
+  std::string quoted;
+  add_quoted(quoted, text);
+  return quoted;
 }
 
 std::string delimited_cell(std::string_view text, char delimiter) {

@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "numbers/decimal_time.hpp"
 #include "numbers/parse_number.hpp"
-#include "numbers/print_number.hpp"
 #include "read/input.hpp"
 #include "read/json/text.hpp"
 #include "read/key_builder.hpp"

@@ -26,8 +26,6 @@ namespace {
 
 using Kind = Json::Kind;
 
-constexpr std::size_t most_first_records = 100;
-
 bool is_time(const JsonColumn& column) {
   if (column.is_parameter) return false;
   return role_of_name(column.path) == Role::time || is_usual_time(column.path) || time_part_of(column.path).has_value();
@@ -157,7 +155,7 @@ class LayoutFinder {
     return of_record(column, path, error).at(json_.position(member - (json_.is_member(member) ? 1 : 0)));
   }
   Error of_record(const JsonColumn& column, std::string_view path, const Error& error) const {
-    return error.about(fmt::format("{}[{}].{}", table_.list(), column.row, path));
+    return error.about(fmt::format("{}[{}].{}", table_.list(), table_.number + column.row, path));
   }
 
   void read_first_records() {
@@ -176,12 +174,10 @@ class LayoutFinder {
 
   /// Names for the numbers of records that have none: the time, and those of channels.
   std::vector<std::string> usual_names() const {
-    const auto leaves = [&](std::size_t value) {
-      std::size_t count = 0;
-      for (std::size_t at = value + 1; at < json_.next(value); ++at) count += json_.is_nested(at) ? 0 : 1;
-      return count;
-    };
-    const std::size_t cells = leaves(table_.records[0]);
+    std::size_t cells = 0;
+    for (const std::size_t value : json_.inside(table_.records[0])) {
+      cells += json_.is_nested(value) ? json_.count(value) : 1;
+    }
     const bool has_time = !requested_.timeless && table_.index.empty() && cells > 0;
     std::vector<std::string> names = default_channel_names(cells - (has_time ? 1 : 0));
     if (has_time) names.insert(names.begin(), "t");
@@ -290,9 +286,7 @@ class LayoutFinder {
 
   /// Whether a number is in the array or object of the rotation.
   bool is_of_rotation(const JsonColumn& column) const {
-    const std::string_view path = column.path;
-    return path.starts_with(rotation_) && path.size() > rotation_.size() &&
-           (path[rotation_.size()] == '.' || path[rotation_.size()] == '[');
+    return column.path.starts_with(rotation_) && column.path.size() > rotation_.size() && is_in(column, rotation_);
   }
   std::ptrdiff_t rotation_cells() const {
     return std::ranges::count_if(columns_, [&](auto& column) { return is_of_rotation(column); });
@@ -469,16 +463,15 @@ class LayoutFinder {
   /// Throws: Error (data) for arrays of which one may be the positions.
   [[noreturn]] void refuse_arrays(const JsonColumn& column) const {
     std::vector<std::string> sizes;
-    std::string likely, poses;
+    std::string likely;
     bool are_alike = true;  // in size
     constexpr std::array<std::string_view, 6> tangents{"to", "ti", "in", "out", "i", "o"};
     for (const std::string& array : arrays_) {
       sizes.push_back(fmt::format("{} of {}", in_quotes(array), how_many(sizes_.at(array), "number")));
       are_alike = are_alike && sizes_.at(array) == sizes_.at(arrays_[0]);
       if (likely.empty() && std::ranges::count(tangents, array) == 0) likely = array;
-      const std::string options = options_of_poses_in(array);
-      if (!options.empty()) poses = fmt::format("{} for the poses in {}", options, in_quotes(array));
     }
+    const std::string poses = options_of_poses_in_arrays();
     if (arrays_.size() == 1 && poses.empty()) {
       throw at(column, column.stem,
                data_error("this array is not used; expected \"position\" as the name of an array of positions; rename "
@@ -496,21 +489,35 @@ class LayoutFinder {
                                           in_shell("position=" + likely))));
   }
 
-  /// The options that take the numbers in an array as poses, if they are such; empty for others.
-  std::string options_of_poses_in(const std::string& array) const {
-    std::vector<std::string> names;
-    std::vector<std::size_t> numbers;
+  /// The options that take the numbers in the first array of poses as such, with its name; empty if there is none.
+  std::string options_of_poses_in_arrays() const {
+    std::unordered_map<std::string_view, std::vector<std::size_t>> arrays;  // columns in them
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (!is_in(columns_[i], array)) continue;
-      names.push_back(columns_[i].path);
-      numbers.push_back(i);
+      if (sizes_.contains(columns_[i].stem)) arrays[columns_[i].stem].push_back(i);
     }
-    if (names.size() != 12 && names.size() != 16) return "";
+    std::erase_if(arrays, [](const auto& array) { return array.second.size() != 12 && array.second.size() != 16; });
+    if (arrays.empty()) return "";
     JsonRows records(json_, table_, layout_);
-    std::vector<std::vector<std::string_view>> rows;
+    std::vector<std::vector<std::uint32_t>> rows;
     std::vector<std::uint32_t> cells;
     for (std::size_t row = 0; row < first_records(); ++row) {
-      if (!records.get(row, cells)) continue;
+      if (records.get(row, cells)) rows.push_back(cells);
+    }
+    for (const std::string& array : arrays_) {
+      const auto numbers = arrays.find(array);
+      const std::string options = numbers == arrays.end() ? "" : options_of_poses_in(numbers->second, rows);
+      if (!options.empty()) return fmt::format("{} for the poses in {}", options, in_quotes(array));
+    }
+    return "";
+  }
+
+  /// The options that take columns as poses, if they are such; empty for others.
+  std::string options_of_poses_in(const std::vector<std::size_t>& numbers,
+                                  const std::vector<std::vector<std::uint32_t>>& records) const {
+    std::vector<std::string> names;
+    for (const std::size_t number : numbers) names.push_back(columns_[number].path);
+    std::vector<std::vector<std::string_view>> rows;
+    for (const std::vector<std::uint32_t>& cells : records) {
       rows.emplace_back();
       for (const std::size_t number : numbers) {
         if (cells[number] == 0) return "";
@@ -655,7 +662,9 @@ class LayoutFinder {
         if (names.size() >= usual.size() || (!channels_.empty() && unnamed_.size() != usual.size())) {
           throw data_error("\"channels\" has {}; expected {}, one for each number of \"position\"; correct it",
                            how_many(usual.size(), "name"), unnamed_.size())
-              .at(std::ranges::find_if(places_, [](auto& place) { return place.first.ends_with("channels"); })->second);
+              .at(std::find_if(places_.rbegin(), places_.rend(), [](auto& place) {
+                    return place.first.ends_with("channels");
+                  })->second);
         }
         const bool is_prefixed = !is_free && column->stem != "position";
         column->name = (is_prefixed ? column->stem + "_" : "") + usual[names.size()];
@@ -751,7 +760,7 @@ bool JsonRows::is_value_in_earlier_record(std::uint32_t step) const {
 template <class F>
 void JsonRows::read_value(const JsonPaths::Step& step, std::uint32_t value, const F& found) {
   const std::uint32_t id = find(step);
-  if (id == 0) return refuse_unknown(row_, step, value);
+  if (id == 0) return refuse_unknown(step, value);
   if (grows_ == nullptr && layout_.paths.is_used(id)) require_shape(id, value);
   if (!json_.is_nested(value)) return found(id, value);
   if (grows_ != nullptr && is_value_in_earlier_record(id)) return;
@@ -767,10 +776,7 @@ template <class F>
 void JsonRows::read(std::size_t row, const F& found) {
   row_ = row;
   last_ = 0;
-  if (!table_.index.empty()) {
-    const std::uint32_t at = table_.index[row];
-    read_member("time", json_.is_member(at) ? at - 1 : at, found);
-  }
+  if (!table_.index.empty()) read_member("time", table_.index[row], found);
   for (std::size_t column = 0; column < table_.columns.size(); ++column) {
     const bool is_first = grows_ != nullptr && row == 0;
     const std::uint32_t value = is_first ? first_value(column) : table_.columns[column][row];
@@ -797,7 +803,7 @@ void JsonRows::read(std::size_t row, const F& found) {
       if (!is_vector) add(value);
     }
     if (cell == names.size()) return;
-    throw data_error("row {} of the table has {}; expected {}, one for each column; correct it", row,
+    throw data_error("row {} of the table has {}; expected {}, one for each column; correct it", table_.number + row,
                      how_many(cell, "cell"), names.size())
         .at(json_.position(record));
   }
@@ -838,10 +844,7 @@ void JsonRows::add_columns(std::size_t row, JsonLayout& layout) {
 }
 
 bool JsonRows::get(std::size_t row, std::vector<std::uint32_t>& cells) {
-  if (table_.columns.empty() && json_.is(table_.records[row], Kind::null) &&
-      json_.text(table_.records[row]) == "null") {
-    return false;
-  }
+  if (table_.columns.empty() && ends_curve(json_, table_.records[row])) return false;
   cells.assign(layout_.columns.size(), 0);
   read(row, [&](std::uint32_t id, std::uint32_t value) {
     const std::size_t number = layout_.paths.column(id);
@@ -850,7 +853,7 @@ bool JsonRows::get(std::size_t row, std::vector<std::uint32_t>& cells) {
     if (cells[column.target] == 0) {
       cells[column.target] = value;
     } else if (column.is_used || column.depth == 0 || column.target != number) {
-      throw at(row, column.path, value - (json_.is_member(value) ? 1 : 0),
+      throw at(column.path, value - (json_.is_member(value) ? 1 : 0),
                column.target != number
                    ? data_error("this parameter is given twice, in \"tcb\" and alone; expected it once; remove one")
                    : twice_in("key"));
@@ -859,14 +862,14 @@ bool JsonRows::get(std::size_t row, std::vector<std::uint32_t>& cells) {
   return true;
 }
 
-Error JsonRows::at(std::size_t row, std::string_view path, std::size_t value, const Error& error) const {
-  return error.about(fmt::format("{}[{}].{}", table_.list(), row, path)).at(json_.position(value));
+Error JsonRows::at(std::string_view path, std::size_t value, const Error& error) const {
+  return error.about(fmt::format("{}[{}].{}", table_.list(), table_.number + row_, path)).at(json_.position(value));
 }
 
 /// Throws: Error (data) for a value of another shape than it has in the first records.
 void JsonRows::require_shape(std::uint32_t id, std::uint32_t value) const {
   const JsonPaths& paths = layout_.paths;
-  const auto refuse = [&](const Error& error) { throw at(row_, paths.path(id), value, error); };
+  const auto refuse = [&](const Error& error) { throw at(paths.path(id), value, error); };
   const bool is_cell = paths.column(id) != JsonPaths::no_column;
   if (json_.is(value, Kind::array) && paths.elements(id) > 0) {
     const std::size_t count = json_.count(value);
@@ -886,7 +889,7 @@ void JsonRows::require_shape(std::uint32_t id, std::uint32_t value) const {
 }
 
 /// Throws: Error (data) for a number that the first records do not have, unless it is in a value that is not used.
-void JsonRows::refuse_unknown(std::size_t row, const JsonPaths::Step& step, std::uint32_t value) const {
+void JsonRows::refuse_unknown(const JsonPaths::Step& step, std::uint32_t value) const {
   if (!layout_.paths.is_used(step.parent)) return;
   const bool is_number =
       json_.holds(json_.is(value, Kind::array) && !json_.is_empty(value) ? json_.first(value) : value, Kind::number);
@@ -895,7 +898,7 @@ void JsonRows::refuse_unknown(std::size_t row, const JsonPaths::Step& step, std:
   const std::string path = step.number != JsonPaths::of_member
                                ? fmt::format("{}[{}]", outer, step.number)
                                : fmt::format("{}{}{}", outer, outer.empty() ? "" : ".", step.name);
-  throw at(row, path, value,
+  throw at(path, value,
            data_error("the first key has no such number; expected the same members in every key; add it there"));
 }
 

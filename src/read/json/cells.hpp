@@ -113,8 +113,6 @@ class JsonRows {
   /// Finds the columns of a record, which are added where they are not known.
   void add_columns(std::size_t row, JsonLayout& layout);
 
-  Error at(std::size_t row, std::string_view path, std::size_t value, const Error& error) const;
-
  private:
   template <class F>
   void read(std::size_t row, const F& found);
@@ -128,7 +126,8 @@ class JsonRows {
   std::uint32_t first_value(std::size_t column) const;
   bool is_value_in_earlier_record(std::uint32_t step) const;
   void require_shape(std::uint32_t id, std::uint32_t value) const;
-  void refuse_unknown(std::size_t row, const JsonPaths::Step& step, std::uint32_t value) const;
+  Error at(std::string_view path, std::size_t value, const Error& error) const;
+  void refuse_unknown(const JsonPaths::Step& step, std::uint32_t value) const;
 
   const Json& json_;
   const JsonTable& table_;

@@ -31,7 +31,8 @@ using SharedJson = std::shared_ptr<const Json>;
 
 /// The meaning of the records of a table.
 struct Meaning {
-  SharedJson first;  ///< whose text has the names in the layout
+  SharedJson first;                        ///< whose text has the names in the layout
+  std::shared_ptr<const JsonTable> table;  ///< whose columns have such names
   JsonLayout layout;
   DelimitedHead head = {};
   Columns columns = {};  ///< those that the first records have
@@ -43,7 +44,6 @@ struct TablePart {
   std::shared_ptr<const JsonTable> table;
   std::shared_ptr<const Meaning> meaning;
   std::size_t first = 0, last = 0;
-  std::uint64_t number = 0;                          ///< of the first record of the table
   std::shared_ptr<const CurveInfo> curve_info = {};  ///< of a curve that begins here
   std::vector<Error> faults = {};                    ///< of values that are not among the records
 };
@@ -55,12 +55,6 @@ struct PlainText {
   std::vector<std::uint64_t> lines = {};            ///< and their first line
   std::uint64_t next_line = 1;
 };
-
-void add_quoted(std::string& text, std::string_view cell) {
-  text += '"';
-  for (const char c : cell) text.append(c == '"' ? 2 : 1, c);
-  text += '"';
-}
 
 /// Adds a record as one row, or an empty line for null.
 void add_row(PlainText& plain, const Json& json, const JsonLayout& layout, JsonRows& rows, std::size_t row,
@@ -98,7 +92,7 @@ class Places {
     for (std::size_t key = 0; key < places.lines.size(); ++key) {
       const std::size_t row = plain_.rows[line_of(places.lines[key])];
       mark_ = json_.mark_at(json_.offset(table_.place(row)), mark_);
-      places.numbers.push_back(part_.number + row);
+      places.numbers.push_back(table_.number + row);
       places.lines[key] = mark_.at.line;
       places.columns[key] = static_cast<std::uint32_t>(mark_.at.column);
     }
@@ -110,14 +104,14 @@ class Places {
     const TextPosition& at = fault.position();
     const Error plain = Error(fault.exit(), fault.message());
     if (at.line == 0) return plain.at(json_.position(table_.place(part_.first)));
-    if (plain_.lines.empty() || at.line < plain_.lines.front() || at.column == 0) {
+    const auto& columns = part_.meaning->layout.columns;
+    if (columns.empty() || plain_.lines.empty() || at.line < plain_.lines.front() || at.column == 0) {
       return plain.at(json_.position(table_.place(part_.first)));
     }
     const std::size_t line = line_of(at.line), row = plain_.rows[line];
     std::vector<std::uint32_t> cells;
     JsonRows rows(json_, table_, part_.meaning->layout);
     rows.get(row, cells);
-    const auto& columns = part_.meaning->layout.columns;
     std::size_t left = cell_at(line, at), column = 0;
     while (column + 1 < columns.size() && (!columns[column].is_used || left-- > 0)) ++column;
     return of_cell(fault, row, columns[column], cells[column]);
@@ -143,7 +137,7 @@ class Places {
     }
     const std::size_t place = value != 0 ? value : table_.place(row);
     return Error(fault.exit(), message)
-        .about(fmt::format("{}[{}].{}", table_.list(), part_.number + row, column.path))
+        .about(fmt::format("{}[{}].{}", table_.list(), table_.number + row, column.path))
         .at(json_.position(place));
   }
 
@@ -179,7 +173,7 @@ KeyBlock keys_of(const TablePart& part) {
   const Json& json = *part.json;
   const JsonLayout& layout = part.meaning->layout;
   JsonRows rows(json, *part.table, layout);
-  PlainText plain{.next_line = part.number + part.first + 2};
+  PlainText plain{.next_line = part.table->number + part.first + 2};
   const std::uint64_t line = plain.next_line;
   std::vector<std::uint32_t> cells;
   std::vector<Error> faults = part.faults;
@@ -259,9 +253,8 @@ InputOptions with_settings(InputOptions options, const FileSettings& settings) {
 /// The meaning of the records of a table, by the first of them.
 std::shared_ptr<const Meaning> meaning_of(const SharedJson& json, const std::shared_ptr<const JsonTable>& table,
                                           const InputOptions& given, const FileSettings& settings) {
-  constexpr std::size_t most_records = 100;
   const InputOptions options = with_settings(given, settings);
-  auto meaning = std::make_shared<Meaning>(Meaning{json, find_layout(*json, *table, options, settings)});
+  auto meaning = std::make_shared<Meaning>(Meaning{json, table, find_layout(*json, *table, options, settings)});
   const JsonLayout& layout = meaning->layout;
   PlainText plain;
   if (table->has_header()) {
@@ -275,7 +268,7 @@ std::shared_ptr<const Meaning> meaning_of(const SharedJson& json, const std::sha
   }
   JsonRows rows(*json, *table, layout);
   std::vector<std::uint32_t> cells;
-  for (std::size_t row = 0; row < std::min(table->size(), most_records); ++row) {
+  for (std::size_t row = 0; row < std::min(table->size(), most_first_records); ++row) {
     try {
       add_row(plain, *json, layout, rows, row, cells);
     } catch (const Error&) {
@@ -435,7 +428,7 @@ class Curves {
   }
 
   TablePart without_keys(const JsonTable& curve) const {
-    return {json_, std::make_shared<const JsonTable>(curve), meaning_, 0, 0, 0, nullptr, {no_keys(*json_, curve)}};
+    return {json_, std::make_shared<const JsonTable>(curve), meaning_, 0, 0, nullptr, {no_keys(*json_, curve)}};
   }
 
   SharedJson json_;
@@ -603,14 +596,14 @@ Records open_values(JsonBlock block, const std::shared_ptr<JsonBlocks>& blocks, 
   part.faults = std::move(faults);
   Records records = records_of(*part.meaning, *table);
   records.facts.shape = table->has_names ? JsonShape::lines : JsonShape::table;
-  Source<TablePart> parts = [blocks, meaning = part.meaning, number = table->size(),
+  Source<TablePart> parts = [blocks, meaning = part.meaning, number = table->number + table->size(),
                              has_names = table->has_names]() mutable -> std::optional<TablePart> {
     std::optional<JsonBlock> block = blocks->next();
     if (!block) return std::nullopt;
-    TablePart next{nullptr, nullptr, meaning, 0, 0, number};
+    TablePart next{nullptr, nullptr, meaning, 0, 0};
     next.json = json_of_lines(*std::move(block), next.faults);
-    next.table =
-        std::make_shared<const JsonTable>(JsonTable{.has_names = has_names, .records = records_in(*next.json, 0)});
+    next.table = std::make_shared<const JsonTable>(
+        JsonTable{.has_names = has_names, .records = records_in(*next.json, 0), .number = number});
     next.last = next.table->size();
     number += next.last;
     return next;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
@@ -25,6 +26,14 @@ using Values = std::vector<std::uint32_t>;
 /// Whether a name may be an index of rows: a number, or a time in words.
 bool is_index(std::string_view name) { return parse_number(name) || find_notation(name); }
 
+/// The first value of an array that is not null; its first one if all are. Requires: it is not empty.
+std::size_t first_record(const Json& json, std::size_t array) {
+  for (const std::size_t value : json.inside(array)) {
+    if (!ends_curve(json, value)) return value;
+  }
+  return json.first(array);
+}
+
 /// Throws: Error (data) at another member with the name of one.
 void require_once(const Json& json, std::size_t object, std::size_t member) {
   for (const std::size_t other : json.inside(object)) {
@@ -41,14 +50,18 @@ class Layouts {
   /// The table that a value is. `is_wanted`: by a path, so that nothing has to tell it from other lists.
   std::optional<JsonTable> table_of(std::size_t value, bool is_wanted) {
     JsonTable table{.value = value};
+    const MemoryUse before = memory_;
     const bool is_one = json_.is(value, Kind::array)    ? take_list(table, is_wanted)
                         : json_.is(value, Kind::object) ? take_object(table, is_wanted)
                                                         : false;
-    if (!is_one || table.size() == 0) return std::nullopt;
+    if (!is_one || table.size() == 0) {
+      memory_ = before;
+      return std::nullopt;
+    }
     take_index(table);
     return table;
   }
-  /// Why an object is none: its columns differ in size.
+  /// Why an object is none: its columns differ in size, or have a row twice.
   const std::optional<Error>& fault() const { return fault_; }
 
   bool is_number(std::size_t value) const {
@@ -69,9 +82,9 @@ class Layouts {
       return is_number(is_array ? json_.first(value) : value);
     });
   }
-  /// Whether an array begins with an object, and the others are objects, or null, which ends a curve.
+  /// Whether an array has objects alone, or also null, which ends a curve.
   bool is_list_of_objects(std::size_t array) const {
-    return !json_.is_empty(array) && json_.is(json_.first(array), Kind::object) &&
+    return !json_.is_empty(array) && json_.is(first_record(json_, array), Kind::object) &&
            std::ranges::all_of(json_.inside(array), [&](std::size_t value) {
              return json_.is(value, Kind::object) || json_.is(value, Kind::null);
            });
@@ -107,9 +120,17 @@ class Layouts {
     return json_.is(row, Kind::array) && std::ranges::all_of(json_.inside(row), is_cell_or_vector);
   }
 
+  /// The records of a list from the first that is not null.
+  void take_records(JsonTable& table, std::size_t list) const {
+    Values records = records_in(json_, list);
+    const auto first = std::ranges::find_if(records, [&](std::size_t record) { return !ends_curve(json_, record); });
+    table.number = static_cast<std::uint64_t>(first - records.begin());
+    table.records.assign(first, records.end());
+  }
+
   bool take_list(JsonTable& table, bool is_wanted) const {
     const bool is_root = table.value <= 1;
-    table.records = records_in(json_, table.value);
+    take_records(table, table.value);
     if (table.records.empty()) return false;
     if (is_list_of_objects(table.value) || (is_wanted && json_.is(table.records[0], Kind::object))) {
       table.has_times = has_time(table.records[0]);
@@ -144,16 +165,14 @@ class Layouts {
     const bool are_objects = json_.has_only(table.value, Kind::object);
     const bool are_arrays = json_.has_only(table.value, Kind::array);
     if ((are_objects || are_arrays) && std::ranges::all_of(members, is_row_of_index)) {
-      table.records = table.index = members;
+      table.records = members;
+      for (const std::uint32_t member : members) table.index.push_back(member - 1);
       table.has_names = are_objects;
       return true;
     }
     const bool has_index = are_objects && !json_.is_empty(members[0]) && is_index(json_.name(json_.first(members[0])));
     const bool may_be_rows = has_index && members.size() == 1 && json_.is_nested(json_.first(members[0]));
-    if (has_index && !may_be_rows) {
-      take_columns_by_index(table, members);
-      return true;
-    }
+    if (has_index && !may_be_rows) return take_columns_by_index(table, members, is_wanted);
     if (are_objects && members.size() > 1 && has_time(members[0]) && has_number(members[0]) && are_alike(members)) {
       table.records = members;
       return true;
@@ -165,7 +184,7 @@ class Layouts {
   bool take_rows_beside_columns(JsonTable& table) const {
     const auto columns = member_of_texts(table.value, {"columns", "names", "header", "headers", "fields"});
     const auto index = json_.member(table.value, "index");
-    if (!columns) return false;
+    if (!columns || json_.is_empty(*columns)) return false;
     for (const std::string_view name : {"data", "values", "rows"}) {
       const auto rows = json_.member(table.value, name);
       if (!rows || !json_.has_only(*rows, Kind::array)) continue;
@@ -192,7 +211,7 @@ class Layouts {
     const auto schema = json_.member(table.value, "schema"), data = json_.member(table.value, "data");
     const bool are_records = schema && json_.is(*schema, Kind::object) && data && json_.is(*data, Kind::array);
     if (!are_records || !is_list_of_objects(*data)) return false;
-    table.records = json_.values(*data);
+    take_records(table, *data);
     for (const std::size_t record : table.records) {
       const auto index = json_.member(record, "index");
       if (!index) break;
@@ -217,23 +236,37 @@ class Layouts {
   }
 
   /// Members of each column by the index of their row. The rows come in the order in which they are found.
-  void take_columns_by_index(JsonTable& table, const Values& members) {
+  bool take_columns_by_index(JsonTable& table, const Values& members, bool is_wanted) {
     constexpr std::uint64_t bytes_of_row = 96;
     std::unordered_map<std::string_view, std::size_t> rows;
     for (const std::size_t column : members) {
       for (const std::uint32_t cell : json_.inside(column)) {
         if (!rows.emplace(json_.name(cell), rows.size()).second) continue;
         memory_.add(bytes_of_row);
-        table.index.push_back(cell);
+        table.index.push_back(cell - 1);
       }
     }
-    memory_.add(rows.size() * members.size() * sizeof(std::uint32_t));
     for (const std::size_t column : members) {
       if (json_.is_empty(column)) continue;
-      table.names.emplace_back(json_.name(column));
-      Values& cells = table.columns.emplace_back(rows.size());
-      for (const std::uint32_t cell : json_.inside(column)) cells[rows[json_.name(cell)]] = cell;
+      Values& cells = add_column(table, std::string(json_.name(column)), rows.size());
+      for (const std::uint32_t cell : json_.inside(column)) {
+        if (std::exchange(cells[rows[json_.name(cell)]], cell) == 0) continue;
+        fault_ = twice_in("object")
+                     .about(fmt::format("{}.{}", json_.name(column), json_.name(cell)))
+                     .at(json_.position(cell - 1));
+        if (is_wanted) throw Error(*fault_);
+        return false;
+      }
     }
+    return true;
+  }
+
+  /// A column without values, whose memory is counted before it is kept.
+  Values& add_column(JsonTable& table, std::string name, std::size_t rows) {
+    constexpr std::uint64_t bytes_of_column = 64;
+    memory_.add(name.size() + bytes_of_column + rows * sizeof(std::uint32_t));
+    table.names.push_back(std::move(name));
+    return table.columns.emplace_back(rows);
   }
 
   /// An array for each column, all of the size of the times, or of several numbers for each time; also in objects.
@@ -275,25 +308,24 @@ class Layouts {
 
   /// Adds an array as a column if it has as many values as there are rows, or as several columns if it has a multiple
   /// of `vectors`, the number of vectors.
-  bool take_array(JsonTable& table, std::string name, std::size_t array, std::size_t vectors, std::size_t rows) const {
-    const Values cells = json_.values(array);
-    if (vectors > 1 && cells.size() > vectors && cells.size() % vectors == 0 && json_.has_only(array, Kind::number)) {
-      add_flat_vectors(table, name, cells, vectors);
+  bool take_array(JsonTable& table, std::string name, std::size_t array, std::size_t vectors, std::size_t rows) {
+    const std::size_t count = json_.count(array);
+    const bool are_vectors = vectors > 1 && count > vectors && count % vectors == 0;
+    if (are_vectors && json_.has_only(array, Kind::number)) {
+      add_flat_vectors(table, name, json_.values(array), vectors);
       return true;
     }
-    if (cells.size() != rows) return false;
-    table.names.push_back(std::move(name));
-    table.columns.push_back(cells);
+    if (count != rows) return false;
+    add_column(table, std::move(name), rows) = json_.values(array);
     return true;
   }
 
   /// A column for each number of vectors that are written one after another.
-  static void add_flat_vectors(JsonTable& table, std::string_view name, const Values& cells, std::size_t rows) {
+  void add_flat_vectors(JsonTable& table, std::string_view name, const Values& cells, std::size_t rows) {
     const std::size_t size = cells.size() / rows;
     for (std::size_t number = 0; number < size; ++number) {
-      table.names.push_back(fmt::format("{}[{}]", name, number));
-      Values& column = table.columns.emplace_back();
-      for (std::size_t at = number; at < cells.size(); at += size) column.push_back(cells[at]);
+      Values& column = add_column(table, fmt::format("{}[{}]", name, number), rows);
+      for (std::size_t row = 0; row < rows; ++row) column[row] = cells[row * size + number];
     }
   }
 
@@ -308,22 +340,21 @@ class Layouts {
     }
     bool counts = true;
     for (std::size_t row = 0; row < table.index.size() && counts; ++row) {
-      const std::size_t at = table.index[row];
-      counts = (json_.is_member(at) ? json_.name(at) : json_.text(at)) == fmt::format("{}", row);
+      counts = json_.text(table.index[row]) == fmt::format("{}", row);
     }
     if (!is_time || counts) table.index.clear();
   }
 
   const Json& json_;
   std::optional<Error> fault_;
-  MemoryUse memory_;  ///< of the index of rows
+  MemoryUse memory_;  ///< of the index of rows, and of columns
 };
 
 /// Whether a list of objects is somewhere below a value, which are the keys then.
 bool holds_list(const Json& json, const Layouts& layouts, std::size_t value) {
   for (std::size_t at = value + 1; at < json.next(value); ++at) {
     if (!json.is(at, Kind::array) || json.is_empty(at) || json.next(json.first(at)) == json.next(at)) continue;
-    if (layouts.is_list_of_objects(at) && layouts.has_number(json.first(at))) return true;
+    if (layouts.is_list_of_objects(at) && layouts.has_number(first_record(json, at))) return true;
   }
   return false;
 }
@@ -361,28 +392,38 @@ class Step {
   std::size_t path_size_, depth_;
 };
 
-/// The rest of a path behind a step, if it begins with that.
-std::optional<std::string_view> behind_step(std::string_view path, std::string_view step) {
-  for (const std::string_view known : {step, std::string_view(step.starts_with('[') ? "[*]" : "*")}) {
-    if (!path.starts_with(known)) continue;
-    const std::string_view rest = path.substr(known.size());
+std::string in_quotes_and_brackets(std::string_view name) { return fmt::format("[\"{}\"]", name); }
+
+/// A name as a path has it, so that it is no other step.
+std::string step_of(std::string_view name) {
+  const bool is_plain = !name.empty() && name != "*" && name.find_first_of(".[") == name.npos;
+  return is_plain ? std::string(name) : in_quotes_and_brackets(name);
+}
+
+/// The rest of a path behind a step, if it begins with one of its forms.
+std::optional<std::string_view> behind_step(std::string_view path, std::initializer_list<std::string_view> forms) {
+  for (const std::string_view form : forms) {
+    if (form.empty() || !path.starts_with(form)) continue;
+    const std::string_view rest = path.substr(form.size());
     if (rest.empty() || rest[0] == '[') return rest;
-    if (rest[0] == '.') return rest.substr(1);
+    if (rest[0] == '.' && rest.size() > 1) return rest.substr(1);
   }
   return std::nullopt;
 }
 
-/// Finds the values at the end of a path, to one of which the way is.
+/// Finds the values at the end of a path, to one of which the way is. `in_any_form`: names need no quotes.
 template <class F>
-void follow(const Json& json, std::size_t value, Way& way, std::string_view left, const F& found) {
+void follow(const Json& json, std::size_t value, Way& way, std::string_view left, bool in_any_form, const F& found) {
   if (left.empty()) return found(value);
   std::size_t number = 0;
   for (const std::size_t inner : json.inside(value)) {
-    const bool is_member = json.is_member(inner);
-    const auto rest = behind_step(left, is_member ? std::string(json.name(inner)) : fmt::format("[{}]", number));
+    const std::string_view name = json.name(inner);
+    const auto rest = !json.is_member(inner) ? behind_step(left, {fmt::format("[{}]", number), "[*]"})
+                      : in_any_form          ? behind_step(left, {in_quotes_and_brackets(name), name, "*"})
+                                             : behind_step(left, {step_of(name), "*"});
     if (rest) {
       const Step step(way, json, value, inner, number);
-      follow(json, inner, way, *rest, found);
+      follow(json, inner, way, *rest, in_any_form, found);
     }
     ++number;
   }
@@ -413,6 +454,7 @@ class TableSearch {
     }
     if (!is_sure) refuse_other_files(root);
     if (tables_.empty() && layouts_.fault()) throw Error(*layouts_.fault());
+    require_each_once();
     if (tables_.size() > 1) refuse_several();
     return std::move(tables_);
   }
@@ -426,7 +468,7 @@ class TableSearch {
   }
 
   bool take_path(std::size_t root) {
-    follow(json_, root, way_, options_.records, [&](std::size_t value) {
+    const auto found = [&](std::size_t value) {
       auto table = layouts_.table_of(value, true);
       if (table) return add(*std::move(table));
       throw data_error(
@@ -434,14 +476,17 @@ class TableSearch {
           "another path",
           way_.path)
           .at(json_.position(value));
-    });
+    };
+    follow(json_, root, way_, options_.records, false, found);
+    if (tables_.empty()) follow(json_, root, way_, options_.records, true, found);
+    require_each_once();
     return !tables_.empty();
   }
 
   /// A list is the keys where its first record has a column that is requested.
   bool take_requested_list(std::size_t root) {
     if (!json_.is(root, Kind::array) || json_.is_empty(root)) return false;
-    const std::size_t first = json_.first(root);
+    const std::size_t first = first_record(json_, root);
     const auto is_there = [&](std::string_view column) {
       return json_.member(first, column) || json_.member(first, column.substr(0, column.find_first_of(".[")));
     };
@@ -457,6 +502,8 @@ class TableSearch {
   bool take_own_curves(std::size_t root) {
     const auto curves = json_.member(root, "curves");
     if (!curves || !json_.is(*curves, Kind::array)) return take_own_keys(root);
+    const auto has_list = [&](std::size_t curve) { return json_.member(curve, "keys") || json_.member(curve, "rows"); };
+    if (std::ranges::none_of(json_.inside(*curves), has_list)) return false;
     require_once(json_, root, *curves);
     const Step to_curves(way_, json_, root, *curves, 0);
     std::size_t number = 0;
@@ -465,9 +512,8 @@ class TableSearch {
       if (!json_.is(curve, Kind::object)) {
         throw data_error("no curve here; expected an object with \"keys\"; correct the text").at(json_.position(curve));
       }
-      const bool has_list = json_.member(curve, "keys") || json_.member(curve, "rows");
       if (take_own_keys(curve)) continue;
-      if (number == 1 && !has_list) return false;
+      if (number == 1 && !has_list(curve)) return false;
       add({.value = curve, .is_own = true});
     }
     return !tables_.empty();
@@ -481,7 +527,7 @@ class TableSearch {
         if (!way_.path.empty()) return false;
         throw data_error("found no keys; expected at least two; add them").at(json_.position(object));
       }
-      if (!json_.is(json_.first(*keys), Kind::object)) continue;
+      if (!json_.is(first_record(json_, *keys), Kind::object)) continue;
       auto table = layouts_.table_of(*keys, true);
       if (!table) continue;
       const Step step(way_, json_, object, *keys, 0);
@@ -595,17 +641,59 @@ class TableSearch {
       if (json_.is_name(at)) names.insert(json_.text(at));
     }
     const bool is_list = json_.is(root, Kind::array) && !json_.is_empty(root);
-    const auto type = json_.member(is_list ? json_.first(root) : root, "type");
+    const auto type = json_.member(is_list ? first_record(json_, root) : root, "type");
     const std::string records =
-        tables_.empty() || tables_[0].path.empty() ? "" : fmt::format("--records {} ", in_shell(tables_[0].path));
+        tables_.empty() || tables_[0].path.empty() ? "" : fmt::format("--records {} ", in_shell(path_of(tables_[0])));
     const auto error = other_json(names, type ? json_.text(*type) : "", records);
     if (error) throw error->at({"", 1, 1});
   }
 
   std::string listed_paths() const {
     std::vector<std::string> paths;
-    for (const JsonTable& table : tables_) paths.push_back(table.path.empty() ? "the whole text" : table.path);
+    for (const JsonTable& table : tables_) {
+      const std::string path = path_of(table);
+      paths.push_back(path.empty() ? "the whole text" : path);
+    }
     return listed(paths);
+  }
+
+  /// The steps of the path of a table, each of which leads to one value, unless an object has a member twice.
+  std::vector<std::string> steps_of(const JsonTable& table) const {
+    std::vector<std::string> steps;
+    const auto add_elements = [&](std::string_view elements) {
+      for (const std::string_view element : split(elements, ']')) {
+        if (!element.empty()) steps.push_back(fmt::format("{}]", element));
+      }
+    };
+    std::size_t at = 0;
+    for (const JsonTable::Outer& outer : table.around) {
+      add_elements(std::string_view(table.path).substr(at, outer.path_size - at));
+      const std::string_view name = json_.name(outer.member);
+      steps.push_back(step_of(name));
+      at = outer.path_size + (outer.path_size > 0 ? 1 : 0) + name.size();
+    }
+    add_elements(std::string_view(table.path).substr(at));
+    return steps;
+  }
+  static std::string joined(const std::vector<std::string>& steps) {
+    std::string path;
+    for (const std::string& step : steps) path += (path.empty() || step[0] == '[' ? "" : ".") + step;
+    return path;
+  }
+  /// The path of a table as --records takes it.
+  std::string path_of(const JsonTable& table) const { return joined(steps_of(table)); }
+
+  /// Throws: Error (data) for tables of one path, as an object has a member twice.
+  void require_each_once() const {
+    std::unordered_map<std::string, const JsonTable*> tables;
+    for (const JsonTable& table : tables_) {
+      const auto [other, is_new] = tables.try_emplace(path_of(table), &table);
+      if (is_new) continue;
+      std::size_t step = 0;
+      while (table.around[step].member == other->second->around[step].member) ++step;
+      const std::size_t second = table.around[step].member;
+      throw twice_in("object").about(json_.name(second)).at(json_.position(second - 1));
+    }
   }
 
   /// The path of the first table with * for the one step in which those of the others differ; empty where they differ
@@ -614,18 +702,18 @@ class TableSearch {
     Values firsts;
     for (const JsonTable& table : tables_) {
       if (!json_.is(table.value, Kind::array)) return "";
-      firsts.push_back(static_cast<std::uint32_t>(json_.first(table.value)));
+      firsts.push_back(static_cast<std::uint32_t>(first_record(json_, table.value)));
     }
     if (!layouts_.are_alike(firsts)) return "";
-    const std::string& path = tables_[0].path;
-    for (std::size_t begin = 0; begin < path.size();) {
-      const std::size_t end = std::min(path.find_first_of(".[", begin + 1), path.size());
-      const std::string all = path.substr(0, begin) + (path[begin] == '[' ? "[*]" : "*") + path.substr(end);
+    std::vector<std::string> steps = steps_of(tables_[0]);
+    for (std::string& step : steps) {
+      const bool is_name = step[0] != '[' || step.starts_with("[\"");
+      const std::string one = std::exchange(step, is_name ? "*" : "[*]"), all = joined(steps);
       std::vector<std::size_t> found;
       Way current;
-      follow(json_, 1, current, all, [&](std::size_t value) { found.push_back(value); });
+      follow(json_, 1, current, all, false, [&](std::size_t value) { found.push_back(value); });
       if (std::ranges::equal(found, tables_, {}, {}, &JsonTable::value)) return all;
-      begin = end < path.size() && path[end] == '.' ? end + 1 : end;
+      step = one;
     }
     return "";
   }
@@ -635,7 +723,7 @@ class TableSearch {
     throw data_error(
         "{} lists may be the keys: {}; expected one; give --records {}, another one of these, or {} a curve of each "
         "list",
-        tables_.size(), listed_paths(), in_shell(tables_[0].path),
+        tables_.size(), listed_paths(), in_shell(path_of(tables_[0])),
         all.empty() ? "a path with * for any name or number, which makes"
                     : fmt::format("--records {}, which makes", in_shell(all)))
         .at({"", 1, 1});
@@ -655,6 +743,10 @@ std::vector<JsonTable> find_tables(const Json& json, const InputOptions& options
   return TableSearch(json, options).find();
 }
 
+bool ends_curve(const Json& json, std::size_t record) {
+  return json.is(record, Kind::null) && json.text(record) == "null";
+}
+
 std::vector<std::uint32_t> records_in(const Json& json, std::size_t array) {
   std::vector<std::uint32_t> records = json.values(array);
   std::erase_if(records, [&](std::size_t record) {  // the provenance of an output
@@ -667,6 +759,10 @@ std::vector<std::uint32_t> records_in(const Json& json, std::size_t array) {
 JsonTable table_of_values(const Json& json, std::uint64_t max_memory) {
   auto table = Layouts(json, max_memory).table_of(0, true);
   if (table) return *std::move(table);
+  if (records_in(json, 0).empty()) {
+    throw data_error("found no keys; expected an object, or an array of numbers, for each key; add them")
+        .at(json.position(1));
+  }
   throw data_error(
       "found {} in the place of a key; expected an object, or an array of numbers, for each key; give a list of these",
       json.shown(1))

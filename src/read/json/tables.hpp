@@ -31,8 +31,9 @@ struct JsonTable {
   bool has_names = true;                    ///< the text names its columns
   std::vector<std::string> names = {};      ///< of the cells of records that are arrays, or of columns
   std::vector<std::uint32_t> records = {};  ///< objects, arrays, or null, which ends a curve
+  std::uint64_t number = 0;                 ///< of the first record in its list
   std::vector<std::vector<std::uint32_t>> columns = {};  ///< in place of records; 0 for a missing value
-  std::vector<std::uint32_t> index = {};                 ///< of rows, which are the times; empty: none are
+  std::vector<std::uint32_t> index = {};                 ///< names or values of rows, the times; empty: none are
   std::vector<std::string> others = {};                  ///< names of arrays of other sizes, which are not read
 
   std::size_t size() const { return columns.empty() ? records.size() : columns[0].size(); }
@@ -52,6 +53,9 @@ struct JsonTable {
 /// likely to be keys. Requires: the text has a value. Throws: Error (usage) where there is no such value, and Error
 /// (data) where several tables may be the keys.
 std::vector<JsonTable> find_tables(const Json& json, const InputOptions& options);
+
+/// Whether a record ends a curve. Others without a value, such as NaN, are faults.
+bool ends_curve(const Json& json, std::size_t record);
 
 /// The values in an array without the provenance that the program writes among them.
 std::vector<std::uint32_t> records_in(const Json& json, std::size_t array);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <iterator>
@@ -99,24 +100,26 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception& error) override {
-    const std::string_view last = text_.substr(token());
+    const std::size_t begin = std::min(token(), std::max(now_ + 1, static_cast<std::size_t>(at_ - begin_)) - 1);
+    const std::string_view last = text_.substr(begin), told = error.what();
     const auto begins_with_last = [&](std::string_view word) { return word.starts_with(last); };
     const bool is_begun = !last.empty() && (last[0] == '"' || std::ranges::any_of(json_words, begins_with_last) ||
                                             last.find_first_not_of(number_characters) == last.npos);
-    if (last.empty() || (at_ == end_ && is_begun)) {
+    const bool is_end = told.find("unexpected end of input") != told.npos;
+    if (last.empty() || is_end || (at_ == end_ && is_begun)) {
       throw data_error("not JSON: the text ends too early; expected the rest of the last value; complete it")
           .at(json_.position_at(text_.size()));
     }
     constexpr int id_of_overflow = 406;  // the number of out_of_range where a number has no double
     if (error.id == id_of_overflow)
-      throw too_large(last.substr(0, last.find_first_not_of(number_characters))).at(json_.position_at(token()));
-    std::string_view what = error.what();
+      throw too_large(last.substr(0, last.find_first_not_of(number_characters))).at(json_.position_at(begin));
+    std::string_view what = told;
     constexpr std::string_view syntax = "syntax error ", number = "] ";
     for (const std::string_view before : {number, syntax}) {
       if (const std::size_t at = what.find(before); at != what.npos) what.remove_prefix(at + before.size());
     }
     throw data_error("not JSON: {}; correct the text", what.substr(0, what.find("; last read")))
-        .at(json_.position_at(token()));
+        .at(json_.position_at(begin));
   }
 
  private:
@@ -367,8 +370,8 @@ void JsonBlocks::refuse_size() {
 std::optional<JsonBlock> JsonBlocks::next() {
   constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
   const bool is_first = std::exchange(is_first_, false);
-  is_first ? fill(lines_of_first, lines_of_first) : fill(1, no_limit);
-  return left_.lines == 0 || (is_first && left_.lines < lines_of_first) ? rest() : cut();
+  is_first ? fill(most_first_records, most_first_records) : fill(1, no_limit);
+  return left_.lines == 0 || (is_first && left_.lines < most_first_records) ? rest() : cut();
 }
 
 std::optional<JsonBlock> JsonBlocks::whole() {

@@ -3,7 +3,6 @@
 // Source: RFC 8259. Differs: NaN is null, as Python writes it; several values may follow one another.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -21,6 +20,9 @@
 namespace tcb {
 
 class JsonRange;
+
+/// The records, or the lines, by which columns are found.
+inline constexpr std::size_t most_first_records = 100;
 
 /// The values of a text as a list of nodes: an array or an object is followed by what it holds, and the value of a
 /// member by its name. A value is the index of its node.
@@ -154,13 +156,10 @@ struct JsonBlock {
 /// at all.
 class JsonBlocks {
  public:
-  /// The lines of the first block, by which columns are found.
-  static constexpr std::size_t lines_of_first = 100;
-
   /// `max_memory`: of a block with its nodes, in bytes.
   JsonBlocks(Source<std::string> bytes, std::uint64_t max_memory) : bytes_(std::move(bytes)), most_(max_memory) {}
 
-  /// The next block: of so many lines, or the rest if there are fewer; later, of all lines that were read. Nothing at
+  /// The next block: of the first lines, or the rest if there are fewer; later, of all lines that were read. Nothing at
   /// the end. Throws: Error (data) for a block that needs more memory than is allowed.
   std::optional<JsonBlock> next();
   /// The whole input as one block. Requires: nothing was taken.

@@ -1,7 +1,7 @@
 // Tables in JSON: the lists of records in a text, and the cells of each layout.
 #include "read/json/tables.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "read/json/cells.hpp"
 #include "read/reading.hpp"
@@ -56,6 +56,16 @@ TEST(JsonTables, an_index_that_is_no_count_is_the_time) {
   EXPECT_EQ(table_of(R"({"0.5":[1,2],"1.5":[3,4]})"), R"(by index: time="0.5" x=1 y=2 ; time="1.5" x=3 y=4 ; )");
   EXPECT_EQ(table_of(R"({"columns":["x"],"index":[0,1],"data":[[1],[2]]})"), "x=1 ; x=2 ; ");
   EXPECT_EQ(table_of(R"({"columns":["t"],"index":[5],"data":[[1]]})"), "t=1 ; ");
+  EXPECT_EQ(table_of(R"({"schema":{},"data":[{"index":0.0,"x":1},{"index":0.5,"x":2}]})"),
+            "by index: time=0.0 x=1 ; time=0.5 x=2 ; ");
+}
+
+TEST(JsonTables, null_before_the_first_record_is_no_record) {
+  EXPECT_EQ(table_of(R"([null,{"t":0,"x":1},{"t":1,"x":2}])"), "t=0 x=1 ; t=1 x=2 ; ");
+  EXPECT_EQ(table_of("[null,null,[0,1],[1,2]]"), "t=0 x=1 ; t=1 x=2 ; ");
+  EXPECT_EQ(paths(R"({"keys":[null,{"t":0,"x":1}]})"), "keys ");
+  EXPECT_EQ(paths(R"({"a":{"points":[null,{"t":0,"x":1},{"t":1,"x":2}]}})"), "a.points ");
+  EXPECT_EQ(table_of("[null]"), "none");
 }
 
 TEST(JsonTables, cells_that_a_row_does_not_have_take_no_place) {
@@ -74,7 +84,8 @@ TEST(JsonTables, rows_columns_and_indices_that_differ_in_length_are_refused) {
   for (const char* text :
        {R"({"t":[0,1],"x":[1]})", "[[0,1],[2]]",
         R"({"columns":["x","y"],"index":[5],"data":[[0,1],[1,2],[2,3],[3,4]]})",
-        R"({"columns":["t"],"columns":["x"],"data":[[0]]})", R"({"columns":["t"],"index":{},"data":[[0]]})"}) {
+        R"({"x":{"0":1,"0.5":2,"0.5":7,"1":3}})", R"({"columns":["t"],"columns":["x"],"data":[[0]]})",
+        R"({"columns":["t"],"index":{},"data":[[0]]})"}) {
     EXPECT_THROW(table_of(text), Error) << text;
   }
 }
@@ -89,6 +100,7 @@ TEST(JsonTables, lists_are_found_with_their_paths) {
   EXPECT_EQ(paths(R"({"hourly":{"time":["2024-01-01T00:00","2024-01-01T01:00"],"x":[1,2]},"v":1})"), "hourly ");
   EXPECT_EQ(paths(R"({"marks":[{"x":1},{"x":2}],"keys2":[{"t":0,"x":1},{"t":1,"x":1}]})"), "keys2 ")
       << "the only one with times";
+  EXPECT_EQ(paths(R"({"curves":[3],"points":[{"t":0,"x":1},{"t":1,"x":2}]})"), "points ");
 }
 
 TEST(JsonTables, several_lists_are_an_error_that_names_them) {
@@ -108,6 +120,33 @@ TEST(JsonTables, several_lists_are_an_error_that_names_them) {
       paths(R"({"a":{"b":5}})", "a.b"),
       "f:1:11: error: a.b: this is not a list of records; expected an array of objects or of rows, or an object of "
       "columns; give another path");
+}
+
+TEST(JsonTables, each_path_that_an_error_names_leads_to_one_list) {
+  const std::string list = "[[0,1],[1,2]]";
+  const auto choice = [](std::string_view listed, std::string_view command, std::string_view all) {
+    return fmt::format(
+        "f:1:1: error: 2 lists may be the keys: {}; expected one; give --records {}, another one of "
+        "these, or {}, which makes a curve of each list",
+        listed, command, all);
+  };
+  const std::string stars = R"({"*":)" + list + R"(,"":)" + list + "}";
+  EXPECT_EQ(paths(stars), choice(R"(["*"], [""])", R"('["*"]')", "--records '*'"));
+  EXPECT_EQ(paths(stars, R"(["*"])"), "* ");
+  EXPECT_EQ(paths(stars, R"([""])"), " ");
+  EXPECT_EQ(paths(stars, "*"), "*  ");
+  const std::string points = R"({"a.b":{"k":[)" + list + R"(]},"a":{"b":{"k":[)" + list + "]}}}";
+  EXPECT_THAT(paths(points),
+              testing::HasSubstr(R"(keys: ["a.b"].k[0], a.b.k[0]; expected one; give --records '["a.b"].k[0]', )"));
+  EXPECT_EQ(paths(points, R"(["a.b"].k[0])"), "a.b.k[0] ");
+  EXPECT_EQ(paths(points, "a.b.k[0]"), "a.b.k[0] ");
+  const std::string runs = R"({"a.x":{"k":)" + list + R"(},"a.y":{"k":)" + list + "}}";
+  EXPECT_EQ(paths(runs), choice(R"(["a.x"].k, ["a.y"].k)", R"('["a.x"].k')", "--records '*.k'"));
+  const std::string empty = R"({"":{"":)" + list + R"(},"b":)" + list + "}";
+  EXPECT_THAT(paths(empty), testing::HasSubstr(R"(keys: [""][""], b; expected one; give --records '[""][""]', )"));
+  EXPECT_EQ(paths(empty, R"([""][""])"), " ");
+  EXPECT_THAT(paths(R"({"a":{"k":)" + list + R"(},"a":{"k":)" + list + "}}"),
+              testing::StartsWith("f:1:26: error: a: the object has this member twice"));
 }
 
 TEST(JsonTables, files_of_other_products_are_named) {

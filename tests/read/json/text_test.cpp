@@ -61,6 +61,20 @@ TEST(JsonText, faults_have_their_places) {
   EXPECT_THAT(refusal_of(std::string(101, '[')), StartsWith("f:1:101: error: this is nested deeper"));
 }
 
+TEST(JsonText, faults_are_at_the_comma_or_colon_that_is_too_many) {
+  EXPECT_THAT(refusal_of("[1,,2]"), StartsWith("f:1:4: error: not JSON: while parsing value - unexpected ','"));
+  EXPECT_THAT(refusal_of("[1,\n, ,2]"), StartsWith("f:2:1: error: not JSON: while parsing value - unexpected ','"));
+  EXPECT_THAT(refusal_of("[ ,1]"), StartsWith("f:1:3: error: not JSON: while parsing value - unexpected ','"));
+  EXPECT_THAT(refusal_of("[NaN,,1]"), StartsWith("f:1:6: error: not JSON: while parsing value - unexpected ','"));
+  EXPECT_THAT(refusal_of("{\"a\"::2}"), StartsWith("f:1:6: error: not JSON: while parsing value - unexpected ':'"));
+  EXPECT_THAT(refusal_of("{\"a\":,1}"), StartsWith("f:1:6: error: not JSON: while parsing value - unexpected ','"));
+  EXPECT_THAT(refusal_of("[1:2]"), StartsWith("f:1:3: error: not JSON: while parsing array - unexpected ':'"));
+  EXPECT_THAT(refusal_of("{\"a\":1,,"), StartsWith("f:1:8: error: not JSON: while parsing object key - "));
+  EXPECT_THAT(refusal_of("[1],\n[2]"), StartsWith("f:1:4: error: not JSON: while parsing value - unexpected ','"));
+  EXPECT_THAT(refusal_of("[1 , "), StartsWith("f:1:6: error: not JSON: the text ends too early"));
+  EXPECT_THAT(refusal_of("[tru"), StartsWith("f:1:5: error: not JSON: the text ends too early"));
+}
+
 /// The blocks of a text, divided by bars.
 std::string blocks_of(const std::string& text, std::size_t piece, std::uint64_t max_memory = default_max_memory) {
   JsonBlocks blocks(pieces(text, piece), max_memory);
