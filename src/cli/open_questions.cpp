@@ -56,14 +56,14 @@ std::vector<std::string> options_in(std::string_view message) {
   return words;
 }
 
-/// The error of a command that is explained; nothing if there is none, or it cannot be explained.
+/// The error of a command that is explained; nothing if there is none. A command that cannot be explained is an error.
 std::optional<Error> error_with(std::vector<std::string> words) {
   words.emplace_back("--explain");
   try {
     const Job job = parse(words);
     const auto* const explained = std::get_if<ExplainJob>(&job);
     const bool has_files = explained != nullptr && !explained->files.files.empty();
-    if (!has_files || std::ranges::count(explained->files.files, "-") > 0) return std::nullopt;
+    if (!has_files || std::ranges::count(explained->files.files, "-") > 0) return usage_error("there is no file");
     require_explained(*explained);
   } catch (const Error& error) {
     return error;
@@ -76,20 +76,22 @@ std::optional<Error> error_with(std::vector<std::string> words) {
 OpenQuestions open_questions(const std::vector<std::string>& words, Error error) {
   constexpr int most = 4;
   std::vector<std::string> settled, all = words;
+  std::vector<Error> others;
   std::optional<Error> next = error;
-  int found = 0;
-  for (; next && next->exit() == Exit::data && found < most; ++found) {
-    if (found > 0) error.add(*next);
+  while (next) {
+    if (next->exit() != Exit::data || others.size() == most) return {std::move(error), ""};
     std::vector<std::string> options = options_in(next->message());
-    next.reset();
     if (options.empty() || std::ranges::count(all, options[0]) > 0) return {std::move(error), ""};
     for (std::string& option : options) {
       settled.push_back(in_shell(option));
       all.push_back(std::move(option));
     }
     next = error_with(all);
+    if (next) others.push_back(*next);
   }
-  return {std::move(error), found > 1 && !next ? fmt::format("{}", fmt::join(settled, " ")) : ""};
+  if (others.empty()) return {std::move(error), ""};
+  for (Error& other : others) error.add(std::move(other));
+  return {std::move(error), fmt::format("{}", fmt::join(settled, " "))};
 }
 
 }  // namespace tcb

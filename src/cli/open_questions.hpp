@@ -12,11 +12,11 @@ namespace tcb {
 /// An error, with those that follow it as others.
 struct OpenQuestions {
   Error error;
-  std::string settled_by;  ///< the options that settle all; empty where there is a single error, or no option for one
+  std::string settled_by;  ///< the options that settle all; empty where the error is alone
 };
 
-/// The questions that an error of a command leaves open. Each is found by explaining the files with the options that
-/// the remedies so far name, which reads them once more; standard input is not read again.
+/// The questions that an error of a command leaves open, if options settle all of them. Each is found by explaining the
+/// files with the options that the remedies so far name, which reads them once more; standard input is not read again.
 OpenQuestions open_questions(const std::vector<std::string>& words, Error error);
 
 }  // namespace tcb

@@ -85,7 +85,9 @@ void require_no_json(const Format& format, std::string_view path, std::string_vi
     return std::min(beginning.find_first_not_of(" \t\r\n", at), beginning.size());
   };
   const std::size_t first = next(0), second = next(first + 1);
-  if (!format.input->takes_delimiters || second == beginning.size() || !without_compression(path).ends_with(format.ending)) return;
+  if (!format.input->takes_delimiters || second == beginning.size() ||
+      !without_compression(path).ends_with(format.ending))
+    return;
   const std::string_view inside = beginning[first] == '{' ? "\"}" : beginning[first] == '[' ? "[{\"" : "";
   if (inside.find(beginning[second]) == std::string_view::npos) return;
   throw at_first_byte(

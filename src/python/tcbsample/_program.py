@@ -49,7 +49,7 @@ class Error(ValueError):
     ...     print(error.file, error.row)
     ...     print(error.remedy)
     keys 2
-    remove one of the keys, or give duplicates="first", "last" or "break"
+    remove one of the keys, or give group="NAME" if a column tells curves apart, or duplicates="first", "last" or "break"
     """
 
     def __init__(self, message: str, exit_code: int = 2, file: Optional[str] = None, line: Optional[int] = None,

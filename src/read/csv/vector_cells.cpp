@@ -171,9 +171,9 @@ std::string with_cells_of_numbers(std::string text, char delimiter, const std::v
   return text;
 }
 
-/// The parts of a name such as "lat,lon" and "x y z"; none if there are not as many as numbers.
+/// The parts of a name such as "lat,lon"; none if there are not as many as numbers.
 std::vector<std::string> names_in(std::string_view name, std::size_t numbers) {
-  for (const char mark : std::string_view(",;/ ")) {
+  for (const char mark : std::string_view(",;/")) {
     std::vector<std::string> parts;
     for (const std::string_view part : split(name, mark)) {
       if (!trimmed(part).empty()) parts.emplace_back(trimmed(part));

@@ -1,5 +1,5 @@
-// Cells of delimited text that hold the numbers of a vector, such as "(0.0, 1.5)", (X=1,Y=2), POINT (1 2) and "1.5 2.5":
-// each number becomes a cell.
+// Cells of delimited text that hold the numbers of a vector, such as "(0.0, 1.5)", (X=1,Y=2), POINT (1 2) and
+// "1.5 2.5": each number becomes a cell.
 #pragma once
 
 #include <cstddef>
