@@ -336,13 +336,11 @@ template std::unique_ptr<const spline::CurveKeys<Bounded>> curve_at(const ExactC
 template std::unique_ptr<const spline::CurveKeys<spline::DoubleDouble>> curve_at(const ExactCurve& exact);
 template std::unique_ptr<const spline::CurveKeys<ShortFloat>> curve_at(const ExactCurve& exact);
 template std::unique_ptr<const spline::CurveKeys<LongFloat>> curve_at(const ExactCurve& exact);
-template std::unique_ptr<const spline::CurveKeys<WidestFloat>> curve_at(const ExactCurve& exact);
 
 template class spline::CurveKeys<Rational>;
 template class spline::CurveKeys<Bounded>;
 template class spline::CurveKeys<spline::DoubleDouble>;
 template class spline::CurveKeys<ShortFloat>;
 template class spline::CurveKeys<LongFloat>;
-template class spline::CurveKeys<WidestFloat>;
 
 }  // namespace tcb

@@ -21,8 +21,6 @@ using Float = boost::multiprecision::number<
 
 using ShortFloat = Float<192>;
 using LongFloat = Float<448>;
-/// For limits, which have to know of directions that are equal.
-using WidestFloat = Float<2400>;
 
 /// The exact value of a float. Requires: finite.
 template <unsigned bits>
@@ -48,13 +46,8 @@ template <>
 inline LongFloat scalar_of<LongFloat>(const Rational& value) {
   return float_of<448>(value);
 }
-template <>
-inline WidestFloat scalar_of<WidestFloat>(const Rational& value) {
-  return float_of<2400>(value);
-}
 
 extern template class spline::CurveKeys<ShortFloat>;
 extern template class spline::CurveKeys<LongFloat>;
-extern template class spline::CurveKeys<WidestFloat>;
 
 }  // namespace tcb

@@ -234,9 +234,7 @@ std::optional<Rational> simple_fraction(const Known& known) {
   static const Rational chance = Rational(0x1p-40);
   const Rational size = abs(known.value);
   if (size <= known.error) return 0;
-  int exponent = 0;
-  (void)std::frexp(nearest_double(size), &exponent);
-  const Rational unit = power_of_two(exponent), value = size / unit, error = known.error / unit;
+  const Rational unit = power_of_two(binary_exponent(size)), value = size / unit, error = known.error / unit;
   const Rational simple = simplest_between(value - error, value + error), divisor = denominator(simple);
   if (2 * error * divisor * divisor > chance) return std::nullopt;
   return known.value < 0 ? Rational(-simple * unit) : Rational(simple * unit);
@@ -245,6 +243,18 @@ std::optional<Rational> simple_fraction(const Known& known) {
 Rational power_of_two(int exponent) {
   const Rational power = rational(Integer(1) << std::abs(exponent));
   return exponent < 0 ? 1 / power : power;
+}
+
+int binary_exponent(const Rational& value) {
+  const Fraction size(abs(value));
+  const int exponent = static_cast<int>(msb(size.above)) - static_cast<int>(msb(size.below));
+  const Integer above = size.above << std::max(-exponent, 0), below = size.below << std::max(exponent, 0);
+  return above < below ? exponent : exponent + 1;
+}
+
+unsigned bits_of(const Rational& value) {
+  const Fraction size(abs(value));
+  return static_cast<unsigned>((size.above == 0 ? 0 : msb(size.above)) + msb(size.below) + 1);
 }
 
 template <>

@@ -96,6 +96,12 @@ std::optional<Rational> simple_fraction(const Known& known);
 
 Rational power_of_two(int exponent);
 
+/// The exponent e with 2^(e - 1) <= |value| < 2^e. Requires: value is not 0.
+int binary_exponent(const Rational& value);
+
+/// The bits of the numerator and the denominator of a number.
+unsigned bits_of(const Rational& value);
+
 /// The number with the least denominator in [low, high]. Requires: 0 < low <= high.
 Rational simplest_between(const Rational& low, const Rational& high);
 

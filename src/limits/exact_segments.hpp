@@ -1,4 +1,5 @@
-// Exact segments: the segments of a curve as exact numbers, with the angles of rotations as further channels.
+// Exact segments: the segments of a curve as bounded and as exact numbers, with the angles of rotations as further
+// channels.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +13,6 @@
 #include "exact/exact_curve.hpp"
 #include "exact/exact_keys.hpp"
 #include "exact/float_scalar.hpp"
-#include "limits/ball.hpp"
 #include "numbers/rational.hpp"
 #include "tcb/spline/curve_keys.hpp"
 #include "tcb/spline/rotation.hpp"
@@ -20,23 +20,31 @@
 
 namespace tcb::limits {
 
-/// A segment at a scalar as one at another.
+/// Segments at a scalar as ones at another. The numbers of a segment are converted with their unit, the largest of
+/// them.
 template <class To, class From, class Convert>
-spline::Segments<To> converted(const spline::Segments<From>& from, const Convert& exact) {
-  spline::Segments<To> to{from.channels, {exact(from.times[0]), exact(from.times[1])}, {}, {}};
-  const To two(2), three(3);
-  for (const auto& x : from.cubics) {
-    const To out = exact(x.out), in = exact(x.in), c = exact(x.c);
-    const To d = (in - out - two * c) / three;  // so that a rest at the end is one
-    to.cubics.push_back({exact(x.p0), out, c, To(0), exact(x.p1), in, exact(x.e), To(0), d});
+spline::Segments<To> converted(const spline::Segments<From>& from, const Convert& convert) {
+  spline::Segments<To> to{from.channels, {}, {}, {}};
+  const From zero(0), one(1);
+  for (const From& time : from.times) to.times.push_back(convert(time, time));
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    From unit = zero;
+    for (const spline::Cubic<From>& x : from[i]) {
+      for (const From& part : {x.p0, x.p1, x.out, x.in, x.c}) unit = std::max(unit, part < zero ? -part : part);
+    }
+    for (const spline::Cubic<From>& x : from[i]) {
+      const auto number = [&](const From& part) { return convert(part, unit); };
+      to.cubics.push_back({number(x.p0), number(x.out), number(x.c), To(0), number(x.p1), number(x.in), number(x.e),
+                           To(0), number(x.d)});
+    }
   }
   for (const auto& warp : from.warps) {
     if (warp.is_cubic()) {
-      to.warps.push_back(spline::Warp<To>::cubic(exact(warp.first_derivative(From(0), {})),
-                                                 exact(warp.first_derivative(From(1), {}))));
+      to.warps.push_back(spline::Warp<To>::cubic(convert(warp.first_derivative(zero, {}), one),
+                                                 convert(warp.first_derivative(one, {}), one)));
     } else if (warp.has_ease()) {
-      const To first = exact(warp.end_of_first_part()), last = exact(warp.start_of_last_part());
-      const To k = To(1) + (first - last) / two;
+      const To first = convert(warp.end_of_first_part(), one), last = convert(warp.start_of_last_part(), one);
+      const To k = To(1) + (first - last) / To(2);
       to.warps.emplace_back(first / k, (To(1) - last) / k);
     } else {
       to.warps.emplace_back();
@@ -64,7 +72,7 @@ void add_angles(spline::Segments<S>& segments) {
   }
 }
 
-/// The segments of a curve, one by one. Where these are irrational, they have 2400 bits, those of rotations 448.
+/// The segments of a curve with bounded errors, and exactly.
 class ExactSegments {
  public:
   /// `turns`: also the numbers of its rotations, and their angles as further channels.
@@ -80,40 +88,38 @@ class ExactSegments {
     if (plain.is_rational()) {
       rational_ = curve_at<Rational>(plain);
     } else {
-      irrational_ = curve_at<WidestFloat>(plain);
+      irrational_ = curve_at<LongFloat>(plain);
     }
     if (turns) turning_ = curve_at<LongFloat>(exact);
-    of_balls_ = turns ? exact : std::move(plain);
+    if (is_rational()) {
+      bounded_ = curve_at<Bounded>(plain);
+    } else {
+      double_doubles_ = curve_at<spline::DoubleDouble>(turns ? exact : plain);
+    }
   }
 
-  /// Those of irrational curves have estimated errors. Throws: Undecided where balls do not decide it.
-  spline::Segments<Ball> in_balls(std::size_t number) {
-    if (resting_) throw Undecided();
-    if (rational_ && !turning_) {
-      if (!bounded_) bounded_ = curve_at<Bounded>(of_balls_);
-      return converted<Ball>(bounded_->segments(number, number + 1), [](const Bounded& x) {
-        if (!std::isfinite(x.error)) throw Undecided();
-        return Ball(x.value).widened(x.error);
-      });
-    }
-    if (!double_doubles_) double_doubles_ = curve_at<spline::DoubleDouble>(of_balls_);
-    auto segment = double_doubles_->segments(number, number + 1);
-    if (!segment.rotations.empty()) add_angles(segment);
-    double scale = 0;
-    for (const auto& x : segment.cubics) {
-      for (const auto& part : {x.p0, x.p1, x.out, x.in, x.c, x.d}) scale = std::max(scale, std::abs(part.hi));
-    }
-    return converted<Ball>(segment, [&](const spline::DoubleDouble& x) {
-      return Ball(x).widened(x.hi == 0 ? 0 : 0x1p-88 * std::max(scale, std::abs(x.hi)));
+  /// Otherwise they have the bits of floats, and bounded ones estimated errors.
+  bool is_rational() const { return rational_ && !turning_; }
+  std::size_t size() const { return resting_ ? 1 : bounded_ ? bounded_->size() : double_doubles_->size(); }
+
+  /// Nothing where there are only exact ones.
+  std::optional<spline::Segments<Bounded>> bounded(std::size_t first, std::size_t to) const {
+    if (resting_) return std::nullopt;
+    if (bounded_) return bounded_->segments(first, to);
+    auto segments = double_doubles_->segments(first, to);
+    if (!segments.rotations.empty()) add_angles(segments);
+    using Number = spline::DoubleDouble;
+    return converted<Bounded>(segments, [](const Number& x, const Number& unit) {
+      return Bounded(x, x.hi == 0 ? 0 : 0x1p-88 * std::max(std::abs(unit.hi), std::abs(x.hi)));
     });
   }
 
   spline::Segments<Rational> operator()(std::size_t number) const {
     if (resting_) return *resting_;
     const spline::Segments<Rational> plain =
-        rational_ ? rational_->segments(number, number + 1) : rounded<2400>(*irrational_, number);
+        rational_ ? rational_->segments(number, number + 1) : rounded(*irrational_, number);
     if (!turning_) return plain;
-    spline::Segments<Rational> all = rounded<448>(*turning_, number);
+    spline::Segments<Rational> all = rounded(*turning_, number);
     all.times = plain.times;
     all.warps = plain.warps;
     const std::vector<bool> are_in_rotations = spline::in_rotations(rotations_, plain.channels);
@@ -124,21 +130,18 @@ class ExactSegments {
   }
 
  private:
-  template <unsigned bits>
-  static spline::Segments<Rational> rounded(const spline::CurveKeys<Float<bits>>& curve, std::size_t number) {
+  static spline::Segments<Rational> rounded(const spline::CurveKeys<LongFloat>& curve, std::size_t number) {
     auto segment = curve.segments(number, number + 1);
     if (!segment.rotations.empty()) add_angles(segment);
-    return converted<Rational>(segment, [](const Float<bits>& x) { return rational_of<bits>(x); });
+    return converted<Rational>(segment, [](const LongFloat& x, const LongFloat&) { return rational_of<448>(x); });
   }
 
   std::vector<spline::KeyRotation> rotations_;
   std::optional<spline::Segments<Rational>> resting_;
-  ExactCurve of_balls_;
-  std::shared_ptr<const spline::CurveKeys<Bounded>> bounded_;  ///< these are made when they are needed
+  std::shared_ptr<const spline::CurveKeys<Bounded>> bounded_;
   std::shared_ptr<const spline::CurveKeys<spline::DoubleDouble>> double_doubles_;
   std::shared_ptr<const spline::CurveKeys<Rational>> rational_;
-  std::shared_ptr<const spline::CurveKeys<WidestFloat>> irrational_;
-  std::shared_ptr<const spline::CurveKeys<LongFloat>> turning_;
+  std::shared_ptr<const spline::CurveKeys<LongFloat>> irrational_, turning_;
 };
 
 }  // namespace tcb::limits

@@ -2,32 +2,31 @@
 //
 // On a piece a measure is a polynomial, or a quotient of two, in Bernstein's form: its coefficients bound it, and the
 // first and the last one are attained (Form). Search divides pieces where the maximum probably is, until no bound is
-// far above the best value that is attained. extremes() does this with doubles, for all segments. Of those that are
-// left, with_balls() bounds many with double-doubles, and exact_maximum() the last few with rationals, or where a
-// direction is measured with floats of many digits.
+// above the best value that is attained. CurveSearch does this for all measures, segment after segment, with bounded
+// double-doubles; what needs more digits is searched again with rationals. result_of() has the place of a maximum with
+// the digits of its time, and its exact value there.
 #include "limits/extremes.hpp"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
-#include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "exact/exact_keys.hpp"
-#include "limits/ball.hpp"
-#include "limits/form.hpp"
+#include "exact/rounding.hpp"
+#include "limits/pieces.hpp"
 #include "limits/search.hpp"
 #include "tcb/spline/scalar.hpp"
 
 namespace tcb::limits {
 namespace {
 
-// The keys at which velocities change by more than 2^-40 of their size, which is more than rounding.
+// The keys at which velocities change by more than 2^-40 of their size, which is more than the rounding of times.
+
+constexpr double least_change = 0x1p-40;
 
 /// The root of a sum of squares, which do not overflow.
 double root_of_squares(const std::vector<double>& numbers) {
@@ -40,423 +39,438 @@ double root_of_squares(const std::vector<double>& numbers) {
   return sqrt(squares).hi * unit;
 }
 
+/// A vector of the length 1.
+std::vector<double> direction_of(std::vector<double> vector) {
+  const double size = root_of_squares(vector);
+  for (double& x : vector) x /= size;
+  return vector;
+}
+
+/// The distance of two directions, or of one and the opposite of the other.
+double distance(const std::vector<double>& a, const std::vector<double>& b, double sign = 1) {
+  std::vector<double> change;
+  for (std::size_t i = 0; i < a.size(); ++i) change.push_back(a[i] - sign * b[i]);
+  return root_of_squares(change);
+}
+
 /// Finds the corners of a curve, segment after segment.
 class Corners {
  public:
-  /// The velocities at an end of a segment, and the sizes of their terms.
-  struct End {
-    std::vector<double> velocities, sizes;
-  };
-  struct Ends {
-    End start, end;
-  };
-
-  explicit Corners(const std::vector<std::size_t>& channels) : channels_(channels) {}
+  Corners(const std::vector<std::size_t>& channels, const std::vector<Measure>& measures) : channels_(channels) {
+    for (const Measure& one : measures) {
+      if (one.kind == Measure::Kind::curvature) path_ = one.channels;
+    }
+  }
 
   std::vector<Corner> found;
+  std::optional<std::size_t> sharp_rest;  ///< the first key at which the curve rests, and its path turns
 
-  /// Of a segment, by its pieces.
-  Ends ends_of(const std::vector<Piece<double>>& pieces) const {
-    return {end_of(pieces.front(), 0), end_of(pieces.back(), 1)};
-  }
-  /// Adds the next segment, which starts at this time.
-  void add(const Ends& ends, const Time& start) {
-    if (!first_) first_ = ends.start;
-    if (before_) compare(*before_, ends.start, start);
-    before_ = ends.end;
+  /// Adds the next segment by its pieces. `key`: the number of that at which it starts.
+  template <class S>
+  void add(const std::vector<Piece<S>>& pieces, std::size_t key, const Time& start) {
+    End first = end_of(pieces.front(), 0);
+    if (!first_) first_ = first;
+    if (before_) compare(*before_, first, key, start);
+    before_ = end_of(pieces.back(), 1);
   }
   /// The curve is closed, and back at its start at this time.
-  void close(const Time& end) {
-    if (first_) compare(*before_, *first_, end);
+  void close(std::size_t key, const Time& end) {
+    if (first_) compare(*before_, *first_, key, end);
   }
 
  private:
-  End end_of(const Piece<double>& piece, double at) const {
+  /// At an end of a segment.
+  struct End {
+    std::vector<Bounded> velocities;
+    bool rests = false;             ///< the channels of the path do
+    std::vector<double> direction;  ///< of the path, if it has one
+  };
+
+  template <class S>
+  End end_of(const Piece<S>& piece, int at) const {
     End end;
+    const bool is_last = at == 1;
+    const Polynomial<S> turn = derivative(piece.parameter);
+    const S place = is_last ? piece.parameter.back() : piece.parameter.front();
+    const S rate = (is_last ? turn.back() : turn.front()) / piece.duration;
     for (const std::size_t channel : channels_) {
-      const Polynomial<double> rate = rate_of(piece, channel, 1);
-      end.velocities.push_back(value_at(rate, at));
-      end.sizes.push_back(scale_of(rate, piece, channel, 1));
+      const S velocity = value_at(controls_of(piece.cubics[channel], 1), place) * rate;
+      end.velocities.push_back(scaled<Bounded>(velocity, 0));
+    }
+    if (path_.empty()) return end;
+    for (std::size_t i = 0; i < 3 && end.direction.empty(); ++i) {
+      std::vector<S> vector;
+      int unit = no_exponent;
+      for (const std::size_t channel : path_) {
+        vector.push_back(controls_of(piece.cubics[channel], 1)[is_last ? 2 - i : i]);
+        if (is_above_zero(vector.back()) || is_above_zero(-vector.back())) {
+          unit = std::max(unit, exponent_of(vector.back()));
+        }
+      }
+      end.rests = end.rests || (i == 0 && unit == no_exponent);
+      if (unit == no_exponent) continue;
+      for (const S& x : vector) end.direction.push_back(scaled<Bounded>(x, unit).value.hi);
+      end.direction = direction_of(std::move(end.direction));
     }
     return end;
   }
 
-  void compare(const End& in, const End& out, const Time& time) {
-    Corner corner{time, 0, {}, in.velocities, out.velocities};
+  void compare(const End& in, const End& out, std::size_t key, const Time& time) {
+    Corner corner{time};
     std::vector<double> jumps;
     for (std::size_t i = 0; i < channels_.size(); ++i) {
-      const double jump = std::abs(out.velocities[i] - in.velocities[i]);
-      if (!(jump > relative_rounding * std::max(out.sizes[i], in.sizes[i]))) continue;
+      const Bounded &before = in.velocities[i], &after = out.velocities[i], change = after - before;
+      corner.in.push_back(before.value.hi);
+      corner.out.push_back(after.value.hi);
+      const double jump = std::abs(change.value.hi);
+      const double size = std::max(std::abs(before.value.hi), std::abs(after.value.hi));
+      if (change.may_be_zero() || !(jump > least_change * size)) continue;
       jumps.push_back(jump);
       corner.channels.push_back(channels_[i]);
     }
     corner.jump = root_of_squares(jumps);
     if (!jumps.empty()) found.push_back(std::move(corner));
+    const bool may_turn = (in.rests || out.rests) && !in.direction.empty() && !out.direction.empty() && !sharp_rest;
+    if (may_turn && distance(in.direction, out.direction) > least_change &&
+        distance(in.direction, out.direction, -1) > least_change) {
+      sharp_rest = key;
+    }
   }
 
   const std::vector<std::size_t>& channels_;
+  std::vector<std::size_t> path_;
   std::optional<End> first_, before_;
 };
 
-/// The largest of the bounds on pieces; nothing where one is not known.
-template <class S, class BoundOn>
-auto largest_of(const std::vector<Piece<S>>& pieces, const BoundOn& bound_on) {
-  auto largest = bound_on(pieces.front());
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
-    const auto bound = bound_on(pieces[i]);
-    largest = largest && bound ? std::max(largest, bound) : std::nullopt;
-  }
-  return largest;
-}
-
-/// Bounds of the derivatives of the channels of a piece, with room for rounding.
+/// Bounds of the derivatives of the channels of a whole segment by doubles, with room for rounding.
 class Ranges {
  public:
-  explicit Ranges(const Piece<double>& piece) : piece_(piece), known_(4 * piece.cubics.size()) {}
+  explicit Ranges(const Piece<Bounded>& piece) : piece_(piece), known_(4 * piece.cubics.size()) {}
 
-  /// No value of the measure is larger; nothing where none is known.
-  std::optional<double> bound_of(const Measure& measure) {
-    if (measure.is_of_direction()) return std::nullopt;
+  /// No value of the measure is larger; infinite where none is known.
+  double bound_of(const Measure& measure) {
+    if (measure.is_of_direction()) return std::numeric_limits<double>::infinity();
     double squares = 0;
     for (const std::size_t channel : measure.channels) {
       const auto [low, high] = of(channel, measure.derivative);
       if (!measure.is_size()) return measure.kind == Measure::Kind::smallest ? -low : high;
-      if (low != 0 || high != 0)
-        squares += power_of(std::max(-low, high), 2) * (1 + relative_rounding) + smallest_square;
+      squares += std::max(low * low, high * high);
     }
-    return squares;
+    return squares * (1 + rounding);
   }
 
  private:
-  using Range = std::pair<double, double>;
+  static constexpr double rounding = 0x1p-40;
+  struct Range {
+    double low, high;
+  };
 
   const Range& of(std::size_t channel, int order) {
     std::optional<Range>& range = known_[4 * channel + static_cast<std::size_t>(order)];
-    if (!range) {
-      const Polynomial<double> rate = rate_of(piece_, channel, order), form = bernstein(rate, rate.size() - 1);
-      const auto [low, high] = std::ranges::minmax_element(form);
-      const double slack = slack_of(scale_of(rate, piece_, channel, order));
-      range = Range{*low - slack, *high + slack};
+    if (range) return *range;
+    const Polynomial<Bounded> controls = controls_of(piece_.cubics[channel], order);
+    Polynomial<double> x;
+    double size = 0;
+    for (const Bounded& control : controls) {
+      x.push_back(control.value.hi);
+      size += 8 * std::abs(control.value.hi);
     }
+    double rate = 1;
+    for (int i = 0; i < order; ++i) rate /= piece_.duration.value.hi;
+    for (int i = 1; i < order; ++i) x = derivative(x);
+    const auto [low, high] = std::ranges::minmax(x);
+    const double room = rounding * size + 1e-300;
+    range = Range{(low - room) * rate, (high + room) * rate};
     return *range;
   }
 
-  const Piece<double>& piece_;
+  const Piece<Bounded>& piece_;
   std::vector<std::optional<Range>> known_;
 };
 
-/// A bound on a piece by doubles, which also tells the search of values that are attained.
-std::optional<double> bound_on(const Piece<double>& piece, const Measure& measure, Ranges& ranges,
-                               Search<double>& search) {
-  const std::optional<double> rough = ranges.bound_of(measure);
-  if (search.is_below(rough)) return rough;
-  const Measured<double> x = measured(piece, measure);
-  if (!std::isfinite(x.scale)) return std::nullopt;  // doubles do not bound it
-  constexpr double shortest = 0x1p-40;               // of pieces that certainly exist, whatever the rounding
-  return search.bound(form_of(x), {}, {}, piece.size > shortest);
-}
-
-/// Segments that have occurred before, by all their numbers.
-class Repeats {
- public:
-  /// The number of an equal segment, or of this one; nothing for further ones, when there are many.
-  template <class S>
-  std::optional<std::size_t> find(const spline::Segments<S>& segments, std::size_t number, const S& duration) {
-    bytes_.clear();
-    add(duration);
-    for (const auto& [begin, size, parameter] : parts_of(segments.warp(number))) {
-      for (const S& x : parameter) add(x);
-    }
-    for (const spline::Cubic<S>& x : segments[number]) {
-      for (const S& coefficient : {x.p0, x.out, x.c, x.c_low, x.d, x.in}) add(coefficient);
-    }
-    const auto known = known_.find(bytes_);
-    if (known != known_.end()) return known->second;
-    constexpr std::size_t most = 5000;
-    if (known_.size() == most) return std::nullopt;
-    return known_.emplace(bytes_, known_.size()).first->second;
-  }
-
- private:
-  void add(double x) {
-    const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(x);
-    bytes_.append(bytes.data(), bytes.size());
-  }
-  void add(const Ball& x) {
-    for (const double part : {x.middle().hi, x.middle().lo, x.radius()}) add(part);
-  }
-
-  std::string bytes_;
-  std::unordered_map<std::string, std::size_t> known_;
-};
-
-/// Where a curve rests at a place at which it has a curvature before and after it, so that this has no bound; its
-/// velocity has a factor that is 0 there.
+/// The place at which a curve rests and its velocity has a factor that is 0, so that its curvature has no bound.
 std::optional<Rational> sharp_rest(const Piece<Rational>& piece, const Measure& measure) {
-  Polynomial<Rational> common{0};
-  for (const std::size_t channel : measure.channels) {
-    common = common_divisor(common, derivative(piece.cubics[channel]));
+  std::vector<Polynomial<Rational>> v;
+  for (const std::size_t channel : measure.channels) v.push_back(controls_of(piece.cubics[channel], 1));
+  const auto bend = [](const Polynomial<Rational>& x) { return x[0] - 2 * x[1] + x[2]; };  // and slope, of u^2 and u
+  const auto slope = [](const Polynomial<Rational>& x) { return 2 * (x[1] - x[0]); };
+  // A common root is one of all b x - a y, which are linear, for a and b the coefficients of u^2 in x and y.
+  const auto least = std::ranges::find_if(v, [](const auto& x) { return !is_zero(x); });
+  if (least == v.end()) return std::nullopt;
+  std::optional<Rational> root;
+  for (const Polynomial<Rational>& x : v) {
+    const Rational a = bend(*least), b = bend(x), rise = b * slope(*least) - a * slope(x);
+    const bool is_linear = a == 0 && b == 0;
+    const Polynomial<Rational>& line = is_zero(x) ? *least : x;
+    if (is_linear && slope(line) != 0) root = -line[0] / slope(line);
+    if (!is_linear && rise != 0) root = (a * x[0] - b * (*least)[0]) / rise;
+    if (root) break;
   }
-  if (common.size() != 2) return std::nullopt;
-  const Rational root = -common[0] / common[1];
-  Rational low = 0, high = 1;
-  if (root < value_at(piece.parameter, low) || root > value_at(piece.parameter, high)) return std::nullopt;
-  if (root == value_at(piece.parameter, high)) return high;
-  for (int i = 0; i < 60 && value_at(piece.parameter, low) != root; ++i) {
-    const Rational middle = (low + high) / 2;
-    (value_at(piece.parameter, middle) <= root ? low : high) = middle;
+  const Rational first = piece.parameter.front(), last = piece.parameter.back();
+  if (!root || *root < first || *root > last) return std::nullopt;
+  if (std::ranges::any_of(v, [&](const auto& x) { return value_at(x, *root) != 0; })) return std::nullopt;
+  if (*root == last) return Rational(1);
+  Rational low = 0, size = 1;
+  for (int i = 0; i < 60 && value_at(piece.parameter, low) != *root; ++i) {
+    size /= 2;
+    if (value_at(piece.parameter, Rational(low + size)) <= *root) low += size;
   }
   return low;
 }
 
-/// The fractions of the duration of a segment that are measured; nothing: none.
-template <class S>
-std::optional<std::pair<S, S>> fractions(const MeasuredCurve& curve, const S& start, const S& end) {
-  std::pair<S, S> part(0, 1);
-  if (curve.from) {
-    const S from = scalar_of<S>(*curve.from);
-    if (end <= from) return std::nullopt;
-    if (start < from) part.first = (from - start) / (end - start);
-  }
-  if (curve.to) {
-    const S to = scalar_of<S>(*curve.to);
-    if (start >= to) return std::nullopt;
-    if (to < end) part.second = (to - start) / (end - start);
-  }
-  return part;
-}
+/// The maxima of the measures over a curve.
+class CurveSearch {
+ public:
+  /// These outlive it.
+  CurveSearch(const MeasuredCurve& curve, const std::vector<Measure>& measures,
+              const std::vector<std::size_t>& channels)
+      : curve_(curve), measures_(measures), corners_(channels, measures), found_(measures.size()) {}
 
-/// The pieces of a segment of its own that are measured.
-template <class S>
-std::vector<Piece<S>> measured_pieces(const MeasuredCurve& curve, const spline::Segments<S>& one) {
-  const S duration = one.times[1] - one.times[0];
-  const auto range = fractions(curve, one.times[0], one.times[1]);
-  if (!range) return {};
-  return pieces_of(one, 0, duration == S(0) ? S(1) : duration, range->first, range->second);
-}
-
-/// Bounds the segments that are left with double-doubles. Those that are beyond these keep the bounds by doubles.
-std::vector<Search<spline::DoubleDouble>> with_balls(const MeasuredCurve& curve, const std::vector<Measure>& measures,
-                                                     std::vector<Search<double>>& rough) {
-  using Number = spline::DoubleDouble;
-  constexpr std::size_t few = 20;                           // segments, which need no bounds before the exact ones
-  std::vector<std::span<const Search<double>::Part>> left;  // not yet bounded
-  std::vector<bool> is_bounded;
-  std::vector<std::size_t> segments;  // that are left of any measure
-  for (std::size_t k = 0; k < measures.size(); ++k) {
-    left.emplace_back(rough[k].rest());
-    is_bounded.push_back(!measures[k].is_of_direction() && left[k].size() > few);
-    for (const auto& part : left[k]) segments.push_back(part.segment);
-  }
-  std::ranges::sort(segments);
-  segments.erase(std::unique(segments.begin(), segments.end()), segments.end());
-  std::vector<Search<Number>> searches(measures.size());
-  using Known = std::vector<std::optional<Number>>;  // bounds on a segment, for the measures
-  std::vector<Known> known;
-  Repeats repeats;
-  for (const std::size_t segment : segments) {
-    const auto is_left = [&](std::size_t k) { return !left[k].empty() && left[k].front().segment == segment; };
-    bool is_needed = false;
-    for (std::size_t k = 0; k < measures.size(); ++k) is_needed = is_needed || (is_bounded[k] && is_left(k));
-    std::vector<Piece<Ball>> pieces;
-    Known once(measures.size());
-    Known* found = &once;
-    try {
-      if (is_needed) {
-        const spline::Segments<Ball> one = curve.in_balls(segment);
-        pieces = measured_pieces(curve, one);
-        const bool may_repeat = !curve.from && !curve.to;
-        const auto number = may_repeat ? repeats.find(one, 0, one.times[1] - one.times[0]) : std::nullopt;
-        if (number == known.size()) known.push_back(once);
-        if (number) found = &known[*number];
-      }
-    } catch (const Undecided&) {
-    }
-    for (std::size_t k = 0; k < measures.size(); ++k) {
-      if (!is_left(k)) continue;
-      std::optional<Number>& upper = (*found)[k];
-      try {
-        if (is_bounded[k] && !upper && !pieces.empty()) {
-          upper = largest_of(pieces, [&](const Piece<Ball>& piece) {
-            return searches[k].bound(form_of(measured(piece, measures[k])), {}, {});
-          });
+  Extremes run() {
+    constexpr std::size_t at_once = 64;
+    for (std::size_t first = 0; first < curve_.size; first += at_once) {
+      const std::size_t to = std::min(first + at_once, curve_.size);
+      const auto bounded = curve_.bounded(first, to);
+      for (std::size_t i = first; i < to; ++i) {
+        if (bounded && has_digits(*bounded, i - first)) {
+          add(*bounded, i - first, i);
+        } else {
+          add(exact(i), 0, i);
         }
-      } catch (const Undecided&) {
       }
-      searches[k].add(segment, upper ? upper : left[k].front().upper);
-      left[k] = left[k].subspan(1);
     }
-  }
-  return searches;
-}
-
-/// Bounds the change of a direction on a piece with balls. The place on the piece where it has no bound, if there is
-/// one. Throws: Undecided where that needs more digits.
-template <class M>
-std::optional<Rational> bound_with_balls(Search<Rational>& search, std::optional<Rational>& high,
-                                         const Piece<Rational>& piece, const Measure& measure, const Place& place,
-                                         bool is_last) {
-  using S = BallOf<M>;
-  const Measured<S> x = measured_direction<S>(piece, measure, [](const Polynomial<Rational>& of) {
-    Polynomial<S> result(of.size());
-    std::ranges::transform(of, result.begin(), scalar_of<S>);
+    if (curve_.closed && !curve_.from && !curve_.to) corners_.close(curve_.size, curve_.key_time(curve_.size));
+    Extremes result;
+    for (std::size_t k = 0; k < measures_.size(); ++k) result.maxima.push_back(maximum(k));
+    result.corners = std::move(corners_.found);
     return result;
-  });
-  const auto rest = x.power == 3 ? sharp_rest(piece, measure) : std::nullopt;
-  if (!rest) high = std::max(high, search.bound(form_of(x), place, {Middle<M>::bits() * 3 / 10, is_last}));
-  return rest;
-}
+  }
 
-/// Bounds a piece with as many digits as it needs, as bound_with_balls() does.
-std::optional<Rational> bound_exactly(Search<Rational>& search, std::optional<Rational>& high,
-                                      const Piece<Rational>& piece, const Measure& measure, const Place& place) {
-  if (!measure.is_of_direction()) {
-    high = std::max(high, search.bound(form_of(measured(piece, measure)), place, {600, true}));
+ private:
+  /// A piece that needs more digits; its bound, if it has one.
+  struct Open {
+    PiecePlace piece;
+    std::optional<Scaled> upper;
+  };
+  struct Found {
+    Search search;
+    std::vector<Open> open;
+    std::size_t kept = 0;  ///< of these, when they were last looked through
+  };
+
+  /// Whether the coefficients of all channels have most of the digits of double-doubles.
+  static bool has_digits(const spline::Segments<Bounded>& segments, std::size_t segment) {
+    return std::ranges::all_of(segments[segment], [](const spline::Cubic<Bounded>& x) {
+      const double size = std::abs(x.out.value.hi) + std::abs(x.in.value.hi) + std::abs(x.c.value.hi);
+      return x.out.error + x.in.error + x.c.error <= 0x1p-60 * size && std::isfinite(size) &&
+             x.p0.error + x.p1.error <= 0x1p-60 * (std::abs(x.p0.value.hi) + std::abs(x.p1.value.hi));
+    });
+  }
+
+  /// The pieces of a segment that are measured. A time that is printed as that of a key is that of the key.
+  template <class S>
+  std::vector<Piece<S>> pieces(const spline::Segments<S>& segments, std::size_t segment, std::size_t number) const {
+    S first(0), last(1);
+    const S &start = segments.times[segment], &end = segments.times[segment + 1];
+    const auto is_key = [this](const Rational& time, std::size_t key) {
+      return nearest_time(time) == curve_.key_time(key);
+    };
+    if (curve_.from && !is_key(*curve_.from, number)) {
+      const S from = scalar_of<S>(*curve_.from);
+      if (end <= from || is_key(*curve_.from, number + 1)) return {};
+      if (start < from) first = (from - start) / (end - start);
+    }
+    if (curve_.to && !is_key(*curve_.to, number + 1)) {
+      const S to = scalar_of<S>(*curve_.to);
+      if (start >= to || is_key(*curve_.to, number)) return {};
+      if (to < end) last = (to - start) / (end - start);
+    }
+    return pieces_of(segments, segment, first, last);
+  }
+
+  template <class S>
+  void add(const spline::Segments<S>& segments, std::size_t segment, std::size_t number) {
+    const std::vector<Piece<S>> all = pieces(segments, segment, number);
+    if (all.empty()) return;
+    for (const Piece<S>& piece : all) {
+      std::optional<Ranges> ranges;
+      if constexpr (std::is_same_v<S, Bounded>) {
+        if (piece.is_whole()) ranges.emplace(piece);
+      }
+      for (std::size_t k = 0; k < measures_.size(); ++k) {
+        Found& found = found_[k];
+        if (ranges && found.search.best) {
+          const double rough = found.search.best->value.rough();
+          if (std::isnormal(rough) && ranges->bound_of(measures_[k]) < rough) continue;
+        }
+        const PiecePlace place{number, piece.part};
+        const auto bound = found.search.add(form_of<Bounded>(piece, measures_[k]), place);
+        if (!bound.is_settled) leave_open(found, {place, bound.upper});
+      }
+    }
+    corners_.add(all, number, curve_.key_time(number));
+  }
+
+  static void leave_open(Found& found, const Open& piece) {
+    found.open.push_back(piece);
+    if (found.open.size() < 2 * found.kept + 64) return;
+    std::erase_if(found.open, [&](const Open& x) { return x.upper && found.search.is_near(*x.upper); });
+    found.kept = found.open.size();
+  }
+
+  /// A segment exactly. Many are kept, as measures often need the same ones.
+  const spline::Segments<Rational>& exact(std::size_t number) {
+    constexpr std::size_t most = 1 << 16;  // cubics
+    const auto known = exact_.find(number);
+    if (known != exact_.end()) return known->second;
+    if (!exact_.empty() && exact_.size() * exact_.begin()->second.channels > most) exact_.clear();
+    return exact_.emplace(number, curve_.exact(number)).first->second;
+  }
+
+  /// A piece of an exact segment; nothing where it has no such piece.
+  std::optional<Piece<Rational>> exact_piece(const PiecePlace& place) {
+    for (Piece<Rational>& piece : pieces(exact(place.segment), 0, place.segment)) {
+      if (piece.part == place.part) return std::move(piece);
+    }
     return std::nullopt;
   }
-  try {
-    return bound_with_balls<spline::DoubleDouble>(search, high, piece, measure, place, false);
-  } catch (const Undecided&) {
-  }
-  try {
-    return bound_with_balls<WideFloat>(search, high, piece, measure, place, false);
-  } catch (const Undecided&) {
-  }
-  return bound_with_balls<LastFloat>(search, high, piece, measure, place, true);
-}
 
-/// The maximum among the segments that may hold it. Throws: Undecided where numbers are too far apart for any digits.
-std::optional<Extreme> exact_maximum(std::vector<Search<spline::DoubleDouble>::Part> parts, const Measure& measure,
-                                     const MeasuredCurve& curve) {
-  const auto exact = [&](std::size_t segment) { return curve.exact(segment); };
-  const auto extreme_at = [&](Extreme extreme, const Place& of_piece, const Rational& place) {
-    const spline::Segments<Rational> one = exact(of_piece.segment);
-    const Piece<Rational> piece = measured_pieces(curve, one)[of_piece.piece];
-    if (measure.is_of_direction() && !extreme.is_unbounded) extreme.low = measured(piece, measure).at(place);
-    const Rational fraction = piece.begin + place * piece.size;
-    extreme.time = one.times[0] + fraction * (one.times[1] - one.times[0]);
-    extreme.side = place == 1 ? spline::Side::left : spline::Side::right;
-    const bool is_between_parts = measure.derivative > 1 && (place == 0 || place == 1);  // of an ease
-    extreme.is_at_key = fraction == 0 || fraction == 1 || is_between_parts;
-    const Rational u = value_at(piece.parameter, place);
-    for (const Polynomial<Rational>& x : piece.cubics) extreme.position.push_back(nearest_double(value_at(x, u)));
+  std::optional<Extreme> maximum(std::size_t k) {
+    const Measure& measure = measures_[k];
+    Found& found = found_[k];
+    const auto rest = measure.kind == Measure::Kind::curvature ? corners_.sharp_rest : std::nullopt;
+    std::ranges::stable_sort(found.open, [](const Open& a, const Open& b) {
+      return b.upper && (!a.upper || *b.upper < *a.upper);  // those without a bound first
+    });
+    constexpr std::size_t most = 2000;  // pieces that are searched with rationals
+    for (std::size_t i = 0; i < found.open.size(); ++i) {
+      const auto& [place, upper] = found.open[i];
+      if (upper && (i >= most || found.search.is_near(*upper))) {
+        found.search.raise(*upper);
+        continue;
+      }
+      if (i >= most) return Extreme{.is_unproved = true};
+      const auto piece = exact_piece(place);
+      if (!piece) continue;
+      const auto form = form_of<Rational>(*piece, measure, !curve_.is_rational);
+      if (form.power == 3 && !(rest && *rest <= place.segment)) {
+        if (const auto sharp = sharp_rest(*piece, measure)) return unbounded(place, *sharp);
+      }
+      if (!found.search.add(form, place).is_settled) return Extreme{.is_unproved = true};
+    }
+    if (rest) return unbounded_at_end_of(*rest - 1);
+    if (!found.search.best) return std::nullopt;
+    return result_of(*found.search.best, found.search.high.value_or(found.search.best->value).exact(), measure);
+  }
+
+  Extreme unbounded(const PiecePlace& place, const Rational& at) {
+    Extreme extreme{.is_unbounded = true};
+    set_place(extreme, *exact_piece(place), place.segment, at, false);
     return extreme;
-  };
-  std::ranges::stable_sort(parts, [](const auto& a, const auto& b) {
-    return b.upper && (!a.upper || *a.upper > *b.upper);  // those without a bound first
-  });
-  constexpr std::size_t few = 100, most = 2000;  // segments that are bounded with exact numbers
-  Search<Rational> search;
-  std::optional<Rational> high;
-  std::vector<std::vector<Polynomial<Rational>>> bounded;  // pieces, which repeat where a motion does
-  const auto may_matter = [&](std::size_t i) {             // for 15 digits, or for the limit
-    if (!parts[i].upper || !search.best) return i < most;
-    const Rational upper = exactly(*parts[i].upper), &value = search.best->value;
-    if (measure.limit && value <= *measure.limit && *measure.limit < upper) return true;
-    return i < most && upper > value + abs(value) * Rational(0x1p-70);
-  };
-  std::size_t i = 0;
-  for (; i < parts.size() && (i < few || may_matter(i)); ++i) {
-    const std::vector<Piece<Rational>> pieces = measured_pieces(curve, exact(parts[i].segment));
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-      std::vector<Polynomial<Rational>> numbers{{pieces[k].duration}, pieces[k].parameter};
-      for (const std::size_t channel : measure.channels) numbers.push_back(pieces[k].cubics[channel]);
-      if (std::ranges::find(bounded, numbers) != bounded.end()) continue;
-      if (bounded.size() < most) bounded.push_back(std::move(numbers));
-      const Place place{parts[i].segment, k};
-      const auto rest = bound_exactly(search, high, pieces[k], measure, place);
-      if (rest) return extreme_at({.is_unbounded = true}, place, *rest);
+  }
+  Extreme unbounded_at_end_of(std::size_t segment) {
+    return unbounded({segment, pieces(exact(segment), 0, segment).back().part}, 1);
+  }
+
+  /// `between_parts`: the measure jumps between the parts of an ease.
+  void set_place(Extreme& extreme, const Piece<Rational>& piece, std::size_t segment, const Rational& at,
+                 bool between_parts) {
+    const spline::Segments<Rational>& one = exact(segment);
+    const Rational fraction = piece.begin + at * piece.size;
+    extreme.time = one.times[0] + fraction * (one.times[1] - one.times[0]);
+    extreme.side = at == 1 ? spline::Side::left : spline::Side::right;
+    extreme.is_at_key = fraction == 0 || fraction == 1 || (between_parts && (at == 0 || at == 1));
+    if (!curve_.has_positions) return;
+    const Rational u = value_at(piece.parameter, at);
+    for (const spline::Cubic<Rational>& x : piece.cubics) {
+      extreme.position.push_back(nearest_double(x.p0 + u * (x.out + u * (x.c + u * x.d))));
     }
   }
-  if (!search.best) return std::nullopt;
-  if (i < parts.size()) {
-    if (!parts[i].upper) throw Undecided();
-    high = std::max(*high, exactly(*parts[i].upper));
+
+  /// The maximum near a place at which a value is attained, and not above `high`.
+  Extreme result_of(const Search::Attained& best, Rational high, const Measure& measure) {
+    const Piece<Rational> piece = *exact_piece(best.piece);
+    const Quotient<Rational> form = form_of<Rational>(piece, measure, !curve_.is_rational).quotient();
+    // The derivative is above 0, 0 or below 0 as this polynomial is.
+    const Polynomial<Rational> slope = form.power == 0
+                                           ? derivative(form.over)
+                                           : sum(product(derivative(form.over), form.base),
+                                                 product(form.over, derivative(form.base)), Rational(-form.power));
+    Rational place = best.place;
+    bool is_exact = place == 0 || place == 1;
+    if (!is_exact) {
+      place = nearer_root(slope, place);
+      is_exact = value_at(slope, place) == 0;
+    }
+    Rational low = form.at(place);
+    if (low < best.value.exact()) {
+      place = best.place;
+      low = form.at(place);
+      is_exact = false;
+    }
+    high = std::max(high, low);
+    if (high - low <= abs(low) * Rational(0x1p-60)) {
+      if (is_exact && curve_.is_rational) {
+        high = low;
+      } else {
+        static const Rational rounding = power_of_two(-380);
+        const Rational least = curve_.is_rational ? low : low - abs(low) * rounding;
+        const auto simple = simple_fraction({(least + high) / 2, (high - least) / 2});
+        if (simple && least <= *simple && *simple <= high) low = high = *simple;
+      }
+    }
+    Extreme extreme{low, high, {}};
+    set_place(extreme, piece, best.piece.segment, place, measure.derivative > 1);
+    return extreme;
   }
-  const auto& [value, piece, place] = *search.best;
-  return extreme_at({value, std::max(value, *high), {}}, piece, place);
-}
+
+  /// A root of a polynomial near a place, at a simple fraction, or by Newton's method.
+  static Rational nearer_root(const Polynomial<Rational>& x, const Rational& near) {
+    const auto is_inside = [](const Rational& u) { return 0 <= u && u <= 1; };
+    const Rational unit = power_of_two(140);
+    Rational place = near;
+    const Polynomial<Rational> rate = derivative(x);
+    for (int i = 0; i < 2; ++i) {
+      const Rational rise = value_at(rate, place);
+      if (rise == 0) break;
+      const Rational next = floor((place - value_at(x, place) / rise) * unit) / unit;
+      if (!is_inside(next) || abs(next - near) > Rational(0x1p-20)) break;
+      place = next;
+    }
+    for (const int bits : {-100, -36}) {
+      const Rational room = power_of_two(bits);
+      if (place <= room) continue;
+      const Rational simple = simplest_between(place - room, place + room);
+      if (is_inside(simple) && value_at(x, simple) == 0) return simple;
+    }
+    return place;
+  }
+
+  const MeasuredCurve& curve_;
+  const std::vector<Measure>& measures_;
+  Corners corners_;
+  std::vector<Found> found_;
+  std::map<std::size_t, spline::Segments<Rational>> exact_;
+};
 
 }  // namespace
 
 bool Corner::turns(const std::vector<std::size_t>& compared, const std::vector<std::size_t>& measured) const {
-  std::vector<double> before, after, change;
+  std::vector<std::size_t> sorted = measured;
+  std::ranges::sort(sorted);
+  std::vector<double> before, after;
   for (std::size_t i = 0; i < compared.size(); ++i) {
-    if (std::ranges::count(measured, compared[i]) == 0) continue;
+    if (!std::ranges::binary_search(sorted, compared[i])) continue;
     before.push_back(in[i]);
     after.push_back(out[i]);
   }
-  const double before_size = root_of_squares(before), after_size = root_of_squares(after);
-  if (before_size == 0 || after_size == 0) return false;
-  for (std::size_t i = 0; i < before.size(); ++i) change.push_back(before[i] / before_size - after[i] / after_size);
-  return root_of_squares(change) > 0x1p-40;
+  if (root_of_squares(before) == 0 || root_of_squares(after) == 0) return false;
+  return distance(direction_of(std::move(before)), direction_of(std::move(after))) > least_change;
 }
 
 Extremes extremes(const MeasuredCurve& curve, const std::vector<Measure>& measures,
                   const std::vector<std::size_t>& channels) {
-  struct Known {
-    std::vector<std::optional<double>> upper;  ///< bounds for the measures
-    Corners::Ends ends;
-  };
-  std::vector<Search<double>> searches(measures.size());
-  Corners corners(channels);
-  Repeats repeats;
-  std::vector<Known> known;
-  const auto found_on = [&](const std::vector<Piece<double>>& pieces) {
-    Known found{{}, corners.ends_of(pieces)};
-    std::vector<Ranges> ranges(pieces.begin(), pieces.end());
-    for (std::size_t k = 0; k < measures.size(); ++k) {
-      found.upper.push_back(largest_of(pieces, [&](const Piece<double>& piece) {
-        return bound_on(piece, measures[k], ranges[static_cast<std::size_t>(&piece - pieces.data())], searches[k]);
-      }));
-    }
-    return found;
-  };
-  const Source<SegmentBlock> blocks = curve.segments();
-  std::size_t segment = 0;
-  Time end;
-  while (const std::optional<SegmentBlock> block = blocks()) {
-    const spline::Segments<double>& segments = block->segments;
-    for (std::size_t i = 0; i < segments.size(); ++i, ++segment) {
-      const Time start = segments.times[i];
-      end = segments.times[i + 1];
-      const Time elapsed = curve.frames ? curve.frames->elapsed(end) - curve.frames->elapsed(start) : end - start;
-      const double duration = elapsed.hi > 0 ? elapsed.hi : 1.0;
-      std::pair<double, double> range(0, 1);
-      std::optional<std::size_t> number;
-      if (curve.from || curve.to) {
-        const auto part =
-            fractions(curve, exact_number(start, false, curve.frames), exact_number(end, false, curve.frames));
-        if (!part) continue;
-        range = {nearest_double(part->first), nearest_double(part->second)};
-      } else {
-        number = repeats.find(segments, i, duration);
-      }
-      Known once;
-      const bool is_new = !number || *number == known.size();
-      if (is_new) {
-        const std::vector<Piece<double>> pieces = pieces_of(segments, i, duration, range.first, range.second);
-        if (pieces.empty()) continue;
-        once = found_on(pieces);
-      }
-      if (is_new && number) known.push_back(once);
-      const Known& found = is_new ? once : known[*number];
-      for (std::size_t k = 0; k < measures.size(); ++k) searches[k].add(segment, found.upper[k]);
-      corners.add(found.ends, start);
-    }
-  }
-  if (curve.closed && !curve.from && !curve.to) corners.close(end);
-  Extremes result;
-  std::vector<Search<spline::DoubleDouble>> left = with_balls(curve, measures, searches);
-  for (std::size_t k = 0; k < measures.size(); ++k) {
-    try {
-      result.maxima.push_back(exact_maximum(left[k].rest(), measures[k], curve));
-    } catch (const Undecided&) {
-      result.maxima.push_back(Extreme{.is_unproved = true});
-    }
-  }
-  result.corners = std::move(corners.found);
-  return result;
+  return CurveSearch(curve, measures, channels).run();
 }
 
 }  // namespace tcb::limits

@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -99,15 +100,19 @@ std::vector<LimitResult> wanted_of(const LimitOptions& options, const CurveSpec&
                                    const std::vector<std::string>& channels, const std::vector<std::string>& title) {
   const std::vector<Measure> known = known_measures(spec, channels);
   std::vector<std::string> names;
-  for (const Measure& one : known) names.push_back(one.name);
+  std::unordered_map<std::string_view, const Measure*> by_name;  // of equal names the first one
+  for (const Measure& one : known) {
+    names.push_back(one.name);
+    by_name.emplace(one.name, &one);
+  }
   std::vector<Limit> limits = options.limits;
   if (limits.empty()) {
     for (const std::string& name : names) limits.push_back({name, {}, {}});
   }
   std::vector<LimitResult> wanted;
   for (const Limit& limit : limits) {
-    const auto known_one = std::ranges::find(known, limit.name, &Measure::name);
-    if (known_one == known.end()) {
+    const auto known_one = by_name.find(limit.name);
+    if (known_one == by_name.end()) {
       const bool is_unproved = limit.name.starts_with("angular_speed") && !spec.rules.rotations.empty();
       const std::string reason =
           is_unproved ? "it has a proved maximum with --rotation-curve slerp or components; " : "";
@@ -115,7 +120,7 @@ std::vector<LimitResult> wanted_of(const LimitOptions& options, const CurveSpec&
                         listed(names), did_you_mean(limit.name, names))
           .about("--limits");
     }
-    Measure measure = *known_one;
+    Measure measure = *known_one->second;
     if (limit.least && !measure.is_signed) {
       throw usage_error("{} is never below 0; expected {}=LIMIT; give its largest value", limit.name, limit.name)
           .about("--limits");
@@ -139,10 +144,7 @@ std::vector<LimitResult> wanted_of(const LimitOptions& options, const CurveSpec&
 void measure(const MeasuredCurve& curve, const std::vector<std::size_t>& compared,
              const std::vector<std::string>& title, std::vector<LimitResult> wanted, LimitsReport& report) {
   std::vector<Measure> measures;
-  for (const LimitResult& one : wanted) {
-    measures.push_back(one.measure);
-    if (one.limit) measures.back().limit = one.measure.as_measured(*one.limit);
-  }
+  for (const LimitResult& one : wanted) measures.push_back(one.measure);
   Extremes found = extremes(curve, measures, compared);
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     LimitResult& result = wanted[i];
@@ -156,11 +158,11 @@ void measure(const MeasuredCurve& curve, const std::vector<std::size_t>& compare
       }
       result.is_broken = std::ranges::any_of(found.corners, [&](const Corner& corner) {
         if (one.kind == Measure::Kind::curvature) return corner.turns(compared, one.channels);
-        return one.derivative > 1 && std::ranges::any_of(corner.channels, [&](std::size_t channel) {
-                 return std::ranges::count(one.channels, channel) > 0;
+        return one.derivative > 1 && std::ranges::any_of(one.channels, [&](std::size_t channel) {
+                 return std::ranges::binary_search(corner.channels, channel);
                });
       });
-      result.passed = !result.is_broken && !extreme.is_unbounded && extreme.high <= *one.limit;
+      result.passed = !result.is_broken && !extreme.is_unbounded && extreme.high <= one.as_measured(*result.limit);
     }
     report.results.push_back(std::move(result));
   }
@@ -232,18 +234,19 @@ LimitsReport report_of(const LimitsJob& job, Report& progress, LimitsPicture* dr
     }
     std::vector<LimitResult> wanted = wanted_of(job.options, pipeline.spec(), report.channels, title);
     const bool turns = std::ranges::any_of(wanted, [](const LimitResult& one) { return one.measure.is_of_rotation; });
-    const auto with_angles = [](SegmentBlock block) {
-      add_angles(block.segments);
-      return block;
+    const ExactSegments exact(pipeline.exact(streamed), turns);
+    const auto key_time = [&](std::size_t number) {
+      return number < streamed.keys.size() ? streamed.keys.key(number).times[0] : *streamed.extent.last;
     };
-    ExactSegments exact(pipeline.exact(streamed), turns);
-    const MeasuredCurve curve{[=] { return turns ? mapped(streamed.segments(), with_angles) : streamed.segments(); },
-                              [&](std::size_t number) { return exact.in_balls(number); },
+    const MeasuredCurve curve{exact.size(),
+                              key_time,
+                              [&](std::size_t first, std::size_t to) { return exact.bounded(first, to); },
                               [&](std::size_t number) { return exact(number); },
-                              pipeline.spec().frames,
+                              exact.is_rational(),
                               pipeline.request().from,
                               pipeline.request().to,
-                              streamed.extent.closed};
+                              streamed.extent.closed,
+                              drawing != nullptr};
     measure(curve, compared, title, std::move(wanted), report);
     const std::string name = title.empty() ? report.keys : fmt::format("{}", fmt::join(title, ", "));
     if (drawing != nullptr) drawing->add(streamed, input.schema, pipeline.spec(), name);
@@ -271,8 +274,8 @@ Rational root_above(const Rational& x, int power) {
   return root + unit;
 }
 
-/// The smallest factor of 14 digits by which all limits hold, with a margin for the rounding of times;
-/// at least 1 unless it `fits`. Throws: Error for limits that no factor meets.
+/// The smallest factor of 14 digits by which all limits hold, at least 1 unless it `fits`. Throws: Error for limits
+/// that no factor meets.
 Rational factor_within(const LimitsReport& report, bool fits) {
   if (report.passed() && !fits) return 1;
   struct Pace {
@@ -309,8 +312,7 @@ Rational factor_within(const LimitsReport& report, bool fits) {
   for (const Pace& pace : least) {
     const double ratio = nearest_double(pace.ratio);
     if (!std::isfinite(ratio) || ratio < 1e-300) throw refuse(pace.name, "it is too far from the maximum");
-    const Rational margin = power_of(Rational(1 + 0x1p-44), pace.power);
-    factor = std::max(factor, root_above(pace.ratio * margin, pace.power));
+    factor = std::max(factor, root_above(pace.ratio, pace.power));
   }
   for (const Pace& pace : most) {
     if (power_of(factor, pace.power) > pace.ratio) throw refuse(pace.name, "slower times break it");

@@ -1,7 +1,7 @@
-// Polynomials over the scalars double, Rational and balls: arithmetic, and Bernstein's form, which bounds them.
+// Polynomials over bounded numbers and rationals by their coefficients in Bernstein's form, which bound them.
 //
-// On [0, 1] a polynomial is within the smallest and the largest of its coefficients in Bernstein's form, and has the
-// first and the last one as its values at 0 and 1; halving the interval brings them together quadratically.
+// On [0, 1] a polynomial is within the smallest and the largest of its coefficients, and has the first and the last one
+// as its values at 0 and 1; halving the interval brings them together quadratically.
 // Source: R. T. Farouki, "The Bernstein polynomial basis: a centennial retrospective", CAGD 29 (2012),
 //   doi:10.1016/j.cagd.2012.03.001.
 #pragma once
@@ -13,13 +13,15 @@
 
 namespace tcb::limits {
 
-/// Coefficients by rising powers, or in Bernstein's form; at least one. Most have seven at most, which need no memory
-/// of their own. They are copied: GCC 12 warns of moving so few.
+/// At least one coefficient. Most have seven at most, which need no memory of their own. They are copied: GCC 12 warns
+/// of moving so few.
 template <class S>
 struct Polynomial : boost::container::small_vector<S, 7> {
   using boost::container::small_vector<S, 7>::small_vector;
   Polynomial(const Polynomial&) = default;
   Polynomial& operator=(const Polynomial&) = default;
+
+  std::size_t degree() const { return this->size() - 1; }
 };
 
 template <class S>
@@ -34,123 +36,95 @@ bool is_zero(const Polynomial<S>& a) {
   return std::ranges::all_of(a, [](const S& x) { return x == S(0); });
 }
 
-/// a + factor b.
-template <class S>
-Polynomial<S> sum(const Polynomial<S>& a, const Polynomial<S>& b, const S& factor = S(1)) {
-  Polynomial<S> result(std::max(a.size(), b.size()));
-  std::ranges::copy(a, result.begin());
-  for (std::size_t i = 0; i < b.size(); ++i) result[i] = result[i] + factor * b[i];
-  return result;
+/// Calls f(i, C(degree, i)) for all i.
+template <class F>
+void with_binomials(std::size_t degree, const F& f) {
+  double binomial = 1;
+  for (std::size_t i = 0; i <= degree; ++i) {
+    f(i, binomial);
+    binomial = binomial * static_cast<double>(degree - i) / static_cast<double>(i + 1);
+  }
 }
 
 template <class S>
-Polynomial<S> product(const Polynomial<S>& a, const Polynomial<S>& b) {
+Polynomial<S> product(Polynomial<S> a, Polynomial<S> b) {
+  with_binomials(a.degree(), [&](std::size_t i, double binomial) { a[i] = a[i] * S(binomial); });
+  with_binomials(b.degree(), [&](std::size_t i, double binomial) { b[i] = b[i] * S(binomial); });
   Polynomial<S> result(a.size() + b.size() - 1);
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) result[i + j] = result[i + j] + a[i] * b[j];
   }
+  with_binomials(result.degree(), [&](std::size_t i, double binomial) {
+    if (binomial != 1) result[i] = result[i] / S(binomial);
+  });
   return result;
 }
 
-/// outer(inner(x)).
 template <class S>
-Polynomial<S> composed(const Polynomial<S>& outer, const Polynomial<S>& inner) {
-  Polynomial<S> result{outer.back()};
-  for (std::size_t i = outer.size() - 1; i-- > 0;) {
-    result = product(result, inner);
-    result[0] = result[0] + outer[i];
-  }
+Polynomial<S> times(Polynomial<S> a, const S& factor) {
+  for (S& x : a) x = x * factor;
+  return a;
+}
+
+template <class S>
+Polynomial<S> power_of(const Polynomial<S>& base, int exponent) {
+  Polynomial<S> power{S(1)};
+  for (int i = 0; i < exponent; ++i) power = product(power, base);
+  return power;
+}
+
+/// The same polynomial with the coefficients of a degree that is not below its own.
+template <class S>
+Polynomial<S> of_degree(const Polynomial<S>& a, std::size_t degree) {
+  if (degree <= a.degree()) return a;
+  return a.degree() == 0 ? Polynomial<S>(degree + 1, a[0]) : product(a, Polynomial<S>(degree - a.degree() + 1, S(1)));
+}
+
+/// a + factor b.
+template <class S>
+Polynomial<S> sum(const Polynomial<S>& a, const Polynomial<S>& b, const S& factor = S(1)) {
+  Polynomial<S> result = of_degree(a, b.degree());
+  const Polynomial<S> other = of_degree(b, a.degree());
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] + factor * other[i];
   return result;
 }
 
 template <class S>
 Polynomial<S> derivative(const Polynomial<S>& a) {
-  if (a.size() == 1) return {S(0)};
-  Polynomial<S> result(a.size() - 1);
-  for (std::size_t i = 1; i < a.size(); ++i) result[i - 1] = S(static_cast<int>(i)) * a[i];
+  Polynomial<S> result{S(0)};
+  if (a.degree() > 0) result.resize(a.degree());
+  for (std::size_t i = 0; i < a.degree(); ++i) result[i] = S(static_cast<int>(a.degree())) * (a[i + 1] - a[i]);
   return result;
 }
 
-template <class S>
-S value_at(const Polynomial<S>& a, const S& x) {
-  S value = a.back();
-  for (std::size_t i = a.size() - 1; i-- > 0;) value = value * x + a[i];
-  return value;
-}
-
-/// The common divisor of the largest degree, by Euclid's algorithm; a constant: there is none.
-template <class S>
-Polynomial<S> common_divisor(Polynomial<S> a, Polynomial<S> b) {
-  const auto trim = [](Polynomial<S>& x) {
-    while (x.size() > 1 && x.back() == S(0)) x.pop_back();
-  };
-  trim(a);
-  trim(b);
-  while (b.size() > 1) {
-    while (a.size() >= b.size()) {
-      const S factor = a.back() / b.back();
-      for (std::size_t i = 1; i <= b.size(); ++i) {
-        S& coefficient = a[a.size() - i];
-        coefficient = coefficient - factor * b[b.size() - i];
-      }
-      a.pop_back();
-      trim(a);
-    }
-    std::swap(a, b);
-  }
-  return is_zero(b) ? a : b;
-}
-
-/// From rising powers to Bernstein's form of a degree that is not below its own: b_j is the sum over i of
-/// C(j, i) a_i / C(n, i), as numbers are sums of their differences.
-template <class S>
-Polynomial<S> bernstein(const Polynomial<S>& a, std::size_t degree) {
-  const auto whole = [](std::size_t i) { return S(static_cast<int>(i)); };
-  Polynomial<S> result(degree + 1);
-  S binomial(1), last(0);  // C(n, i), and the last coefficient, which has the rounding of no quotients
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    result[i] = a[i] / binomial;
-    last = last + a[i];
-    binomial = binomial * whole(degree - i) / whole(i + 1);
-  }
-  for (std::size_t level = degree; level-- > 0;) {
-    for (std::size_t j = level; j < degree; ++j) result[j + 1] = result[j + 1] + result[j];
-  }
-  result.back() = last;
-  return result;
-}
-
-/// The coefficients of Bernstein's form times the binomials. Their products are those of the product.
-template <class S>
-Polynomial<S> with_binomials(Polynomial<S> b) {
-  S binomial(1);
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    b[i] = b[i] * binomial;
-    binomial = binomial * S(static_cast<int>(b.size() - 1 - i)) / S(static_cast<int>(i + 1));
-  }
-  return b;
-}
-
-/// From Bernstein's form to rising powers.
-template <class S>
-Polynomial<S> from_bernstein(Polynomial<S> b) {
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    for (std::size_t j = b.size() - 1; j > i; --j) b[j] = b[j] - b[j - 1];
-  }
-  return with_binomials(b);
-}
-
-/// Bernstein's forms on [0, at] and [at, 1].
+/// The polynomials on [0, at] and [at, 1].
 template <class S>
 std::pair<Polynomial<S>, Polynomial<S>> split(Polynomial<S> b, const S& at) {
   const S rest = S(1) - at;
-  Polynomial<S> left(b.size());
-  left[0] = b[0];
-  for (std::size_t level = b.size() - 1; level > 0; --level) {
+  Polynomial<S> left = b;
+  for (std::size_t level = b.degree(); level > 0; --level) {
     for (std::size_t i = 0; i < level; ++i) b[i] = rest * b[i] + at * b[i + 1];
     left[b.size() - level] = b[0];
   }
   return {left, b};
+}
+
+template <class S>
+S value_at(const Polynomial<S>& a, const S& x) {
+  return split(a, x).second.front();
+}
+
+/// outer(inner(x)).
+template <class S>
+Polynomial<S> composed(const Polynomial<S>& outer, const Polynomial<S>& inner) {
+  std::vector<Polynomial<S>> b;
+  for (const S& coefficient : outer) b.push_back({coefficient});
+  Polynomial<S> rest = inner;
+  for (S& x : rest) x = S(1) - x;
+  for (std::size_t level = outer.degree(); level > 0; --level) {
+    for (std::size_t i = 0; i < level; ++i) b[i] = sum(product(rest, b[i]), product(inner, b[i + 1]));
+  }
+  return b.front();
 }
 
 }  // namespace tcb::limits

@@ -1,189 +1,240 @@
 // Search: the maximum of a measure over pieces. A piece is divided where the maximum probably is, and each part again,
-// until its bound is not far above the best value that is attained, or below it.
+// until its bound is not above the best value that is attained, or nearer to it than reports show.
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "exact/rounding.hpp"
-#include "limits/form.hpp"
+#include "limits/pieces.hpp"
 
 namespace tcb::limits {
 
-/// The simplest fraction between two numbers.
-inline Rational simplest_within(const Rational& low, const Rational& high) {
-  if (low > 0) return simplest_between(low, high);
-  return high < 0 ? -simplest_between(-high, -low) : Rational(0);
-}
+/// A double-double times a power of two.
+struct Scaled {
+  spline::DoubleDouble value{};
+  int exponent = 0;
 
-/// The number within [low, high], if there is one that is far simpler than in other such intervals.
-inline std::optional<Rational> simple_number(const Rational& low, const Rational& high) {
-  const Rational simplest = simplest_within(low, high), size = denominator(simplest);
-  return size * size * (high - low) <= Rational(0x1p-20) ? std::optional(simplest) : std::nullopt;
-}
-
-/// Whether a number is the maximum of a concave polynomial, at a place that may be irrational: there the polynomial
-/// less the maximum has a double root.
-inline bool is_maximum(const Polynomial<Rational>& x, const Rational& number) {
-  const Polynomial<Rational> root = common_divisor(sum(x, {number}, Rational(-1)), derivative(x));
-  return value_at(root, Rational(0)) * value_at(root, Rational(1)) <= 0;
-}
-
-inline bool is_concave(const Polynomial<Rational>& x) {
-  const Polynomial<Rational> bend = derivative(derivative(x));
-  return std::ranges::max(bernstein(bend, bend.size() - 1)) < 0;
-}
-
-/// A place near another one where a polynomial in Bernstein's form is largest on the part [begin, begin + size] of a
-/// piece: at the simplest fraction of the piece, or better by a step of Newton's method.
-inline Rational better_place(const Polynomial<Rational>& form, const Rational& near_place, const Rational& begin,
-                             const Rational& size) {
-  const Polynomial<Rational> rate = derivative(from_bernstein(form));
-  const auto is_inside = [](const Rational& u) { return 0 <= u && u <= 1; };
-  const Rational fraction = begin + near_place * size, near = std::min(Rational(0x1p-36), size / 4);
-  const Rational simplest = fraction <= near ? Rational(0) : simplest_between(fraction - near, fraction + near);
-  const Rational simple = (simplest - begin) / size;
-  if (is_inside(simple) && value_at(rate, simple) == 0) return simple;
-  const Rational bend = value_at(derivative(rate), near_place);
-  if (bend == 0) return near_place;
-  const Rational step = -value_at(rate, near_place) / bend;
-  const bool is_quadratic = form.size() == 3;
-  const Rational better = near_place + (is_quadratic ? step : Rational(nearest_double(step)));
-  return is_inside(better) ? better : near_place;
-}
-
-/// Where a piece is: the numbers of its segment, and of its part of the ease.
-struct Place {
-  std::size_t segment, piece;
+  friend bool operator<(const Scaled& a, const Scaled& b) {
+    if (a.exponent == b.exponent || !(a.value.hi * b.value.hi > 0)) return a.value < b.value;
+    return ldexp(a.value, std::clamp(a.exponent - b.exponent, -900, 900)) < b.value;
+  }
+  Rational exact() const { return (Rational(value.hi) + Rational(value.lo)) * power_of_two(exponent); }
+  double rough() const { return std::ldexp(value.hi, exponent); }
 };
 
-/// Searches the maximum of one measure by parts of pieces. Number: in which values are compared. Rationals find it, and
-/// others the segments that may hold it.
-template <class Number>
+/// What may be above a value within what reports show.
+inline Scaled slightly_above(const Scaled& x) { return {x.value + abs(x.value) * 0x1p-75, x.exponent}; }
+
+template <class S>
+std::pair<Form<S>, Form<S>> split(const Form<S>& form, const S& at) {
+  std::pair<Form<S>, Form<S>> parts{form, form};
+  std::tie(parts.first.over, parts.second.over) = split(form.over, at);
+  for (const auto vectors : {&Form<S>::turning, &Form<S>::velocity}) {
+    for (std::size_t i = 0; i < (form.*vectors).size(); ++i) {
+      std::tie((parts.first.*vectors)[i], (parts.second.*vectors)[i]) = split((form.*vectors)[i], at);
+    }
+  }
+  return parts;
+}
+
+/// The values of a form as bounded numbers times 2^exponent.
+struct BoundedForm {
+  Quotient<Bounded> values;
+  int exponent;
+  bool is_square;
+};
+template <class S>
+BoundedForm bounded(const Form<S>& form) {
+  Form<Bounded> result{.power = form.power, .is_square = form.is_square};
+  const auto convert = [](const std::vector<Polynomial<S>>& from, std::vector<Polynomial<Bounded>>& to) {
+    int unit = no_exponent;
+    for (const Polynomial<S>& x : from) {
+      for (const S& number : x) unit = std::max(unit, exponent_of(number));
+    }
+    if (unit == no_exponent) unit = 0;
+    for (const Polynomial<S>& x : from) {
+      to.emplace_back(x.size());
+      std::ranges::transform(x, to.back().begin(), [unit](const S& number) { return scaled<Bounded>(number, unit); });
+    }
+    return unit;
+  };
+  std::vector<Polynomial<Bounded>> over;
+  result.exponent = form.exponent - 2 * form.power * convert(form.velocity, result.velocity);
+  if (form.turning.empty()) {
+    result.exponent += convert({form.over}, over);
+    result.over = over.front();
+  } else {
+    result.exponent += 2 * convert(form.turning, result.turning);
+  }
+  return {result.quotient(), result.exponent, result.is_square};
+}
+
+/// Where the largest value on [0, 1] probably is: where the derivative, if it is above 0 at first, falls below it.
+inline double likely_place(const Quotient<Bounded>& form) {
+  using Doubles = Polynomial<double>;
+  const auto rough = [](const Polynomial<Bounded>& x) {
+    Doubles result(x.size());
+    std::ranges::transform(x, result.begin(), [](const Bounded& coefficient) { return coefficient.value.hi; });
+    return result;
+  };
+  const Doubles over = rough(form.over), over_rate = derivative(over);
+  const Doubles base = rough(form.base), base_rate = derivative(base);
+  const auto slope = [&](double u) {
+    if (form.power == 0) return value_at(over_rate, u);
+    return value_at(over_rate, u) * value_at(base, u) - form.power * value_at(over, u) * value_at(base_rate, u);
+  };
+  if (!(slope(0) > 0)) return 0;
+  if (slope(1) > 0) return 1;
+  double low = 0;
+  for (double size = 0.5; size >= 0x1p-48; size /= 2) low += slope(low + size) >= 0 ? size : 0;
+  return low;
+}
+
+/// Where a piece is: the number of its segment, and its part of the ease.
+struct PiecePlace {
+  std::size_t segment;
+  Part part;
+};
+
+/// Searches the maximum of one measure, piece after piece.
 class Search {
  public:
   struct Attained {
-    Number value;
-    Place piece;
-    Number place;  ///< on the piece
+    Scaled value;
+    PiecePlace piece;
+    Rational place;  ///< on the piece
   };
   std::optional<Attained> best;
+  std::optional<Scaled> high;  ///< no larger value is on the pieces that are settled
 
-  /// How often parts are halved, and whether a bound that is then far from what is attained is taken, or Undecided.
-  struct Depth {
-    int deepest = 40;
-    bool takes_far_bounds = true;
+  /// Whether a bound is not above the best value by what reports show.
+  bool is_near(const Scaled& upper) const { return best && !(slightly_above(best->value) < upper); }
+
+  void raise(const Scaled& upper) {
+    if (!high || *high < upper) high = upper;
+  }
+
+  struct Bound {
+    bool is_settled;
+    std::optional<Scaled> upper = {};  ///< of a piece that is not settled; nothing where none is known
   };
-
-  /// A bound on a piece; nothing where none is known. `attains`: the piece certainly exists. Throws: Undecided.
+  /// Searches a piece. It is not settled where that needs more digits.
   template <class S>
-  std::optional<Number> bound(const Form<S>& form, const Place& piece, const Depth& depth, bool attains = true) {
-    piece_ = piece;
-    depth_ = depth;
-    splits_ = 0;
-    const auto whole = bound_of<Number>(form);
-    if (!attains) return whole.upper;
-    attain(value_at_end<Number>(form, false), Number(0));
-    attain(value_at_end<Number>(form, true), Number(1));
-    return bound_part(form, whole, Number(0), Number(1), 0);
+  Bound add(const Form<S>& form, const PiecePlace& piece) {
+    const BoundedForm near = bounded(form);
+    const Limits limits = bound_of(near);
+    const Polynomial<Bounded>& base = near.values.base;
+    if (form.power > 0 && (base.front().is_zero() || base.back().is_zero())) return {false};  // it may have no bound
+    using Place = std::conditional_t<std::is_same_v<S, Rational>, Rational, spline::DoubleDouble>;
+    attain(near, piece, false, Place(0.0));
+    attain(near, piece, true, Place(1.0));
+    std::vector<PartOf<S, Place>> parts{{limits, form, near.values, Place(0.0), Place(1.0)}};
+    return {settle(std::move(parts), piece), limits.upper};
   }
-
-  struct Part {
-    std::size_t segment;
-    std::optional<Number> upper;  ///< nothing: no bound is known
-  };
-  /// Adds a segment, the next one, to those that may hold the maximum.
-  void add(std::size_t segment, const std::optional<Number>& upper) {
-    if (is_below(upper)) return;
-    parts_.push_back({segment, upper});
-    if (parts_.size() >= 2 * kept_ + 64) kept_ = rest().size();
-  }
-  /// The segments that may hold the maximum.
-  const std::vector<Part>& rest() {
-    std::erase_if(parts_, [this](const Part& part) { return is_below(part.upper); });
-    return parts_;
-  }
-  /// Whether a bound is below a value that is attained.
-  bool is_below(const std::optional<Number>& upper) const { return upper && best && *upper < best->value; }
 
  private:
-  static constexpr bool is_exact = std::is_same_v<Number, Rational>;
+  static Scaled upper(const Bounded& x, int exponent) { return {x.value + room(x), exponent}; }
+  static Scaled lower(const Bounded& x, int exponent) { return {x.value + -room(x), exponent}; }
+  static double room(const Bounded& x) { return x.error == 0 ? 0 : x.error + 0x1p-98 * std::abs(x.value.hi); }
+  static bool is_known(const Bounded& x) { return std::isfinite(x.value.hi) && std::isfinite(x.error); }
+  static const Rational& exact(const Rational& place) { return place; }
+  static Rational exact(const spline::DoubleDouble& place) { return Rational(place.hi) + Rational(place.lo); }
 
-  void attain(const std::optional<Number>& value, const Number& place) {
-    if (value && (!best || best->value < *value)) best = Attained{*value, piece_, place};
+  /// How long a split takes, in units of one of short numbers.
+  static int work_of(const Form<Bounded>& /*form*/) { return 1; }
+  static int work_of(const Form<Rational>& form) {
+    unsigned bits = 0;
+    for (const Rational& x : form.turning.empty() ? form.over : form.turning.front()) bits = std::max(bits, bits_of(x));
+    const unsigned size = 1 + bits / 512;
+    return static_cast<int>(size * size);
   }
 
-  /// Bounds the part [begin, begin + size] of a piece. `whole`: what bound_of() has for it.
-  template <class S>
-  std::optional<Number> bound_part(const Form<S>& form, const Bound<Number>& whole, const Number& begin,
-                                   const Number& size, int depth) {
-    if (whole.upper && !(best->value < *whole.upper)) return whole.upper;
-    Number at(likely_place(form));
-    const bool is_inside = Number(0) < at && at < Number(1);
-    if constexpr (std::is_same_v<S, Rational>) {
-      if (is_inside) at = better_place(form.over, at, begin, size);
-    }
-    std::pair<Form<S>, Form<S>> parts;
-    Bound<Number> before, after;
-    const auto split_at = [&](const Number& place) {
-      parts = split(form, scalar<S>(place));
-      before = bound_of<Number>(parts.first);
-      after = bound_of<Number>(parts.second);
-      attain(value_at_end<Number>(parts.first, true), begin + place * size);
-    };
-    if (is_inside) split_at(at);
-    const auto larger = [](const std::optional<Number>& x, const std::optional<Number>& y) {
-      return x && y ? std::max(x, y) : std::nullopt;
-    };
-    std::optional<Number> upper = is_inside ? larger(before.upper, after.upper) : whole.upper;
-    if (upper) {
-      if (!(best->value < *upper)) return upper;
-      const bool is_narrow = !(std::max(whole.doubt, before.doubt) < *upper - best->value);
-      if (is_narrow || (depth == depth_.deepest && depth_.takes_far_bounds)) {
-        if constexpr (std::is_same_v<S, Rational>) {
-          const auto exact = is_inside ? simple_number(parts.first.over.back(), *upper) : std::nullopt;
-          const Polynomial<Rational> x = exact ? from_bernstein(form.over) : Polynomial<Rational>{0};
-          if (exact && !is_concave(x) && depth < 40) {  // a smaller part is
-            split_at(Rational(1) / 2);
-            return larger(bound_part(parts.first, before, begin, size / 2, depth + 1),
-                          bound_part(parts.second, after, begin + size / 2, size / 2, depth + 1));
-          }
-          if (exact && is_maximum(x, *exact)) attain(upper = exact, begin + at * size);
-        } else if constexpr (is_exact && std::is_same_v<S, Ball>) {
-          throw Undecided();  // its results are never exact: it only shows that a part has no larger values
-        }
-        return upper;
+  /// A bound, if one is known, and what the values of much smaller parts could have instead.
+  struct Limits {
+    std::optional<Scaled> upper = {};
+    Scaled least = {};
+  };
+  /// A quotient is at most the largest of those of the coefficients.
+  static Limits bound_of(const BoundedForm& form) {
+    const auto& [over, base, power] = form.values;
+    Polynomial<Bounded> x = over;
+    if (power > 0) {
+      const Polynomial<Bounded> below = of_degree(power_of(base, power), x.degree());
+      x = of_degree(x, below.degree());
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        if (!is_above_zero(below[i])) return {};
+        x[i] = x[i] / below[i];
       }
     }
-    constexpr int deepest_without_bound = 10, most_splits = is_exact ? 2'000 : 1'000;
-    const bool is_last_split = ++splits_ > most_splits;
-    if (!is_exact && (is_last_split || (!upper && depth == deepest_without_bound))) return upper;
-    if (is_last_split || depth == depth_.deepest) throw Undecided();
-    if (!is_inside) {
-      at = Number(0.5);
-      split_at(at);
+    Limits largest;
+    for (const Bounded& coefficient : x) {
+      if (!is_known(coefficient)) return {};
+      const Scaled one = upper(coefficient, form.exponent);
+      if (largest.upper && !(*largest.upper < one)) continue;
+      largest = {one, {coefficient.value + -16 * room(coefficient), form.exponent}};
     }
-    const auto left = bound_part(parts.first, before, begin, at * size, depth + 1);
-    return left ? larger(left, bound_part(parts.second, after, begin + at * size, size - at * size, depth + 1)) : left;
-  }
-  template <class S>
-  static S scalar(const Number& x) {
-    if constexpr (is_exact) {
-      return scalar_of<S>(x);
-    } else {
-      return S(x);
-    }
+    return largest;
   }
 
-  Place piece_ = {};
-  Depth depth_;
-  int splits_ = 0;
-  std::vector<Part> parts_;
-  std::size_t kept_ = 0;
+  template <class Place>
+  void attain(const BoundedForm& form, const PiecePlace& piece, bool last, const Place& place) {
+    const auto& [over, base, power] = form.values;
+    Bounded value = last ? over.back() : over.front();
+    if (power > 0) value = value / power_of(last ? base.back() : base.front(), power);
+    if (!is_known(value)) return;
+    Scaled attained = lower(value, form.exponent);
+    if (form.is_square && attained < Scaled()) attained = Scaled();
+    if (!best || slightly_above(best->value) < attained) best = Attained{attained, piece, exact(place)};
+  }
+
+  /// A part of a piece that may have larger values than the best one. Those without a bound come before others.
+  template <class S, class Place>
+  struct PartOf : Limits {
+    Form<S> form;
+    Quotient<Bounded> values;
+    Place begin, size;
+
+    friend bool operator<(const PartOf& a, const PartOf& b) { return a.upper && (!b.upper || *a.upper < *b.upper); }
+  };
+
+  /// Divides the part with the largest bound until this is near the best value. Whether that needs no more digits.
+  template <class S, class Place>
+  bool settle(std::vector<PartOf<S, Place>> parts, const PiecePlace& piece) {
+    constexpr bool is_exact = std::is_same_v<S, Rational>;
+    for (int work = is_exact ? 4000 : 1000;;) {
+      std::pop_heap(parts.begin(), parts.end());
+      const PartOf<S, Place> part = std::move(parts.back());
+      parts.pop_back();
+      if (part.upper && is_near(*part.upper)) {
+        raise(*part.upper);
+        return true;
+      }
+      work -= work_of(part.form);
+      if (work < 0 || (part.upper && !(best->value < part.least))) return false;
+      double at = likely_place(part.values);
+      if constexpr (is_exact) at = std::nearbyint(at * 0x1p12) * 0x1p-12;  // so that numbers stay short
+      if (!(0 < at && at < 1)) at = 0.5;
+      const Place first = part.size * Place(at), middle = part.begin + first;
+      auto [left, right] = split(part.form, S(at));
+      const BoundedForm before = bounded(left), after = bounded(right);
+      attain(before, piece, true, middle);
+      if (part.values.power > 0) {  // squares of bases may have been too small to divide by them
+        attain(before, piece, false, part.begin);
+        attain(after, piece, true, Place(part.begin + part.size));
+      }
+      const auto add = [&parts](Form<S>& form, const BoundedForm& near, const Place& begin, const Place& size) {
+        parts.push_back({bound_of(near), std::move(form), near.values, begin, size});
+        std::push_heap(parts.begin(), parts.end());
+      };
+      add(left, before, part.begin, first);
+      add(right, after, middle, part.size - first);
+    }
+  }
 };
 
 }  // namespace tcb::limits

@@ -187,10 +187,36 @@ def squares(vectors):
     return total
 
 
-def exact_maximum(parts, name, kind, channels):
+def heading(velocity, end):
+    """The direction of a path at an end of a part, from the first derivative that is not 0, and how many are 0."""
+    for order in range(3):
+        vector = [value(v, F(end)) * (-1 if end and order % 2 else 1) for v in velocity]
+        if any(vector):
+            return vector, order
+        velocity = [derive(v) for v in velocity]
+    return None, 3
+
+
+def turns_at_rest(parts, channels, closed):
+    """Whether the path has a corner at a key at which it rests."""
+    velocities = [[derive(by_u[c]) for c in channels] for _, _, by_u in parts]
+    pairs = list(zip(velocities, velocities[1:] + velocities[:1] if closed else velocities[1:]))
+    for before, after in pairs:
+        (a, m), (b, n) = heading(before, 1), heading(after, 0)
+        if a is None or b is None or m == n == 0 or before == after:
+            continue
+        dot = lambda x, y: sum(p * q for p, q in zip(x, y))
+        if dot(a, a) * dot(b, b) - dot(a, b) ** 2 > F(1, 2 ** 80) * dot(a, a) * dot(b, b):
+            return True
+    return False
+
+
+def exact_maximum(parts, name, kind, channels, closed=False):
     """Of a size its square, of a minimum its negative."""
     order = orders[name.split("_")[0]]
     best = None
+    if name == "curvature" and turns_at_rest(parts, channels, closed):
+        return None
     for duration, by_time, by_u in parts:
         if name == "curvature":
             v = [derive(by_u[c]) for c in channels]
@@ -359,7 +385,7 @@ for number in range(curves):
     for entry in report["limits"]:
         extreme, name = entry["extreme"], entry["name"]
         measured = [0] if name.endswith("_x") else list(range(channels))
-        best = exact_maximum(exact[tuple(entry["curve"])], name, extreme, measured)
+        best = exact_maximum(exact[tuple(entry["curve"])], name, extreme, measured, bool(period))
         maxima += 1
         if best is None or entry["maximum"] is None:
             unbounded += 1

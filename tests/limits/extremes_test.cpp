@@ -20,23 +20,20 @@ struct TwoChannels {
 
 /// A curve of these segments, each of the duration 1 from time 0.
 MeasuredCurve curve_of(const std::vector<TwoChannels>& cubics) {
-  spline::Segments<double> segments{2, {0.0}, {}, {}};
   const auto exact = std::make_shared<std::vector<spline::Segments<Rational>>>();
   for (const auto& x : cubics) {
     const Rational begin = exact->size();
     exact->push_back({2, {begin, begin + 1}, {}, {}});
     exact->back().cubics = {spline::cubic<Rational>(x.p0, x.p1, x.out, x.in),
                             spline::cubic<Rational>(x.q0, x.q1, x.q_out, x.q_in)};
-    const auto near = [](const Rational& number) { return nearest_double(number); };
-    segments.times.emplace_back(near(begin + 1));
-    segments.cubics.push_back(spline::cubic<double>(near(x.p0), near(x.p1), near(x.out), near(x.in)));
-    segments.cubics.push_back(spline::cubic<double>(near(x.q0), near(x.q1), near(x.q_out), near(x.q_in)));
   }
-  const auto blocks = [segments]() -> Source<SegmentBlock> {
-    return [block = std::optional(SegmentBlock{segments, {}, true})]() mutable { return std::exchange(block, {}); };
-  };
-  const auto no_balls = [](std::size_t) -> spline::Segments<Ball> { throw Undecided(); };
-  return {blocks, no_balls, [exact](std::size_t number) { return exact->at(number); }, {}, {}, {}};
+  return {exact->size(),
+          [](std::size_t number) { return Time(static_cast<double>(number)); },
+          [](std::size_t, std::size_t) { return std::optional<spline::Segments<Bounded>>(); },
+          [exact](std::size_t number) { return exact->at(number); },
+          true,
+          {},
+          {}};
 }
 
 const Measure velocity{"velocity_x", Measure::Kind::size, 1, {0}, true};
@@ -65,7 +62,9 @@ TEST(Extremes, a_maximum_that_is_irrational_is_between_two_numbers) {
 }
 
 TEST(Extremes, at_a_key_it_has_a_side) {
-  const Extreme found = maximum(curve_of({{0, 1, 0, 3}, {1, 2, 1, 1}}), velocity);
+  MeasuredCurve curve = curve_of({{0, 1, 0, 3}, {1, 2, 1, 1}});
+  curve.has_positions = true;
+  const Extreme found = maximum(curve, velocity);
   EXPECT_EQ(found.high, 9);
   EXPECT_EQ(found.time, 1);
   EXPECT_EQ(found.side, spline::Side::left);
@@ -95,6 +94,51 @@ TEST(Extremes, beside_a_rest_a_curvature_has_no_bound) {
   const Extreme found = maximum(curve_of({{0, 1, 0, 2, 0, 1, 0, 3}}), curvature);  // u^2, u^3
   EXPECT_TRUE(found.is_unbounded);
   EXPECT_EQ(found.time, 0);
+}
+
+TEST(Extremes, at_a_rest_between_two_directions_a_curvature_has_no_bound) {
+  const TwoChannels right{0, 1, 0, 0, 0, 0, 0, 0}, up{1, 1, 0, 0, 0, 1, 0, 0}, back{1, 0, 0, 0, 0, 0, 0, 0};
+  const Extreme found = maximum(curve_of({right, up}), curvature);
+  EXPECT_TRUE(found.is_unbounded);
+  EXPECT_EQ(found.time, 1);
+  EXPECT_EQ(found.side, spline::Side::left);
+  EXPECT_EQ(maximum(curve_of({right, back}), curvature).high, 0);  // there and back on a line
+}
+
+TEST(Extremes, a_curvature_beside_a_slow_end_has_all_digits) {
+  const Rational slow = Rational(1e-80);  // at the end: velocity (slow, 0), acceleration (-3 + 2 slow, -2)
+  const Extreme found = maximum(curve_of({{0, 1, Rational(3) / 2, slow, 0, 1, 2, 0}}), curvature);
+  const Rational exact = 2 / (slow * slow);
+  EXPECT_EQ(found.low, exact * exact);
+  EXPECT_EQ(found.high, exact * exact);
+}
+
+TEST(Extremes, of_equal_maxima_the_earliest_is_told) {
+  const TwoChannels rise{0, 1, 0, 0}, fall{1, 0, 0, 0};
+  EXPECT_EQ(maximum(curve_of({rise, fall, rise}), velocity).time, Rational(1) / 2);
+}
+
+TEST(Extremes, a_time_that_is_printed_as_that_of_a_key_is_that_key) {
+  MeasuredCurve curve = curve_of({{0, 1, 9, 9}, {1, 2, 0, 0}, {2, 3, 9, 9}});
+  curve.from = 1 - Rational(0x1p-60);
+  curve.to = 2 + Rational(0x1p-60);
+  const Extreme found = maximum(curve, velocity);
+  EXPECT_EQ(found.high, Rational(9) / 4);
+  EXPECT_EQ(found.time, Rational(3) / 2);
+}
+
+TEST(Extremes, many_channels_have_the_curvature_of_their_plane) {  // y = x^2 in each of three pairs of channels
+  spline::Segments<Rational> one{6, {0, 1}, {}, {}};
+  for (int i = 0; i < 3; ++i) {
+    one.cubics.push_back(spline::cubic<Rational>(-1, 1, 2, 2));
+    one.cubics.push_back(spline::cubic<Rational>(1, 1, -4, 4));
+  }
+  MeasuredCurve curve = curve_of({{}});
+  curve.exact = [one](std::size_t) { return one; };
+  const Measure all{"curvature", Measure::Kind::curvature, 0, {0, 1, 2, 3, 4, 5}};
+  const Extreme found = extremes(curve, {all}, {0}).maxima.at(0).value();
+  EXPECT_EQ(found.low, Rational(4) / 3);  // a parabola of sqrt(3) x and sqrt(3) x^2
+  EXPECT_EQ(found.time, Rational(1) / 2);
 }
 
 TEST(Extremes, on_a_line_there_is_none) {
