@@ -3,7 +3,7 @@
 Random curves with steps and positions from 1e-300 to 1e300, also with lengths, and rotations. Each list of places is
 printed in one run, in reverse, shuffled, and row by row; each row has the same bytes in all of them, and
 no error is one of a library. Then numbers within a few units of powers of ten are printed with 1 to 40 digits, exactly,
-as balls and as what lies at a length, against decimals rounded once.
+as bounded numbers and as what lies at a length, against decimals rounded once.
 Exit 1: a row differs, and its command is printed.
 """
 import decimal
