@@ -3,6 +3,7 @@
 #pragma once
 
 #include <charconv>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -77,6 +78,9 @@ bool same_in_any_case(std::string_view a, std::string_view b);
 
 /// The parts of a text between separators, one at least.
 std::vector<std::string_view> split(std::string_view text, char separator);
+/// The parts would outlive a text that is made for the call.
+template <std::same_as<std::string> Text>
+std::vector<std::string_view> split(Text&& text, char separator) = delete;
 
 /// Whether a name is one of a pattern's, in which * is any text and ? any character.
 bool matches(std::string_view name, std::string_view pattern);

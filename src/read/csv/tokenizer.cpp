@@ -267,8 +267,9 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
     return data_error("{}: {} has an exponent as Fortran writes it; expected e or E; change it", column,
                       in_quotes(cell));
   }
-  const auto numbers = split(with_point(cell), ' ');
-  const bool several = std::ranges::all_of(numbers, [](std::string_view number) { return looks_numeric(number); });
+  const std::string text = with_point(cell);
+  const bool several =
+      std::ranges::all_of(split(text, ' '), [](std::string_view number) { return looks_numeric(number); });
   return several ? data_error(
                        "{}: {} is not a number; expected one number in each cell; give the delimiter with --delimiter",
                        column, in_quotes(cell))
