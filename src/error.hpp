@@ -1,6 +1,7 @@
 // Errors: a message, where the fault is, and the exit code of the program.
 //
 // A message stands where its fault is found: throw data_error("{} is not a number; expected …; …", in_quotes(cell)).
+// Where an option settles an error, the remedy says "give --NAME VALUE", from which cli/open_questions.cpp takes it.
 #pragma once
 
 #include <fmt/core.h>

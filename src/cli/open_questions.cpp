@@ -1,12 +1,14 @@
 // Open questions: the options in a remedy, and the next error with them.
 #include "cli/open_questions.hpp"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <optional>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -36,62 +38,83 @@ std::string_view value_in(std::string_view text) {
 std::vector<std::string> options_in(std::string_view message) {
   constexpr std::string_view give = "give ";
   std::vector<std::string> words;
-  std::size_t at = message.find("give --");
-  if (at == std::string_view::npos) return {};
-  for (at += give.size(); message.substr(at).starts_with("--");) {
-    const std::string_view rest = message.substr(at);
-    const std::string_view name = rest.substr(0, std::min(rest.find_first_of(" ,;="), rest.size()));
+  const std::size_t remedy = message.rfind("give --");
+  if (remedy == std::string_view::npos) return {};
+  std::string_view rest = message.substr(remedy + give.size());
+  while (rest.starts_with("--")) {
+    const std::string_view name = rest.substr(0, rest.find_first_of(" ,;="));
     const auto row = std::ranges::find(option_table(), name, &OptionRow::name);
     if (row == option_table().end()) return words;
+    if (name == "--max-memory") return {};  // more than a person allowed
     words.emplace_back(name);
     if (row->kind == ValueKind::flag) return words;
     if (rest.size() == name.size()) return {};
     const std::string_view value = value_in(rest.substr(name.size() + 1));
     if (value.empty()) return {};
     words.emplace_back(value);
-    at = std::min(message.find(' ', static_cast<std::size_t>(value.data() - message.data()) + value.size()),
-                  message.size() - 1) +
-         1;
+    const std::size_t next = rest.find(' ', name.size() + 1 + value.size());
+    if (next == std::string_view::npos) return words;
+    rest.remove_prefix(next + 1);
   }
   return words;
 }
 
-/// The error of a command that is explained; nothing if there is none. A command that cannot be explained is an error.
+/// Whether reading the inputs of a command again gives the same, soon: no pipe, whose bytes are gone, and no large
+/// file.
+bool can_be_read_again(const std::vector<std::string>& words, const ExplainJob& job) {
+  constexpr std::uintmax_t most = 1UL << 26;
+  const auto may_read_other = [](const std::string& word) { return word == "-" || word.find('@') != word.npos; };
+  const auto is_small = [](const std::string& path) {
+    std::error_code none;
+    return std::filesystem::is_regular_file(path, none) && std::filesystem::file_size(path, none) <= most;
+  };
+  return std::ranges::none_of(words, may_read_other) && !job.files.files.empty() &&
+         std::ranges::all_of(job.files.files, is_small);
+}
+
+/// The error of a command that is explained; nothing if there is none. Throws: Error (usage) where it is not explained.
 std::optional<Error> error_with(std::vector<std::string> words) {
   words.emplace_back("--explain");
+  const Job job = parse(words);
+  const auto* const explained = std::get_if<ExplainJob>(&job);
+  if (explained == nullptr || !can_be_read_again(words, *explained)) throw usage_error("not explained");
   try {
-    const Job job = parse(words);
-    const auto* const explained = std::get_if<ExplainJob>(&job);
-    const bool has_files = explained != nullptr && !explained->files.files.empty();
-    if (!has_files || std::ranges::count(explained->files.files, "-") > 0) return usage_error("there is no file");
     require_explained(*explained);
   } catch (const Error& error) {
+    if (error.exit() != Exit::data) throw;
     return error;
   }
   return std::nullopt;
 }
 
+/// Nothing unless several errors follow each other, and options settle all of them.
+std::optional<OpenQuestions> several_questions(std::vector<std::string> words, const Error& first) {
+  constexpr std::size_t most = 4;
+  OpenQuestions open{first, ""};
+  for (std::optional<Error> next = first; next;) {
+    const std::vector<std::string> options = options_in(next->message());
+    if (options.empty() || std::ranges::count(words, options[0]) > 0) return std::nullopt;
+    for (const std::string& option : options) {
+      open.settled_by += (open.settled_by.empty() ? "" : " ") + in_shell(option);
+      words.push_back(option);
+    }
+    next = error_with(words);
+    if (next) open.error.add(*next);
+    if (open.error.others().size() > first.others().size() + most) return std::nullopt;
+  }
+  const bool is_alone = open.error.others().size() == first.others().size();
+  return is_alone ? std::nullopt : std::optional(std::move(open));
+}
+
 }  // namespace
 
-OpenQuestions open_questions(const std::vector<std::string>& words, Error error) {
-  constexpr int most = 4;
-  std::vector<std::string> settled, all = words;
-  std::vector<Error> others;
-  std::optional<Error> next = error;
-  while (next) {
-    if (next->exit() != Exit::data || others.size() == most) return {std::move(error), ""};
-    std::vector<std::string> options = options_in(next->message());
-    if (options.empty() || std::ranges::count(all, options[0]) > 0) return {std::move(error), ""};
-    for (std::string& option : options) {
-      settled.push_back(in_shell(option));
-      all.push_back(std::move(option));
-    }
-    next = error_with(all);
-    if (next) others.push_back(*next);
+OpenQuestions open_questions(const std::vector<std::string>& words, const Error& error) {
+  if (error.exit() != Exit::data) return {error, ""};
+  try {
+    if (auto open = several_questions(words, error)) return *std::move(open);
+  } catch (const std::exception&) {  // what only a further attempt meets, such as too little memory
   }
-  if (others.empty()) return {std::move(error), ""};
-  for (Error& other : others) error.add(std::move(other));
-  return {std::move(error), fmt::format("{}", fmt::join(settled, " "))};
+  return {error, ""};
 }
 
 }  // namespace tcb

@@ -15,8 +15,9 @@ struct OpenQuestions {
   std::string settled_by;  ///< the options that settle all; empty where the error is alone
 };
 
-/// The questions that an error of a command leaves open, if options settle all of them. Each is found by explaining the
-/// files with the options that the remedies so far name, which reads them once more; standard input is not read again.
-OpenQuestions open_questions(const std::vector<std::string>& words, Error error);
+/// The questions that an error of a command leaves open, if options settle all of them; else the error alone. Each is
+/// found by explaining the files with the options that the remedies so far name. These are read again for that, unless
+/// one is a pipe or large.
+OpenQuestions open_questions(const std::vector<std::string>& words, const Error& error);
 
 }  // namespace tcb

@@ -61,7 +61,7 @@ Exit run(const std::vector<std::string>& words) {
     const bool has_colors = colors_messages(color);
     std::string text = error_text(open.error, has_colors);
     if (!open.settled_by.empty()) {
-      text += fmt::format("\n{}{}, where they are meant, settle these errors",
+      text += fmt::format("\n{}{} settle these errors; check whether each is what you mean",
                           message_head("tcbsample", MessageKind::note, has_colors), open.settled_by);
     }
     return refuse(open.error.exit(), text);

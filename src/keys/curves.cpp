@@ -117,9 +117,8 @@ Source<KeyBlock> arranged(Source<KeyBlock> blocks, const Schema& schema, const K
   const bool are_labelled = !traits.label.empty() && schema.groups.empty();
   if (are_labelled && options.sort) {
     throw data_error(
-        "--sort would mix rows with different values of {} in one curve; expected the rows of one curve; give "
-        "--group {} for one curve per value, or --columns {} if the values do not distinguish curves",
-        in_quotes(traits.label), in_shell(traits.label), in_shell("carry=" + traits.label));
+        "--sort would mix rows with different values in column {} in one curve; expected the rows of one curve; {}",
+        in_shell(traits.label), remedy_for_label(traits.label));
   }
   if (by_text || options.sort) {
     blocks = grouped(without_faults(std::move(blocks)),
@@ -132,9 +131,10 @@ Source<KeyBlock> arranged(Source<KeyBlock> blocks, const Schema& schema, const K
   if (is_ordered && options.duplicates == Duplicates::spread) blocks = spread_out(std::move(blocks));
   if (is_ordered) {
     const bool may_group = schema.groups.empty() && !traits.own_curves;
-    const std::string column = are_labelled ? traits.label : schema.named ? "NAME" : "NUMBER";
-    blocks = in_order(std::move(blocks), options.duplicates,
-                      {schema.time.is_by_place, may_group ? column : "", are_labelled});
+    const std::string_view any_column = schema.named ? "NAME" : "NUMBER";
+    blocks =
+        in_order(std::move(blocks), options.duplicates,
+                 {schema.time.is_by_place, may_group ? any_column : "", are_labelled ? traits.label : std::string()});
   }
   return without_faults(std::move(blocks), arrive);
 }

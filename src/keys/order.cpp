@@ -136,7 +136,7 @@ class Order : public HoldingStage {
   Placement placement_of(const Time& time) const {
     if (!before_ || is_earlier(before_->time, time)) return Placement::follows;
     if (is_earlier(time, before_->time)) return Placement::goes_back;
-    if (remedies_.are_labelled) return Placement::repeats;
+    if (!remedies_.label.empty()) return Placement::repeats;
     switch (duplicates_) {
       case Duplicates::first: return Placement::dropped;
       case Duplicates::last: return Placement::replaces_last;
@@ -150,14 +150,18 @@ class Order : public HoldingStage {
   Error fault(const KeyBlock& block, std::size_t key, bool equal) const {
     const KeyLocation here = location(block, key);
     const std::string beginning = here.beginning(), time = time_text(here.time), before = before_->time_and_position();
+    if (!remedies_.label.empty()) {
+      return data_error(
+                 "{}time {} {} the time {}, beside other values in column {}; expected the keys of one curve; {}",
+                 beginning, time, equal ? "repeats" : "is less than", before, in_shell(remedies_.label),
+                 remedy_for_label(remedies_.label))
+          .at(block.text_position(key));
+    }
     std::string give = "give ";
     if (remedies_.has_time_by_place) {
       give += "--parameter uniform if the first column is no time, --columns time=NUMBER if another one is, ";
     }
-    if (!remedies_.group.empty()) {
-      give += fmt::format("--group {} {}, ", in_shell(remedies_.group),
-                          remedies_.are_labelled ? "for a curve of each value" : "if a column tells curves apart");
-    }
+    if (!remedies_.group.empty()) give += fmt::format("--group {} if a column tells curves apart, ", remedies_.group);
     const bool has_others = give.ends_with(", ");
     give += has_others ? "or " : "";
     return (equal ? data_error("{}time {} repeats the time {}; expected increasing times; remove one of the keys, or "
@@ -234,6 +238,11 @@ class Spreader : public HoldingStage {
 };
 
 }  // namespace
+
+std::string remedy_for_label(std::string_view label) {
+  return fmt::format("give --group {} for one curve per value, or --columns {} if the values do not distinguish curves",
+                     in_shell(label), in_shell(fmt::format("carry={}", label)));
+}
 
 Source<KeyBlock> without_gaps(Source<KeyBlock> blocks) {
   return [blocks = std::move(blocks), broken = false, any = false]() mutable -> std::optional<KeyBlock> {

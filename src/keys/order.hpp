@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "numbers/frame_times.hpp"
 #include "numbers/rational.hpp"
@@ -28,9 +29,12 @@ Source<KeyBlock> grouped(Source<KeyBlock> blocks, const Grouping& grouping);
 /// What the remedies for times that do not increase depend on.
 struct OrderRemedies {
   bool has_time_by_place = false;  ///< the first column is the time, as none has a name
-  std::string group = {};          ///< what --group may be given: a column, NAME or NUMBER; empty: nothing
-  bool are_labelled = false;       ///< the column seems to tell curves apart, so that equal times are those of several
+  std::string_view group = {};     ///< NAME or NUMBER, which stands for a column in --group; empty: there is none
+  std::string label = {};          ///< as in Columns: equal times are those of several curves; empty: no column is one
 };
+
+/// The remedy for keys of several curves that a label tells apart.
+std::string remedy_for_label(std::string_view label);
 
 /// The keys with times of one kind. Up to the block with the first time of more than 17 digits, times are doubles or
 /// whole numbers; from there on each is its decimal.

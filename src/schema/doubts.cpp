@@ -907,25 +907,22 @@ std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::
   return "";
 }
 
-std::string label_of_curves(const FoundColumns& found) {
-  const std::vector<std::size_t> times = found.columns.time_cells();
-  if (times.size() != 1 || found.requested.samples) return "";
-  for (std::size_t cell = 0; cell < found.columns.cells.size(); ++cell) {
-    const Columns::Column& column = found.columns.cells[cell];
+std::string label_of_curves(const Columns& columns, std::span<const std::string> names,
+                            std::span<const std::vector<std::string_view>> rows, std::span<const double> times) {
+  for (std::size_t cell = 0; cell < columns.cells.size(); ++cell) {
+    const Columns::Column& column = columns.cells[cell];
     if (column.role != Role::ignored || !column.is_text) continue;
     std::unordered_map<std::string_view, double> last;  // times, by the text beside them
     bool rise = true, rise_in_each = true;
     double before = -std::numeric_limits<double>::infinity();
-    for (const auto& row : found.rows) {
-      const double time = number_in(found, row, times[0]);
-      const auto [same, is_first] = last.emplace(cell < row.size() ? row[cell] : "", time);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const double time = times[row];
+      const auto [same, is_first] = last.emplace(cell < rows[row].size() ? rows[row][cell] : "", time);
       rise = rise && time > before;
       rise_in_each = rise_in_each && (is_first || time > same->second);
       before = same->second = time;
     }
-    if (!rise && rise_in_each && last.size() > 1 && last.size() < found.rows.size()) {
-      return requested_as(found.names, cell);
-    }
+    if (!rise && rise_in_each && last.size() > 1 && last.size() < rows.size()) return requested_as(names, cell);
   }
   return "";
 }

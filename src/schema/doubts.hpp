@@ -45,7 +45,8 @@ std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::
 
 /// The column of texts without a role for each of which the times of the first records increase, though they do not
 /// over all records; empty where there is none.
-std::string label_of_curves(const FoundColumns& found);
+std::string label_of_curves(const Columns& columns, std::span<const std::string> names,
+                            std::span<const std::vector<std::string_view>> rows, std::span<const double> times);
 
 /// The columns of a year, a month and a day by their names, as far as their numbers in the first records are such, and
 /// of an hour, a minute and a second. Empty where there are none.

@@ -114,6 +114,9 @@ TEST(Doubts, a_column_of_texts_labels_curves_if_times_increase_beside_each_of_th
   EXPECT_EQ(label("0,1,a\n2,1,b\n1,1,c\n3,1,d\n"), "") << "one each";
   EXPECT_EQ(label("0,1,a\n1,1,a\n2,1,a\n"), "") << "one for all";
   EXPECT_EQ(label("0,1,a\n1,1,b\n2,1,a\n"), "") << "times increase over all";
+  EXPECT_EQ(label("2024-01-01,1,a\n2024-01-03,1,a\n2024-01-01,1,b\n2024-01-02,1,b\n"), "name");
+  EXPECT_EQ(label("30.01.2024,1,a\n02.02.2024,1,a\n31.01.2024,1,b\n01.02.2024,1,b\n"), "name") << "day, month, year";
+  EXPECT_EQ(label("0:10,1,a\n0:20,1,a\n0:05,1,b\n0:15,1,b\n"), "name");
 }
 
 TEST(Doubts, lengths_measure_space_where_channels_name_it) {

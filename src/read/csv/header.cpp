@@ -186,21 +186,6 @@ bool has_numbered_columns(const HeadRecords& first) {
   return !first.records[1].cells[0].empty();
 }
 
-/// The columns in which the first two records have the same word, so that the first record is no header; empty where it
-/// has no number either.
-std::vector<std::size_t> repeated_words(const HeadRecords& first, const DelimitedHead& head) {
-  if (first.records.size() < 2) return {};
-  const auto &one = first.records[0].cells, &two = first.records[1].cells;
-  if (one.size() != two.size()) return {};
-  std::vector<std::size_t> words;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    if (one[i] == two[i] && !may_be_value(one[i], head)) words.push_back(i);
-  }
-  const auto is_number = [&](const std::string& cell) { return !cell.empty() && may_be_value(cell, head); };
-  if (!words.empty() && std::ranges::none_of(one, is_number)) return {};
-  return words;
-}
-
 /// A column holds numbers unless both of the first two data records have text in it, or it has neither cells nor a
 /// name. Without names that is told of the first column of keys alone: a column of samples may begin without numbers.
 std::vector<bool> numeric_columns(const HeadRecords& first, std::size_t data, const std::vector<std::string>& names,
@@ -303,6 +288,23 @@ std::pair<std::vector<std::string>, HeadRecords::Record> names_in_comments(const
   const bool has_names = !lines.empty() && lines.back().size() == record.cells.size();
   if (!has_names || !are_names(lines.back(), head, options)) return {};
   return {std::move(lines.back()), HeadRecords::Record()};
+}
+
+/// The columns of words of a first record that is no header, as it has numbers too: those in which the next record has
+/// the same word or, where a comment above names the columns, another one.
+std::vector<std::size_t> words_beside_numbers(const HeadRecords& first, const DelimitedHead& head,
+                                              const ColumnOptions& options) {
+  if (first.records.size() < 2) return {};
+  const auto &one = first.records[0].cells, &two = first.records[1].cells;
+  const auto is_number = [&](const std::string& cell) { return !cell.empty() && may_be_value(cell, head); };
+  if (one.size() != two.size() || std::ranges::none_of(one, is_number)) return {};
+  const bool are_named = !names_in_comments(first.records[0], head, options).first.empty();
+  std::vector<std::size_t> words;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    const bool is_word = !may_be_value(one[i], head) && !may_be_value(two[i], head);
+    if (is_word && (are_named || one[i] == two[i])) words.push_back(i);
+  }
+  return words;
 }
 
 /// What to do where the first row has another number of cells than the header: with another delimiter the records may
@@ -874,6 +876,7 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
                                       : find_columns(names, numeric, requested.roles, requested.timeless);
   for (const std::size_t cell : unread) {
     if (is_requested[cell] || requested.times_only || head.is_of_format) continue;
+    head.columns.cells[cell].is_text = true;
     head.columns.ignored.push_back(names.empty() ? fmt::format("column {}", cell + 1) : names[cell]);
   }
   for (std::size_t cell = 0; cell < numeric.size(); ++cell) {
@@ -900,9 +903,27 @@ void find_key_columns(DelimitedHead& head, std::vector<std::string>& names, std:
         .array = options.delimited.array};
     std::ranges::copy(doubts_of_columns(found), std::back_inserter(notes));
     head.columns.time_gap = first_time_gap(found);
-    head.columns.label = label_of_curves(found);
   }
   head.columns.doubts = std::move(notes);
+}
+
+/// The column of texts that may tell curves apart; empty where there is none.
+std::string label_of(const DelimitedHead& head, const std::vector<std::string>& names, const HeadRows& rows) {
+  const auto may_be_label = [](const Columns::Column& column) {
+    return column.role == Role::ignored && column.is_text;
+  };
+  const bool has_time = head.columns.has(Role::time) && !head.columns.has(Role::nanoseconds);
+  if (!has_time || std::ranges::none_of(head.columns.cells, may_be_label)) return "";
+  std::vector<double> times;
+  for (const HeadCells& cells : rows) {
+    const std::string text = first_time(texts(cells), head.columns);
+    const auto number = Decimals(head.marks).number(text);
+    const KeyUnits& units = head.units;
+    const auto seconds =
+        number ? std::nullopt : read_time(text, units.notation, units.frame_rate.value_or(1), units.dates.order);
+    times.push_back(number ? *number : seconds ? nearest_double(*seconds) : std::numeric_limits<double>::quiet_NaN());
+  }
+  return label_of_curves(head.columns, names, rows, times);
 }
 
 }  // namespace
@@ -925,7 +946,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   if (!options.delimited.delimiter) require_delimiter(first, dialect);
   if (!options.delimited.header && !columns.samples && !head.is_of_format) require_no_title(first.records);
   std::vector<std::size_t> unread;
-  if (!options.delimited.header && !columns.samples) unread = repeated_words(first, head);
+  if (!options.delimited.header && !columns.samples) unread = words_beside_numbers(first, head, columns);
   const bool is_numbered = unread.empty() && has_numbered_columns(first);
   const bool is_named = is_numbered || (unread.empty() && is_header(first.records[0], head, columns.samples));
   const bool header = options.delimited.header.value_or(is_named);
@@ -974,20 +995,24 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   rest[0].line = row.line;
   const auto numeric = numeric_columns(first, data, names, columns.samples.has_value(), head);
   require_numbers(row, names, numeric, head);
+  const HeadRows rows = cells_of(rest, dialect);
   at_position(position, [&] {
     if (columns.samples) {
       head.columns = find_sample_columns(names, numeric, *columns.samples, columns.timeless);
     } else {
-      find_key_columns(head, names, numeric, cells_of(rest, dialect), options, unread);
+      find_key_columns(head, names, numeric, rows, options, unread);
     }
     take_descriptions(head, described, options.units);
     if (has_commas) head.columns.doubts.emplace_back("the comma in numbers is taken as the decimal mark");
     std::vector<std::string> times{first_time(row.cells, head.columns)};
     if (find_date_format(times[0])) {
-      for (const HeadCells& cells : cells_of(rest, dialect)) times.push_back(first_time(texts(cells), head.columns));
+      for (const HeadCells& cells : rows) times.push_back(first_time(texts(cells), head.columns));
     }
     const UnitOptions of_times = with_date_order(options.units, head.columns.time, times, head.columns.doubts);
     head.units = units_of_keys(of_times, head.columns, times[0]);
+    if (!head.is_of_format && !columns.samples && !columns.times_only) {
+      head.columns.label = label_of(head, names, rows);
+    }
   });
   if (!columns.has(Role::position) && !columns.samples && !columns.times_only)
     require_text(rest[0], head, names, numeric);

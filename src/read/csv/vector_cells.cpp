@@ -49,13 +49,9 @@ std::string_view mark_in(std::string_view between) {
 /// Whether numbers without brackets may be one: with a decimal comma, thousands, or degrees with minutes.
 bool may_be_one(std::string_view cell, std::string_view mark) {
   if (mark != " ") return mark == "," && (Decimals({','}).number(cell) || has_thousands_separators(cell));
-  std::size_t parts = 0, points = 0;
-  for (const std::string_view part : split(cell, ' ')) {
-    if (part.empty()) continue;
-    ++parts;
-    if (part.find('.') != std::string_view::npos) ++points;
-  }
-  return points < parts;
+  return std::ranges::any_of(split(cell, ' '), [](std::string_view part) {
+    return !part.empty() && part.find('.') == std::string_view::npos;
+  });
 }
 
 /// The place of the bracket behind a word that begins at a place, as in POINT (1 2); the same place without one.
