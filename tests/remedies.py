@@ -7,6 +7,7 @@ has the message: all keys of it must be there, also equal ones.
     remedies.py PROGRAM GOLDEN_FOLDER
 """
 import bz2
+import concurrent.futures
 import io
 import json
 import lzma
@@ -78,41 +79,40 @@ def run(command, folder, data):
     return done.returncode, done.stderr.decode(errors="replace")
 
 
-def replay(program, arguments, data, text):
-    """Runs a command again with each remedy of its errors, in a copy of the folder. `text`: what it printed."""
-
-    def run_in_copy(words):
-        with tempfile.TemporaryDirectory() as folder:
-            shutil.copytree(".", folder, dirs_exist_ok=True, symlinks=True)
-            return run([program, *words], folder, data)
-
+def replay(program, kept, valued, other_names):
+    """Runs a command that failed again with each remedy of its errors, in a copy of its folder. `kept`: the folder in
+    which WRAPPER keeps it."""
+    arguments = (kept / "arguments").read_bytes().decode(errors="surrogateescape").split("\0")[:-1]
+    data = (kept / "input").read_bytes()
+    tried = []
     if {"--output-dir", "--recursive"} & set(arguments):
-        return
-    valued = set(os.environ["REMEDY_VALUED"].split())
-    other_names = json.loads(os.environ["REMEDY_NAMES"])
-    before = errors(text)
+        return tried
+    before = errors((kept / "messages").read_text(errors="replace"))
     for line in before[:3]:
         for words in remedies(line.split(": error: ", 1)[1], valued):
-            after_status, after = run_in_copy(replaced(arguments, words, other_names))
+            with tempfile.TemporaryDirectory() as folder:
+                shutil.copytree(kept / "folder", folder, dirs_exist_ok=True, symlinks=True)
+                after_status, after = run([program, *replaced(arguments, words, other_names)], folder, data)
             same = after_status != 0 and line in errors(after)
             refused = after_status == 2 and any(f"error: {words[0]}" in one for one in errors(after))
-            entry = {"arguments": arguments, "error": line, "remedy": words, "after": errors(after)[:2]}
-            entry["fails"] = same or refused
-            with open(os.environ["REMEDY_LOG"], "a") as out:
-                out.write(json.dumps(entry) + "\n")
+            tried.append({"arguments": arguments, "error": line, "remedy": words, "after": errors(after)[:2],
+                          "fails": same or refused})
+    return tried
 
 
-# Runs the program as a case does; where it fails with a message that may offer an option, tries its remedies.
+# Runs the program as a case does; where it fails with a message that may offer an option, keeps what runs it again.
 WRAPPER = """#!/bin/sh
-input=$(mktemp) messages=$(mktemp)
-cat >"$input"
-"$REMEDY_PROGRAM" "$@" <"$input" 2>"$messages"
+kept=$(mktemp -d "$REMEDY_KEPT/XXXXXX")
+cat >"$kept/input"
+"$REMEDY_PROGRAM" "$@" <"$kept/input" 2>"$kept/messages"
 status=$?
-cat "$messages" >&2
-case $status in
-1 | 2) ! grep -q ': error: .*; .* -' "$messages" || "$REMEDY_PYTHON" "$REMEDY_SCRIPT" --replay "$input" "$messages" "$@" ;;
-esac
-rm -f "$input" "$messages"
+cat "$kept/messages" >&2
+if grep -q ': error: .*; .* -' "$kept/messages"; then
+  printf '%s\\0' "$@" >"$kept/arguments"
+  cp -RP . "$kept/folder"
+else
+  rm -r "$kept"
+fi
 exit $status
 """
 
@@ -177,32 +177,38 @@ def run_data_remedies(program, folder):
     return failures
 
 
+def has_remedy(case):
+    """Whether the program is run again for a golden case. The folders left out change what they find."""
+    file = case / "errors"
+    return (case.parent.name not in ("batch", "output") and case.name != "large-texts" and file.exists()
+            and re.search(": error: .*; .* -", file.read_text(errors="replace")))
+
+
 def main(program, golden):
     program = os.path.abspath(program)
     tables = json.loads(subprocess.run([program, "--generate", "tables"], capture_output=True, check=True).stdout)
-    valued = [option["name"] for option in tables["options"] if option["value"]]
+    valued = {option["name"] for option in tables["options"] if option["value"]}
     names = {option["other_name"]: option["name"] for option in tables["options"] if option["other_name"]}
-    with tempfile.TemporaryDirectory() as folder:
-        tools = pathlib.Path(folder, "bin")
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        tools, kept = pathlib.Path(folder, "bin"), pathlib.Path(folder, "kept")
         tools.mkdir()
+        kept.mkdir()
         wrapper = tools / "tcbsample"
         wrapper.write_text(WRAPPER)
         wrapper.chmod(0o755)
-        log = pathlib.Path(folder, "log")
-        log.touch()
         environment = {**os.environ, "PATH": f"{tools}:{os.environ['PATH']}", "REMEDY_PROGRAM": program,
-                       "REMEDY_LOG": str(log), "REMEDY_PYTHON": sys.executable,
-                       "REMEDY_SCRIPT": os.path.abspath(__file__), "REMEDY_VALUED": " ".join(valued), "REMEDY_NAMES": json.dumps(names)}
-        for case in sorted(pathlib.Path(golden).glob("*/*/cmd")):
-            is_repeatable = case.parent.parent.name not in ("batch", "output")  # these change what they find
-            if not is_repeatable or case.parent.name == "large-texts" or not (case.parent / "errors").exists():
-                continue
-            work = pathlib.Path(folder, "case")
-            shutil.copytree(case.parent, work, symlinks=True)
+                       "REMEDY_KEPT": str(kept)}
+
+        def run_case(case):
+            work = pathlib.Path(folder, "cases", *case.parts[-2:])
+            shutil.copytree(case, work, symlinks=True)
             subprocess.run(["sh", "./cmd"], cwd=work, env=environment, stdin=subprocess.DEVNULL,
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=600)
             shutil.rmtree(work)
-        entries = [json.loads(line) for line in log.read_text().splitlines()]
+
+        cases = sorted(path.parent for path in pathlib.Path(golden).glob("*/*/cmd"))
+        list(pool.map(run_case, filter(has_remedy, cases)))
+        entries = sum(pool.map(lambda one: replay(program, one, valued, names), sorted(kept.iterdir())), [])
         losses = run_data_remedies(program, folder)
     print(*losses, sep="\n")
     failures = [entry for entry in entries if entry["fails"]]
@@ -213,8 +219,4 @@ def main(program, golden):
 
 
 if __name__ == "__main__":
-    if sys.argv[1] == "--replay":
-        data, text = (pathlib.Path(path).read_bytes() for path in sys.argv[2:4])
-        replay(os.environ["REMEDY_PROGRAM"], sys.argv[4:], data, text.decode(errors="replace"))
-    else:
-        sys.exit(main(*sys.argv[1:]))
+    sys.exit(main(*sys.argv[1:]))
