@@ -36,6 +36,7 @@
 #include "run/curve_pipeline.hpp"
 #include "run/file_notes.hpp"
 #include "run/progress.hpp"
+#include "sample/build.hpp"
 #include "schema/texts.hpp"
 #include "stream/ordered_map.hpp"
 #include "text/suggest.hpp"
