@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "tcb/spline/scalar.hpp"
+
 namespace tcb::spline {
 namespace {
 
@@ -31,6 +33,25 @@ TEST(DoublePair, operations_have_the_bits_of_one_double) {
     expect(max(a, b), std::max(a0, b0), std::max(a1, b1));
     expect(upper_half(a), upper_half(a0), upper_half(a1));
     expect(if_positive(a, b, DoublePair(7.0)), a0 > 0 ? b0 : 7, a1 > 0 ? b1 : 7);
+  }
+}
+
+TEST(DoublePair, double_doubles_have_the_bits_of_one) {
+  std::mt19937_64 random(21);
+  std::uniform_real_distribution<double> uniform(0, 4);
+  const auto number = [&] { return DoubleDouble::normalized(uniform(random), 0x1p-54 * uniform(random)); };
+  for (int i = 0; i < 1000; ++i) {
+    const DoubleDouble a0 = number(), a1 = i % 8 == 0 ? DoubleDouble() : number(), b0 = number(), b1 = number();
+    const DoubleDoublePair a = pair_of(a0, a1), b = pair_of(b0, b1);
+    const auto expect = [](const DoubleDoublePair& found, const DoubleDouble& first, const DoubleDouble& second) {
+      EXPECT_EQ(one_of(found, 0), first);
+      EXPECT_EQ(one_of(found, 1), second);
+    };
+    expect(a + b, a0 + b0, a1 + b1);
+    expect(a - b, a0 - b0, a1 - b1);
+    expect(a * b, a0 * b0, a1 * b1);
+    expect(a / b, a0 / b0, a1 / b1);
+    expect(sqrt(a), sqrt(a0), sqrt(a1));
   }
 }
 

@@ -1,4 +1,4 @@
-// Double pair: two doubles in the same operations; each result is the same as for one double alone.
+// Double pair: two doubles, or double-doubles, in the same operations; each result is the same as for one alone.
 //
 // Most operations take no longer for two doubles than for one. With GCC and Clang the two are a vector, which
 // their optimizers do not make of two doubles; elsewhere, or where TCB_SPLINE_PLAIN_PAIRS is defined, they are two
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "tcb/spline/double_double.hpp"
 
@@ -77,6 +78,35 @@ class DoublePair {
 template <class S>
 S if_positive(const S& a, const S& yes, const S& no) {
   return a > S(0) ? yes : no;
+}
+
+/// Two double-doubles.
+using DoubleDoublePair = DoubleDoubleOf<DoublePair>;
+
+inline DoubleDoublePair sqrt(const DoubleDoublePair& value) {
+  const DoublePair root = sqrt(value.hi);
+  const DoubleDoublePair remainder = value - DoubleDoublePair(root) * DoubleDoublePair(root);
+  return DoubleDoublePair::normalized(root, if_positive(root, remainder.hi / (2 * root), 0.0));
+}
+
+template <class S>
+inline constexpr bool has_pairs = std::is_same_v<S, double> || std::is_same_v<S, DoubleDouble>;
+
+inline DoublePair pair_of(double first, double second) { return {first, second}; }
+inline DoubleDoublePair pair_of(const DoubleDouble& first, const DoubleDouble& second) {
+  return {{first.hi, second.hi}, {first.lo, second.lo}};
+}
+inline double one_of(const DoublePair& pair, std::size_t i) { return pair[i]; }
+inline DoubleDouble one_of(const DoubleDoublePair& pair, std::size_t i) { return {pair.hi[i], pair.lo[i]}; }
+
+/// A number by its first double.
+template <class D>
+const D& rough(const D& number) {
+  return number;
+}
+template <class D>
+const D& rough(const DoubleDoubleOf<D>& number) {
+  return number.hi;
 }
 
 }  // namespace tcb::spline

@@ -108,8 +108,8 @@ struct Bounds {
 
 /// The points that a panel's rule needs, by OtherTerms within the radius that each rule requires. Promises: never too
 /// few, and seldom more than zeros within 1.2 times the radius require.
-template <class S>
-std::size_t points_needed(const S& for_most, const S& for_few) {
+template <class S, class T>
+std::size_t points_needed(const T& for_most, const T& for_few) {
   return for_few < S(1) ? few_points<S> : for_most < S(1) ? most_points<S> : 0;
 }
 
@@ -125,17 +125,19 @@ Panel<S> make_panel(const Speed<S>& speed, const Bounds<S>& at) {
 /// Two panels, computed as a pair where that saves time.
 template <class S>
 std::array<Panel<S>, 2> make_panels(const Speed<S>& speed, const Bounds<S>& a, const Bounds<S>& b) {
-  if constexpr (std::is_same_v<S, double>) {
+  if constexpr (has_pairs<S>) {
     const auto q = speed.squares_about({a.half, b.half}, {a.middle(), b.middle()}, {a.width(), b.width()});
-    const OtherTerms<DoublePair> others(q);
-    const DoublePair for_most = others.within(smooth_radius_power<S, most_points<S>>());
-    const DoublePair for_few = others.within(smooth_radius_power<S, few_points<S>>());
+    // The digits of doubles suffice, also of double-doubles.
+    const OtherTerms<DoublePair> others({rough(q[0]), rough(q[1]), rough(q[2]), rough(q[3]), rough(q[4])});
+    const auto within = [&others](const S& radius_power) { return others.within(rough(radius_power)); };
+    const DoublePair for_most = within(smooth_radius_power<S, most_points<S>>());
+    const DoublePair for_few = within(smooth_radius_power<S, few_points<S>>());
     const auto panel = [&](const Bounds<S>& at, std::size_t i) {
       return Panel<S>{at.half,
                       at.middle(),
                       at.width(),
-                      {q[0][i], q[1][i], q[2][i], q[3][i], q[4][i]},
-                      points_needed(for_most[i], for_few[i])};
+                      {one_of(q[0], i), one_of(q[1], i), one_of(q[2], i), one_of(q[3], i), one_of(q[4], i)},
+                      points_needed<S>(for_most[i], for_few[i])};
     };
     return {panel(a, 0), panel(b, 1)};
   } else {
@@ -174,14 +176,28 @@ template <class S, std::size_t N, class T>
 T root_integral(const Quartic<T>& q, const T& begin, const T& end) {
   using std::sqrt;
   const auto& rule = gauss_rule<S, N>();
-  const auto [q0, q1, q2, q3, q4] = q;
   const T width = end - begin;
-  std::array<T, N> terms;
-  for (std::size_t i = 0; i < N; ++i) {
-    const T z = begin + width * rule.node[i];
-    terms[i] = rule.weight[i] * sqrt(T(q0 + z * (q1 + z * (q2 + z * (q3 + z * q4)))));
+  if constexpr (std::is_same_v<T, DoubleDouble>) {  // two nodes as a pair
+    const auto both = [](const T& x) { return pair_of(x, x); };
+    const auto q0 = both(q[0]), q1 = both(q[1]), q2 = both(q[2]), q3 = both(q[3]), q4 = both(q[4]);
+    const auto first = both(begin), widths = both(width);
+    std::array<DoubleDoublePair, N / 2> terms;
+    for (std::size_t i = 0; i < N / 2; ++i) {
+      const auto z = first + widths * pair_of(rule.node[2 * i], rule.node[2 * i + 1]);
+      const auto weight = pair_of(rule.weight[2 * i], rule.weight[2 * i + 1]);
+      terms[i] = weight * sqrt(q0 + z * (q1 + z * (q2 + z * (q3 + z * q4))));
+    }
+    const auto sum = sum_in_pairs(terms);
+    return (one_of(sum, 0) + one_of(sum, 1)) * width;
+  } else {
+    const auto [q0, q1, q2, q3, q4] = q;
+    std::array<T, N> terms;
+    for (std::size_t i = 0; i < N; ++i) {
+      const T z = begin + width * rule.node[i];
+      terms[i] = rule.weight[i] * sqrt(T(q0 + z * (q1 + z * (q2 + z * (q3 + z * q4)))));
+    }
+    return sum_in_pairs(terms) * width;
   }
-  return sum_in_pairs(terms) * width;
 }
 
 /// The length over [begin, end] of z by an N-point Gauss-Legendre rule.

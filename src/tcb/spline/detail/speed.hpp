@@ -102,14 +102,16 @@ class Speed {
   }
 
   /// As square_about(), for two places, computed as a pair.
-  Quartic<DoublePair> squares_about(const std::array<std::size_t, 2>& halves, const DoublePair& middle,
-                                    const DoublePair& width) const {
-    Quartic<DoublePair> sum;
-    sum.fill(0.0);
+  auto squares_about(const std::array<std::size_t, 2>& halves, const std::array<S, 2>& middle,
+                     const std::array<S, 2>& width) const {
+    auto middles = pair_of(middle[0], middle[1]), widths = pair_of(width[0], width[1]);
+    using T = decltype(middles);
+    Quartic<T> sum;
+    sum.fill(T(0.0));
     for (std::size_t i = 0; i < channels_[0].size(); ++i) {
       const auto& x = channels_[halves[0]][i];
       const auto& y = channels_[halves[1]][i];
-      add_square(sum, {DoublePair(x.k0, y.k0), DoublePair(x.k1, y.k1), DoublePair(x.k2, y.k2)}, middle, width);
+      add_square(sum, {pair_of(x.k0, y.k0), pair_of(x.k1, y.k1), pair_of(x.k2, y.k2)}, middles, widths);
     }
     return sum;
   }
