@@ -186,10 +186,10 @@ class Tangents {
   void equalize(std::size_t key) {
     const std::span in = std::span(incoming_).subspan(key * keys_.channels, keys_.channels);
     const std::span out = std::span(outgoing_).subspan(key * keys_.channels, keys_.channels);
-    const S unit = power_of_two_above(in, out);
+    const S unit_in = power_of_two_above(in), unit_out = power_of_two_above(out), unit = std::max(unit_in, unit_out);
     if (unit == S(0)) return;
-    const W speed_in = size(in, unit) / (keys_.times[key] - keys_.times[key - 1]);
-    const W speed_out = size(out, unit) / (keys_.times[key + 1] - keys_.times[key]);
+    const W speed_in = size(in, unit_in) / (keys_.times[key] - keys_.times[key - 1]) * W(unit_in / unit);
+    const W speed_out = size(out, unit_out) / (keys_.times[key + 1] - keys_.times[key]) * W(unit_out / unit);
     const W sum = speed_in + speed_out;
     if (sum == W(0)) return;
     for (W& value : in) value = value * (speed_out + speed_out) / sum;
@@ -204,20 +204,21 @@ class Tangents {
   std::size_t metric(std::size_t i) const { return metric_.empty() ? i : metric_[i]; }
 
   /// A power of two no smaller than any metric component, so that squares neither overflow nor vanish.
-  S power_of_two_above(std::span<const W> in, std::span<const W> out) const {
+  S power_of_two_above(std::span<const W> tangent) const {
     using std::abs, std::frexp, std::ldexp;
     S largest(0);
     for (std::size_t i = 0; i < metric_size(); ++i) {
-      largest = std::max({largest, S(abs(high_part<S>(in[metric(i)]))), S(abs(high_part<S>(out[metric(i)])))});
+      largest = std::max(largest, S(abs(high_part<S>(tangent[metric(i)]))));
     }
     int exponent = 0;
     (void)frexp(largest, &exponent);
     return largest == S(0) ? S(0) : ldexp(S(1), exponent);
   }
 
-  /// The length of a tangent over the metric channels, in the given unit.
+  /// The length of a tangent over the metric channels, in the given unit, which is 0 for a length of 0.
   W size(std::span<const W> tangent, const S& unit) const {
     using std::sqrt;
+    if (unit == S(0)) return W(0);
     W sum(0);
     for (std::size_t i = 0; i < metric_size(); ++i) {
       const W component = tangent[metric(i)] / W(unit);
