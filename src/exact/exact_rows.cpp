@@ -71,11 +71,10 @@ Printed time_cell(const FastRow& row, const RowsOfCurve& curve, const Notation& 
   const bool is_decimal = curve.exact.decimal || curve.exact.channels.frames;
   const bool is_shown = !row.exact.time && shown.lo == 0 && row.segment.decimals == 0 && !is_decimal;
   if (is_shown && !notation.is_rounded()) return {shown};
-  constexpr double whole_times_from = 0x1p53;  // which have all their digits
-  if (is_shown && std::abs(shown.hi) < whole_times_from) {
-    if (auto printed = Rounding(notation, CellKind::real).within(Bounded(shown.hi))) return *std::move(printed);
-  }
   const Rounding rounding(notation, CellKind::time, row.segment.decimals);
+  if (is_shown) {
+    if (auto printed = rounding.within(Bounded(shown.hi))) return *std::move(printed);
+  }
   if (row.exact.time) return rounding.exactly({*row.exact.time});
   return rounding.exactly(
       {shown.lo == 0 ? exact_number(shown, curve.exact.decimal, curve.exact.channels.frames) : exact_time(shown)});
@@ -157,11 +156,9 @@ class ExactRows::Evaluation {
   }
 
  private:
-  /// What a cell is all along a segment.
-  enum class Along { open, zero, empty, other };
   struct AlongSegment {
-    int rows = 0;              ///< that were not decided without it
-    std::vector<Along> cells;  ///< none until they are needed
+    int rows = 0;                               ///< that were not decided without it
+    std::vector<std::optional<Printed>> cells;  ///< that are the same all along; none until they are needed
   };
   struct Placed {
     bool bounded = false, exact = false, double_doubles = false, floats = false;
@@ -414,6 +411,11 @@ class ExactRows::Evaluation {
         const auto& number = written[i].number;
         if (number.defined && std::isfinite(number.value.hi)) first[i] = exactly(number.value);
       }
+    } else {
+      const std::vector<Cell> written = in_doubles(row, {&index, 1});
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (!is_empty(written[i]) && std::isfinite(written[i].hi) && written[i].hi != 0) first[i] = exactly(written[i]);
+      }
     }
     try {
       if (!is_placed_.floats) (void)short_floats().place(row);
@@ -434,6 +436,10 @@ class ExactRows::Evaluation {
     try {
       (void)long_floats().place(row);
       third = long_floats().numbers(index);
+      const Rational noise = long_floats().noise(index);
+      for (auto& number : third) {
+        if (number && abs(*number) <= noise) number = 0;
+      }
     } catch (const Undecided&) {
       refuse_digits(row);
     }
@@ -492,7 +498,7 @@ class ExactRows::Evaluation {
     });
   }
 
-  /// Sets the open cells of rational fields that are 0 or empty all along the segment of a row. That is looked up where
+  /// Sets the open cells of rational fields that are the same all along the segment of a row. That is looked up where
   /// several rows of a segment need it, or where it spares floats.
   void set_along(const FastRow& row) {
     if (!is_rational_curve_ || row.outside != nullptr || row.end != nullptr || row.at_key) return;
@@ -506,35 +512,41 @@ class ExactRows::Evaluation {
     if (!rows_.arc && (!may_be_along_ || ++along.rows < few)) return;
     if (along.cells.empty()) look_along(segment, along.cells);
     for (std::size_t i = 0; i < cells_.size(); ++i) {
-      if (cells_[i]) continue;
-      if (along.cells[i] == Along::empty) cells_[i] = Printed{empty_cell};
-      if (along.cells[i] == Along::zero && (rows_.arc || may_be_zero_[i]))
-        cells_[i] = Rounding(notation_, CellKind::real).exactly({0});
+      const std::optional<Printed>& cell = along.cells[i];
+      const bool is_needed = !cells_[i] && cell && (rows_.arc || is_empty(cell->cell) || may_be_zero_[i]);
+      if (is_needed) cells_[i] = cell;
     }
   }
 
-  void look_along(std::size_t segment, std::vector<Along>& cells) {
-    cells.assign(cells_.size(), Along::open);
+  void look_along(std::size_t segment, std::vector<std::optional<Printed>>& cells) {
     if (!exact_) exact_.emplace(rows_);
     is_placed_.exact = false;
-    for (const double u : inner_places) {
-      exact_->place_inside(segment, u);
-      auto cell = cells.begin();
-      for (const std::size_t index : chosen_) {
-        const Field& field = fields()[index];
-        const bool jumps = exact_->has_ease() && (field.name == "acceleration" || field.name == "jerk");
-        const bool is_of_place = is_rational(index) && field.kind == CellKind::real && !field.of_piece && !jumps;
-        const auto written = is_of_place ? numbers(*exact_, index) : std::vector<Written<Rational>>(width({&index, 1}));
-        for (const auto& [number, is_zero] : written) {
-          const Along here = !is_of_place        ? Along::other
-                             : !number.defined   ? Along::empty
-                             : number.value == 0 ? Along::zero
-                                                 : Along::other;
-          *cell = *cell == Along::open || *cell == here ? here : Along::other;
-          ++cell;
+    exact_->place_inside(segment, inner_places.front());
+    const auto are_same = [](const Quantity<Rational>& a, const Quantity<Rational>& b) {
+      return a.defined == b.defined && (!a.defined || (a.value == b.value && a.root == b.root));
+    };
+    for_each_field([&](const std::size_t& index, Cells of_field) {
+      const Field& field = fields()[index];
+      const bool jumps = exact_->has_ease() && (field.name == "acceleration" || field.name == "jerk");
+      const bool is_of_place = is_rational(index) && field.kind == CellKind::real && !field.of_piece && !jumps;
+      std::vector<Written<Rational>> first;
+      std::vector<bool> is_same(of_field.size(), is_of_place);
+      for (const double u : inner_places) {
+        if (std::ranges::find(is_same, true) == is_same.end()) break;
+        exact_->place_inside(segment, u);
+        const auto here = numbers(*exact_, index);
+        if (first.empty()) first = here;
+        for (std::size_t i = 0; i < here.size(); ++i) {
+          is_same[i] = is_same[i] && are_same(here[i].number, first[i].number);
         }
       }
-    }
+      for (std::size_t i = 0; i < of_field.size(); ++i) {
+        cells.emplace_back();
+        if (!is_same[i]) continue;
+        const auto& [value, defined, root] = first[i].number;
+        cells.back() = Rounding(notation_, CellKind::real).exactly({value, root, !defined});
+      }
+    });
   }
 
   /// Whether a row is in the middle of a symmetric curve, and of a segment.

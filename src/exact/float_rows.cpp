@@ -35,6 +35,10 @@ class Rows final : public FloatRows {
     }
     return numbers;
   }
+  Rational noise(std::size_t field) override {
+    const Float<bits> noise = point_.noise(field);
+    return isfinite(noise) ? rational_of<bits>(noise) : Rational(0);
+  }
   bool is_symmetric() override { return point_.is_symmetric(); }
 
  private:

@@ -21,6 +21,8 @@ class FloatRows {
   virtual PlaceByLength place(const FastRow& row) = 0;
   /// The numbers of a field of the row that was placed last; nothing for one that is not defined.
   virtual std::vector<std::optional<Rational>> numbers(std::size_t field) = 0;
+  /// As RowPoint has it.
+  virtual Rational noise(std::size_t field) = 0;
   /// Whether the curve is as fast as it is reversed.
   virtual bool is_symmetric() = 0;
 };

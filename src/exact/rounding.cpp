@@ -214,7 +214,7 @@ std::optional<Printed> Rounding::within(const Known& known) const {
 
 std::optional<Printed> Rounding::within(const Bounded& number) const {
   if (!std::isfinite(number.value.hi) || !std::isfinite(number.error)) return std::nullopt;
-  const bool is_plain = kind_ == CellKind::real || kind_ == CellKind::whole;
+  const bool is_plain = kind_ != CellKind::time || (decimals_ == 0 && std::abs(number.value.hi) < 0x1p53);
   if (is_plain && !has_text()) {
     if (!rounds_to_one_double(number)) return std::nullopt;
     return Printed{.cell = Cell(number.value.hi), .is_zero = number.is_zero()};
@@ -234,7 +234,13 @@ std::optional<Rational> simple_fraction(const Known& known) {
   static const Rational chance = Rational(0x1p-40);
   const Rational size = abs(known.value);
   if (size <= known.error) return 0;
-  const Rational unit = power_of_two(binary_exponent(size)), value = size / unit, error = known.error / unit;
+  const Rational unit = power_of_two(binary_exponent(size));
+  Rational value = size / unit, error = known.error / unit;
+  if (error != 0) {  // bits below it have no effect, and take time
+    const Rational last = power_of_two(binary_exponent(error) - 16);
+    value = floor(value / last) * last;
+    error = floor(error / last + 2) * last;
+  }
   const Rational simple = simplest_between(value - error, value + error), divisor = denominator(simple);
   if (2 * error * divisor * divisor > chance) return std::nullopt;
   return known.value < 0 ? Rational(-simple * unit) : Rational(simple * unit);

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -68,10 +69,10 @@ struct RowsOfCurve {
   spline::Side side;
 };
 
-/// Places of a segment: more than any number of a row has zeros, as these are roots of polynomials of at most ten
-/// degrees.
-inline constexpr std::array inner_places{0.0546875, 0.140625, 0.234375, 0.328125, 0.4140625, 0.515625,
-                                         0.578125,  0.671875, 0.765625, 0.859375, 0.9453125};
+/// Places of a segment: more than those at which a number of a row is the same, unless it is so everywhere, as these
+/// are roots of polynomials of at most twelve degrees.
+inline constexpr std::array inner_places{0.0546875, 0.109375, 0.171875, 0.234375, 0.328125, 0.4140625, 0.515625,
+                                         0.578125,  0.671875, 0.765625, 0.859375, 0.890625, 0.9453125};
 
 /// A number that is written for a cell of a row.
 template <class S>
@@ -165,6 +166,25 @@ class RowPoint {
   double scale(std::size_t channel) const requires std::is_same_v<S, spline::DoubleDouble> {
     const auto& [p0, out, c, c_low, p1, in, e, e_low, d] = segment_.cubics[channel];
     return std::abs(p0.hi) + std::abs(p1.hi) + std::abs(out.hi) + std::abs(in.hi) + std::abs(c.hi) + std::abs(d.hi);
+  }
+  /// More than what rounding leaves of terms that cancel, in a velocity, speed, acceleration or curvature at the point.
+  S noise(std::size_t field) const requires spline::has_roots<S> {
+    using std::abs;
+    const std::string_view name = fields()[field].name;
+    const auto& [u, w] = sample_.at;
+    S v(0), a(0), square(0);
+    for (const spline::Cubic<S>& x : segment_.cubics) {
+      const S rate = spline::first_derivative(x, sample_.at), terms = abs(x.out) + abs(x.in) + abs(x.c) + abs(x.d);
+      v = v + (sample_.at.near_start() ? S(abs(x.out) + u * terms) : S(abs(x.in) - w * terms));
+      a = a + terms;
+      square = square + rate * rate;
+    }
+    const S h = segment_.end - segment_.start, part(2 * rounding);
+    const bool is_of_motion = motion_ && fields()[field].of_pace;
+    if (name == "curvature" && square != S(0)) return a / square * part;
+    if (is_of_motion || h == S(0)) return S(0);
+    if (name == "velocity" || name == "speed") return v / h * part;
+    return name == "acceleration" ? S(a / h / h * part) : S(0);
   }
 
   /// Whether the speed is that of the reversed curve, as it is at the places of each segment.
@@ -290,9 +310,8 @@ class RowPoint {
     }
     for (std::size_t i = lengths_.size(); i <= key; ++i) {
       const bool is_kept = has_room() || known_.contains(i - 1);
-      const spline::Length<S> length =
-          is_kept ? arc(i - 1).total()
-                  : spline::SegmentLength<S>(curve_->segments(i - 1, i)[0], rows_.exact.rules.metric).total();
+      if (!is_kept) passed_.assign(curve_->segments(i - 1, i)[0], rows_.exact.rules.metric);
+      const spline::Length<S>& length = is_kept ? arc(i - 1).total() : passed_.total();
       lengths_.push_back(lengths_.back() + length.value);
       errors_.push_back(errors_.back() + length.error);
     }
@@ -382,7 +401,7 @@ class RowPoint {
     const bool is_whole = row.part && row.part->distance == 1;
     if (is_whole || (rows_.arc->intervals != 0 && row.number == rows_.arc->intervals)) {
       number = curve_->size() - 1;
-      while (number > 0 && length_to(number) == length_to(number + 1)) --number;  // the earliest time of the length
+      while (number > 0 && arc(number).total().value == S(0)) --number;  // the earliest time of the length
       return at_key(true);
     }
     segment_ = segment(number);
@@ -395,7 +414,7 @@ class RowPoint {
     sample_ = {};
     const S start = length_to(number), end = length_to(number + 1), into = s - start;
     if (into < S(0x1p-20) * (end - start)) {
-      if constexpr (std::is_same_v<S, spline::DoubleDouble>) throw Undecided();
+      require_range(into / (end - start));
       sample_.at.u = place_near_start(into);
       sample_.at.w = sample_.at.u - S(1);
     } else {
@@ -518,6 +537,7 @@ class RowPoint {
   const RowsOfCurve& rows_;
   std::unique_ptr<const spline::CurveKeys<S>> curve_;
   std::map<std::size_t, Known> known_;
+  spline::SegmentLength<S> passed_;
   std::vector<S> lengths_, errors_;  ///< up to each key, and bounds on their errors
   std::vector<S> cycle_;
   std::vector<spline::Quaternion<S>> turns_;
