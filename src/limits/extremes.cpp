@@ -94,8 +94,9 @@ class Corners {
     const S place = is_last ? piece.parameter.back() : piece.parameter.front();
     const S rate = (is_last ? turn.back() : turn.front()) / piece.duration;
     for (const std::size_t channel : channels_) {
-      const S velocity = value_at(controls_of(piece.cubics[channel], 1), place) * rate;
-      end.velocities.push_back(scaled<Bounded>(velocity, 0));
+      const Polynomial<S> controls = controls_of(piece.cubics[channel], 1);
+      const S velocity = place == S(0) ? controls.front() : place == S(1) ? controls.back() : value_at(controls, place);
+      end.velocities.push_back(scaled<Bounded>(velocity * rate, 0));
     }
     if (path_.empty()) return end;
     for (std::size_t i = 0; i < 3 && end.direction.empty(); ++i) {
@@ -147,9 +148,20 @@ class Ranges {
  public:
   explicit Ranges(const Piece<Bounded>& piece) : piece_(piece), known_(4 * piece.cubics.size()) {}
 
-  /// No value of the measure is larger; infinite where none is known.
+  /// Whether all values of the measure are less than a positive number.
+  bool are_below(const Measure& measure, double value) {
+    if (measure.kind == Measure::Kind::curvature) return curvature_is_below(measure.channels, value);
+    return measure.kind != Measure::Kind::angular_speed && bound_of(measure) < value;
+  }
+
+ private:
+  static constexpr double rounding = 0x1p-40;
+  struct Range {
+    double low, high;
+  };
+
+  /// No value of the measure is larger.
   double bound_of(const Measure& measure) {
-    if (measure.is_of_direction()) return std::numeric_limits<double>::infinity();
     double squares = 0;
     for (const std::size_t channel : measure.channels) {
       const auto [low, high] = of(channel, measure.derivative);
@@ -159,11 +171,41 @@ class Ranges {
     return squares * (1 + rounding);
   }
 
- private:
-  static constexpr double rounding = 0x1p-40;
-  struct Range {
-    double low, high;
+  /// The products of the coefficients of the velocity v: of the first with itself and the second one, and so on.
+  struct Products {
+    double aa, ab, ac, bb, bc, cc;
   };
+  bool curvature_is_below(const std::vector<std::size_t>& channels, double square) const {
+    std::vector<Polynomial<Bounded>> v;
+    double largest = 0;
+    for (const std::size_t channel : channels) {
+      v.push_back(controls_of(piece_.cubics[channel], 1));
+      for (const Bounded& x : v.back()) largest = std::max(largest, std::abs(x.value.hi));
+    }
+    const double unit = largest > 0 && std::isfinite(largest) ? spline::power_of_two_below(largest) : 0;
+    if (unit == 0 || !std::isnormal(square * unit * unit)) return false;
+    Products sum{};
+    for (const Polynomial<Bounded>& x : v) {
+      const double a = x[0].value.hi / unit, b = x[1].value.hi / unit, c = x[2].value.hi / unit;
+      sum = {sum.aa + a * a, sum.ab + a * b, sum.ac + a * c, sum.bb + b * b, sum.bc + b * c, sum.cc + c * c};
+    }
+    constexpr int halvings = 12;
+    return curvature_is_below(sum, rounding * (sum.aa + sum.bb + sum.cc), square * unit * unit, halvings);
+  }
+  /// |v ^ v'|^2 and |v|^2 are bounded by coefficients, the former by those of v ^ v': 2 a ^ b, a ^ c and 2 b ^ c. On a
+  /// half v' is half as large.
+  static bool curvature_is_below(const Products& x, double room, double square, int halvings) {
+    const auto& [aa, ab, ac, bb, bc, cc] = x;
+    const double least = std::min({aa, ab, (ac + 2 * bb) / 3, bc, cc}) - room;
+    const double most = std::max({4 * (aa * bb - ab * ab), aa * cc - ac * ac, 4 * (bb * cc - bc * bc)});
+    if (least > 0 && most + 8 * room * (aa + bb + cc) < square * (least * least * least)) return true;
+    if (halvings == 0) return false;
+    const double ad = (aa + ab) / 2, bd = (ab + bb) / 2, be = (bb + bc) / 2, ce = (bc + cc) / 2;  // d, e: of the halves
+    const double ae = (ab + ac) / 2, cd = (ac + bc) / 2, dd = (ad + bd) / 2, ee = (be + ce) / 2, de = (ae + be) / 2;
+    const double af = (ad + ae) / 2, df = (dd + de) / 2, ef = (de + ee) / 2, cf = (cd + ce) / 2, ff = (df + ef) / 2;
+    return curvature_is_below({aa, ad, af, dd, df, ff}, room, square / 4, halvings - 1) &&
+           curvature_is_below({ff, ef, cf, ee, ce, cc}, room, square / 4, halvings - 1);
+  }
 
   const Range& of(std::size_t channel, int order) {
     std::optional<Range>& range = known_[4 * channel + static_cast<std::size_t>(order)];
@@ -301,7 +343,7 @@ class CurveSearch {
         Found& found = found_[k];
         if (ranges && found.search.best) {
           const double rough = found.search.best->value.rough();
-          if (std::isnormal(rough) && ranges->bound_of(measures_[k]) < rough) continue;
+          if (std::isnormal(rough) && ranges->are_below(measures_[k], rough)) continue;
         }
         const PiecePlace place{number, piece.part};
         const auto bound = found.search.add(form_of<Bounded>(piece, measures_[k]), place);
@@ -352,7 +394,8 @@ class CurveSearch {
       if (i >= most) return Extreme{.is_unproved = true};
       const auto piece = exact_piece(place);
       if (!piece) continue;
-      const auto form = form_of<Rational>(*piece, measure, !curve_.is_rational);
+      auto form = form_of<Rational>(*piece, measure, !curve_.is_rational);
+      if (!curve_.is_rational) shorten(form);
       if (form.power == 3 && !(rest && *rest <= place.segment)) {
         if (const auto sharp = sharp_rest(*piece, measure)) return unbounded(place, *sharp);
       }
@@ -415,7 +458,9 @@ class CurveSearch {
       } else {
         static const Rational rounding = power_of_two(-380);
         const Rational least = curve_.is_rational ? low : low - abs(low) * rounding;
-        const auto simple = simple_fraction({(least + high) / 2, (high - least) / 2});
+        static const Rational refined = power_of_two(-160);  // of a maximum that is near the place by Newton's method
+        auto simple = simple_fraction({(least + high) / 2, (high - least) / 2});
+        if (!simple) simple = simple_fraction({low, abs(low) * refined});
         if (simple && least <= *simple && *simple <= high) low = high = *simple;
       }
     }

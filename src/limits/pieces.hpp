@@ -177,6 +177,20 @@ S largest_of(const std::vector<Polynomial<S>>& all) {
   return largest;
 }
 
+/// Makes the numbers of a form short that are products of numbers of 448 bits, to within what those are known.
+inline void shorten(Form<Rational>& form) {
+  const auto shorten_all = [](std::vector<Polynomial<Rational>>& all) {
+    if (largest_of(all) == 0) return;
+    const Rational unit = power_of_two(binary_exponent(largest_of(all)) - 420);
+    for (Polynomial<Rational>& x : all) {
+      for (Rational& number : x) number = floor(number / unit) * unit;
+    }
+  };
+  std::vector<Polynomial<Rational>> over{form.over};
+  for (auto* const all : {&over, &form.turning, &form.velocity}) shorten_all(*all);
+  form.over = over.front();
+}
+
 /// How the direction of v changes, where a is the derivative of v: |v ^ a| as the minors of these, or of many channels
 /// its square. `are_rounded`: numbers have 448 bits, and what is below their rounding is 0.
 template <class S>
