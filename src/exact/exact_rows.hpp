@@ -1,8 +1,8 @@
 // Exact rows: every number of a row as exact arithmetic gives it, rounded once.
 //
 // The fast rows decide which rows there are, and on which segment each of them lies. A number is tried in this order:
-//   - where it is rational, or the root of a rational: with a proved bound on its error (Bounded); 0 or empty, where it
-//     is so all along the segment; and exactly, as a rational;
+//   - where it is rational, or the root of a rational: with a proved bound on its error (Bounded); exactly, where it is
+//     the same all along the segment, or as a rational;
 //   - others, such as lengths, numbers at a length and rotations: as a double-double, then as floats of 192 and of 448
 //     bits, by the templates that compute the fast rows. The error of each is estimated by its distance from the result
 //     in fewer digits. What the floats do not tell from 0, or from a simple fraction (simple_fraction()), is that.
