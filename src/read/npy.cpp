@@ -244,6 +244,12 @@ class NpyHeader {
     const std::size_t dimensions = array.is_structured ? 1 : 2;
     const bool is_good = !array.columns.empty() && shape.size() == dimensions &&
                          (array.is_structured || (shape[1] > 0 && shape[1] <= most_columns));
+    if (!array.is_structured && shape.size() == 3 && (shape[1] == 3 || shape[1] == 4) && shape[2] == 4) {
+      throw data_error(
+          "the array has poses of {} x 4 numbers; expected two dimensions, a row for each key; write the rows of KITTI "
+          "with numpy.savetxt(\"poses.txt\", array[:, :3].reshape(-1, 12)), which --input-format kitti reads",
+          shape[1]);
+    }
     if (!is_good) {
       throw data_error("the {}array has {} dimensions; expected {}; change its shape, as with numpy.column_stack",
                        array.is_structured ? "structured " : "", shape.size(),

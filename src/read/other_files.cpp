@@ -173,6 +173,9 @@ struct OtherJson {
 
 constexpr std::string_view write_keys = "write an object of time and position for each key";
 
+constexpr std::string_view places_without_times =
+    "write an object of time and position for each key, or give WORD--parameter uniform for the places without times";
+
 constexpr OtherJson other_jsons[] = {
     {"a transforms.json of poses without times",
      "give --records frames --parameter uniform --columns "
@@ -190,8 +193,11 @@ constexpr OtherJson other_jsons[] = {
      {"armature", "bone", "frameRate"}},
     {"a Lottie animation", write_keys, {"layers", "ip", "op"}},
     {"a project of Theatre.js", "give WORD--columns time=position,position=value", {"sheetsById"}},
-    {"GeoJSON with the times of several tracks", write_keys, {"coordinates", "coordTimes"}, is_geojson},
-    {"GeoJSON with the times of several tracks", write_keys, {"coordinates", "times"}, is_geojson},
+    {"GeoJSON, whose places are not as many as its times",
+     places_without_times,
+     {"coordinates", "coordTimes"},
+     is_geojson},
+    {"GeoJSON, whose places are not as many as its times", places_without_times, {"coordinates", "times"}, is_geojson},
     {"GeoJSON, whose places have no times", "give WORD--parameter uniform", {"coordinates"}, is_geojson},
     {"TopoJSON, whose places are differences without times",
      "convert an object of it to GeoJSON",

@@ -33,9 +33,13 @@ constexpr std::string_view closing_names =
     "closed isclosed isclosedcurve closedcurve closedloop closedpath loop isloop loopclosed looped looping cyclic "
     "iscyclic usecyclic usecyclicu periodic isperiodic close";
 
-/// Of objects among the members of another one that hold settings of it.
-constexpr std::string_view inner_names =
-    "params param parameters default defaults settings options spline curve interpolation tcb tbc";
+/// Words in the names of objects among the members of another one that hold settings of it.
+constexpr std::string_view inner_words =
+    "params param parameters default defaults setting settings option options spline curve interpolation interp tcb "
+    "tbc "
+    "kb kochanek bartels config configuration cfg header metadata properties props attributes attrs";
+/// Those of tension, continuity and bias.
+constexpr std::string_view words_of_tcb = "tcb tbc kb kochanek bartels";
 
 /// Of what tells a spline.
 constexpr std::string_view spline_names =
@@ -44,7 +48,7 @@ constexpr std::string_view spline_names =
 constexpr std::string_view interpolation_names =
     "curvetype splinetype interpolation interpolationtype interpolationmode interp";
 
-constexpr std::string_view rate_names = "fps framerate framespersecond";
+constexpr std::string_view rate_names = "fps framerate framespersecond framepersecond samplerate samplingrate";
 
 /// Names of settings in the program's own layout.
 constexpr std::array<std::string_view, 9> own_names{"preset",   "tangents", "ends",   "closed", "period",
@@ -68,6 +72,14 @@ bool are_all(const FileMember& member, Kind kind) {
   return !member.values.empty() && std::ranges::all_of(member.values, has_kind);
 }
 
+/// Whether all values are numbers, which may be in quotes.
+bool are_numbers(const FileMember& member) {
+  const auto is_number = [](const Value& value) {
+    return value.kind == Kind::number || (value.kind == Kind::text && parse_number(value.text));
+  };
+  return !member.values.empty() && std::ranges::all_of(member.values, is_number);
+}
+
 bool is_one(const FileMember& member, Kind kind) { return !member.is_array && are_all(member, kind); }
 
 /// The name of an object, without the path to it.
@@ -75,17 +87,27 @@ std::string_view last_name(const FileObject& object) {
   return std::string_view(object.path).substr(object.path.find_last_of('.') + 1);
 }
 
-/// What is before the names of parameters in an object: its name, where that says what they are.
+bool has_word_of(std::string_view name, std::string_view list) {
+  return std::ranges::any_of(words_of(name), [&](const std::string& word) { return lists_word(list, word); });
+}
+
+/// What is before the names of parameters in an object whose name says what they are.
 std::string prefix_of_parameters(const FileObject& object) {
-  const std::string name = compact(last_name(object));
-  return name == "tcb" || name == "tbc" ? name + "." : "";
+  return has_word_of(last_name(object), words_of_tcb) ? "tcb." : "";
+}
+
+/// Whether an array of this name has tension, continuity and bias, as "tcb" and "default_tbc" do.
+bool names_tcb(std::string_view name) {
+  const std::vector<std::string> words = words_of(name);
+  return has_word_of(name, "tcb tbc") &&
+         std::ranges::all_of(words, [](const std::string& word) { return lists_word(inner_words, word); });
 }
 
 bool is_parameter(std::string_view word) { return lists_word("tension continuity bias tcb tbc", word); }
 
 bool has_meaning(std::string_view name) {
   const std::string word = compact(name);
-  return is_setting_name(name) || lists_word(rate_names, word) || is_parameter(word);
+  return is_setting_name(name) || lists_word(rate_names, word) || is_parameter(word) || names_tcb(name);
 }
 
 /// What replaces the preset, and the rules for tangents and ends, of the file.
@@ -98,10 +120,12 @@ class SettingsReader {
         has_tcb_(options.keys.tcb),
         has_rate_(options.units.frame_rate),
         scale_(options.keys.tcb_scale) {
-    for (const FileObject& object : objects) find_other_spline(object);
+    for (const FileObject& object : objects) {
+      if (!object.is_apart) find_other_spline(object);
+    }
     for (const FileObject& object : objects) {
       object_ = &object;
-      read();
+      object.is_apart ? note_members() : read();
     }
     add_notes();
   }
@@ -128,6 +152,13 @@ class SettingsReader {
       other_spline_ = fmt::format("{} {}", in_quotes(member.name), in_quotes(value));
       const bool is_told = lists_word(interpolation_names, compact(member.name)) && !given_.tangents && !given_.preset;
       if (is_told) found.notes.push_back(other_interpolation(fmt::format("{} is", in_quotes(member.name)), value));
+    }
+  }
+
+  void note_members() {
+    for (const FileMember& member : object_->members) {
+      const bool is_true = is_one(member, Kind::boolean) && shown(member) == "true";
+      if (is_true || are_numbers(member)) found.unused.push_back(path(member.name));
     }
   }
 
@@ -173,18 +204,18 @@ class SettingsReader {
     const std::string outer = prefix_of_parameters(*object_);
     const auto add = [&](const std::string& name, const FileMember& member, const Value& value) {
       names.push_back(outer + name);
-      usable.push_back(value.kind == Kind::number);
+      usable.push_back(parse_number(value.text).has_value());
       origins.push_back({member, value, path(name)});
     };
     for (const FileMember& member : object_->members) {
       const std::string word = compact(member.name);
-      const bool is_array = member.is_array && (word == "tcb" || word == "tbc");
+      const bool is_array = names_tcb(member.name) && !member.is_object && !is_one(member, Kind::missing);
       if (is_array) require_tcb(member);
       for (std::size_t i = 0; is_array && i < member.values.size(); ++i) {
         add(fmt::format("{}[{}]", member.name, i), member, member.values[i]);
       }
       if (!is_array && is_parameter(word)) require_number(member);
-      if (is_one(member, Kind::number)) add(member.name, member, member.values[0]);
+      if (!member.is_array && are_numbers(member)) add(member.name, member, member.values[0]);
     }
     std::array<const Origin*, 3> of_object{};
     for (const ParameterSet& set : parameter_sets(names, usable, {.timeless = true})) {
@@ -214,28 +245,28 @@ class SettingsReader {
   }
 
   void require_tcb(const FileMember& member) const {
-    if (has_tcb_ || (member.values.size() == 3 && are_all(member, Kind::number))) return;
+    if (has_tcb_ || (member.is_array && member.values.size() == 3 && are_numbers(member))) return;
     throw at(member, data_error("this is not an array of three numbers; expected [T,C,B]; correct it, or give --tcb "
                                 "0,0,0 to leave it out"));
   }
 
   void require_number(const FileMember& member) const {
-    if (has_tcb_ || is_one(member, Kind::number) || is_one(member, Kind::missing)) return;
-    const bool is_object = !member.is_array && member.values.empty();
-    if (is_object && (!object_->is_own || may_hold_settings(member.name))) return;
+    if (has_tcb_ || (!member.is_array && are_numbers(member)) || is_one(member, Kind::missing)) return;
+    if (member.is_object && (!object_->is_own || may_hold_settings(member.name))) return;
     throw at(member, data_error("{} is not a number; expected one; correct it, or give --tcb 0,0,0 to leave it out",
-                                is_object ? "this" : in_quotes(shown(member))));
+                                member.values.empty() ? "this" : in_quotes(shown(member))));
   }
 
   void require_parameters(const ParameterSet& set, const FileMember& first,
                           const std::vector<std::string>& values) const {
-    const std::string commands =
-        fmt::format("give --tcb {} if it is one, or --tcb 0,0,0 if not", fmt::join(values, ","));
+    const std::string given = fmt::format("--tcb {}", fmt::join(values, ","));
     if (!other_spline_.empty()) {
       throw at(first,
-               data_error("the member {} names another spline; expected parameters of one by Kochanek and Bartels; {}",
-                          other_spline_, commands));
+               data_error("the member {} names another spline; expected parameters of one by Kochanek and Bartels; "
+                          "give --tcb 0,0,0 to leave them out, or {} to take them",
+                          other_spline_, given));
     }
+    const std::string commands = fmt::format("give {} if it is one, or --tcb 0,0,0 if not", given);
     if (!set.is_clear()) {
       throw at(first, data_error("this may be tension, continuity or bias; expected the whole word; {}", commands));
     }
@@ -341,6 +372,10 @@ class SettingsReader {
       if (!names.insert(value.text).second) {
         throw at(member, data_error("two names are {}; expected different ones; correct them", in_quotes(value.text)));
       }
+      if (role_of_name(value.text) != Role::position) {
+        throw at(member, data_error("{} is the name of a role; expected names of channels; give it another name",
+                                    in_quotes(value.text)));
+      }
       found.channels.push_back(value.text);
     }
   }
@@ -366,7 +401,7 @@ class SettingsReader {
       return;
     }
     object_->is_own ? require_no_own_setting(member) : require_no_near_setting(member, word);
-    const bool is_read = member.values.empty() && !member.is_array && lists_word(inner_names, word);
+    const bool is_read = member.is_object && may_hold_settings(member.name);
     const bool has_number = object_->is_own ? member.holds_numbers : are_all(member, Kind::number);
     if (has_number && !is_read && member.name != "meta") found.unused.push_back(path(member.name));
   }
@@ -448,7 +483,12 @@ class SettingsReader {
 
 }  // namespace
 
-bool may_hold_settings(std::string_view name) { return lists_word(inner_names, compact(name)); }
+bool may_hold_settings(std::string_view name) { return has_word_of(name, inner_words); }
+
+bool may_shape_curve(std::string_view name) {
+  const std::string word = compact(name);
+  return is_parameter(word) || (lists_word(closing_names, word) && word != "close");
+}
 
 bool is_setting_name(std::string_view name) {
   const std::string word = compact(name);

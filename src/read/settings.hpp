@@ -18,7 +18,7 @@
 
 namespace tcb {
 
-/// A member of an object. One that is an object or an array of such has no values.
+/// A member of an object. One that is an object, or an array of objects or arrays, has no values.
 struct FileMember {
   enum class Kind : std::uint8_t { missing, boolean, number, text };
   struct Value {
@@ -27,13 +27,16 @@ struct FileMember {
   };
   std::string name;
   std::vector<Value> values = {};  ///< one, or those of an array
-  bool is_array = false;
+  bool is_array = false, is_object = false;
   bool holds_numbers = false;  ///< also deeper in it
   TextPosition position = {}, value_position = {};
 };
 
 /// Whether an object of this name holds settings of the object around it, as "params" and "defaults" do.
 bool may_hold_settings(std::string_view name);
+
+/// Whether a member of this name is tension, continuity or bias, or closes a curve.
+bool may_shape_curve(std::string_view name);
 
 /// Whether a member of this name is a setting that closes a curve or is known as the program writes it.
 bool is_setting_name(std::string_view name);
@@ -42,7 +45,8 @@ bool is_setting_name(std::string_view name);
 struct FileObject {
   std::string path = {};  ///< of the object in the file, as "spline.params"; empty: the root
   std::vector<FileMember> members = {};
-  bool is_own = false;  ///< it has the list "keys" or "curves", so that all of its members should be settings
+  bool is_own = false;    ///< it has the list "keys" or "curves", so that all of its members should be settings
+  bool is_apart = false;  ///< it is beside the way to the keys, and its members, which would be settings there, are not
 };
 
 /// Erases the members of an object that change no settings, so that an object around many lists is read as a whole

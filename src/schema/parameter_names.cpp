@@ -31,6 +31,8 @@ constexpr std::array<std::string_view, 3> foreign_words{
     "continuidade",
     "neigung tendenz biais sesgo"};
 
+constexpr std::array<std::string_view, 3> plurals{"tensions", "continuities", "biases"};
+
 // What may be beside a parameter in its name.
 constexpr std::string_view words_of_tcb = "tcb tbc kb kochanek bartels";
 constexpr std::string_view words_of_parameters = "param params parameter parameters default defaults";
@@ -59,7 +61,7 @@ std::optional<Meaning> meaning_of(std::string_view word) {
   constexpr std::size_t least = 3;
   for (std::size_t i = 0; i < parameter_words.size(); ++i) {
     const std::string_view known = parameter_words[i];
-    if (word == known) return Meaning{i, Kind::word};
+    if (word == known || word == plurals[i]) return Meaning{i, Kind::word};
     if (word.size() >= least && known.starts_with(word)) return Meaning{i, Kind::beginning};
     if (word == known.substr(0, 1)) return Meaning{i, Kind::letter};
     if (lists_word(foreign_words[i], word)) return Meaning{i, Kind::beginning, true};
@@ -118,6 +120,13 @@ bool is_time_by_name(std::string_view name) {
 }
 
 bool is_of_tcb_by_name(std::string_view name) { return name == "T" || name == "C" || name == "B"; }
+
+/// Whether the last step of a path is one of the words.
+bool is_word_in_path(std::string_view name) {
+  const std::size_t point = name.rfind('.');
+  return point != std::string_view::npos &&
+         std::ranges::count(parameter_words, in_lower_case(name.substr(point + 1))) > 0;
+}
 
 /// Separates words that are written together, as in xtension and tcbt. Returns whether they may mean something else.
 bool separate(std::vector<std::string>& words) {
@@ -270,6 +279,8 @@ class SetFinder {
     ParameterSet set;
     set.rest = meaning_of_rest(readings.rest);
     if (!take_places(set, readings)) take_words(set, readings);
+    set.is_member =
+        std::ranges::any_of(set.cells, [&](const auto& cell) { return cell && is_word_in_path(names_[*cell]); });
     set.time = time_of(set, readings.rest);
     if (!set.is_complete()) set.time.reset();
     const auto channel = channel_of(readings.rest);
@@ -336,8 +347,12 @@ class SetFinder {
     const std::size_t last = before.rfind(' ') + 1;
     if (lists_word(words_of_tcb, before.substr(last))) before = before.substr(0, last == 0 ? 0 : last - 1);
     if (before.empty() == behind.empty()) return std::nullopt;
-    const auto found = channels_.find(std::string(before.empty() ? behind : before));
-    return found != channels_.end() ? std::optional(found->second) : std::nullopt;
+    const std::string channel(before.empty() ? behind : before);
+    for (const std::string_view end : {"", " value", " v"}) {  // as x.value beside x.tension
+      const auto found = channels_.find(channel + std::string(end));
+      if (found != channels_.end()) return found->second;
+    }
+    return std::nullopt;
   }
 
   /// The column of times that has the same words in front of its own, where no other column is the time.
@@ -402,7 +417,7 @@ bool ParameterSet::is_doubtful() const {
   const std::size_t letters = count(Kind::letter);
   if (letters > 0) return count(Kind::unclear) == 0 && (letters < count() || rest != Rest::other || !channel.empty());
   if (rest == Rest::nothing) return true;
-  return rest == Rest::of_keys || !channel.empty() || count() > 1;
+  return rest == Rest::of_keys || !channel.empty() || count() > 1 || is_member;
 }
 
 bool ParameterSet::has_whole_names(std::span<const std::string> names) const {

@@ -32,6 +32,7 @@ struct ParameterSet {
   std::string channel = {};              ///< the name of the column that the rest names; empty: none
   bool may_be_others = false;            ///< beside the letters are r and g, or a
   std::optional<std::size_t> time = {};  ///< the column of times with this rest, where no other column is the time
+  bool is_member = false;                ///< a whole word behind the path to it, as in properties.tension
   bool completes = false;                ///< the names of the other parameters are the words themselves
 
   std::size_t count() const;

@@ -154,7 +154,9 @@ bool is_usual_time(std::string_view name) {
   // T by itself is tension.
   if (alone == "T") return unit_of_time(name).has_value();
   const std::size_t path = alone.find_last_of("./");  // as in header.stamp
-  return is_time(compact(alone)) || (path != std::string_view::npos && is_time(compact(alone.substr(path + 1))));
+  if (path != std::string_view::npos && is_time(compact(alone.substr(path + 1)))) return true;
+  const bool is_part = path != std::string_view::npos && is_coordinate(alone.substr(0, path));  // as in x.value
+  return !is_part && is_time(compact(alone));
 }
 
 std::optional<TimeUnit> unit_of_time(std::string_view name) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
@@ -53,8 +54,9 @@ bool is_tcb(const JsonColumn& column) {
 
 /// A number of a record without another role by its name.
 bool may_be_position(const JsonColumn& column) {
-  return !column.has_text && !column.is_parameter && role_of_name(column.path) == Role::position && !is_time(column) &&
-         !is_usual_counter(column.path) && !is_tcb(column);
+  return !column.has_text && !column.is_parameter && !column.may_be_parameter &&
+         role_of_name(column.path) == Role::position && !is_time(column) && !is_usual_counter(column.path) &&
+         !is_tcb(column);
 }
 
 /// The number of a cell in an array or in an object of x, y, z and w; 4 for others.
@@ -234,7 +236,9 @@ class LayoutFinder {
         if (!cell) continue;
         JsonColumn& column = *places[*cell];
         column.is_parameter = set.is_clear();
-        const bool is_plain = column.depth == 0 || set.rest == ParameterSet::Rest::of_keys;
+        const double number = parse_number(json_.text(column.value)).value_or(0);
+        const bool is_member = set.is_member && std::abs(number) <= 1;
+        const bool is_plain = column.depth == 0 || set.rest == ParameterSet::Rest::of_keys || is_member;
         column.may_be_parameter = set.is_clear() || (set.is_doubtful() && is_plain);
       }
     }
@@ -345,12 +349,28 @@ class LayoutFinder {
       if (one.ends_with('s')) one.remove_suffix(1);
       if (is_usual_position(column.stem) || is_usual_position(one)) usual.push_back(column.stem);
     }
+    find_objects(texts);
     if (!lacks_positions_) return;
     if (has_any([&](const JsonColumn& column) { return column.stem == position_ && !column.has_text; })) {
       stem_ = position_;
     } else if (!has_plain_) {
       stem_ = usual.size() == 1 ? usual[0] : arrays_.size() == 1 ? arrays_[0] : "";
     }
+  }
+
+  /// Finds objects of x, y and z that may be the positions, as no other number is a coordinate.
+  void find_objects(const std::unordered_set<std::string_view>& texts) {
+    const bool has_coordinate = has_any([&](const JsonColumn& column) {
+      const bool is_known = is_coordinate(column.path) || is_usual_channel(column.path);
+      return column.depth == 0 && is_free_number(column) && column.has_number && is_known;
+    });
+    if (!has_plain_ || has_coordinate || !arrays_.empty()) return;
+    for (const JsonColumn& column : columns_) {
+      const bool is_axis = lists_word(".x .y .z", in_lower_case(column.last_step()));
+      const bool may_be = column.depth == 1 && is_axis && is_free_number(column) && !texts.contains(column.stem);
+      if (may_be && sizes_[column.stem]++ == 1) arrays_.push_back(column.stem);
+    }
+    std::erase_if(sizes_, [](const auto& object) { return object.second < 2; });
   }
 
   /// Whether a number is one of the positions that no request names.
@@ -471,12 +491,13 @@ class LayoutFinder {
       are_alike = are_alike && sizes_.at(array) == sizes_.at(arrays_[0]);
       if (likely.empty() && std::ranges::count(tangents, array) == 0) likely = array;
     }
+    const std::string time = request_of_time();
     const std::string poses = options_of_poses_in_arrays();
     if (arrays_.size() == 1 && poses.empty()) {
       throw at(column, column.stem,
                data_error("this array is not used; expected \"position\" as the name of an array of positions; rename "
                           "it, or give --columns {}, or position=NAME:NAME for the members to take",
-                          in_shell("position=" + arrays_[0])));
+                          in_shell(time + "position=" + arrays_[0])));
     }
     throw at(column, column.stem,
              data_error("these arrays are not used: {}; expected \"position\" as the name of an array of positions; "
@@ -486,7 +507,17 @@ class LayoutFinder {
                         : likely.empty() || !are_alike
                             ? "--columns position=NAME for the one that has the positions"
                             : fmt::format("--columns {}, or the name of another one that has the positions",
-                                          in_shell("position=" + likely))));
+                                          in_shell(time + "position=" + likely))));
+  }
+
+  /// The only number of the records themselves as the time, where there is no time; empty for others.
+  std::string request_of_time() const {
+    const auto is_number = [&](const JsonColumn& column) {
+      return column.depth == 0 && column.has_number && is_free_number(column) && column.row == 0;
+    };
+    const auto number = std::ranges::find_if(columns_, is_number);
+    const bool is_needed = !requested_.timeless && !requested_.has(Role::time) && !has_any(is_time);
+    return is_needed && std::ranges::count_if(columns_, is_number) == 1 ? fmt::format("time={},", number->path) : "";
   }
 
   /// The options that take the numbers in the first array of poses as such, with its name; empty if there is none.
@@ -757,8 +788,19 @@ bool JsonRows::is_value_in_earlier_record(std::uint32_t step) const {
   return column != JsonPaths::no_column && !json_.is(layout_.columns[column].value, Kind::null);
 }
 
+/// The value in an object that tells its type, such as {"$date":"2024-05-01"}; others are as they are.
+std::uint32_t JsonRows::without_type(std::uint32_t value) const {
+  while (json_.is(value, Kind::object) && !json_.is_empty(value)) {
+    const std::size_t member = json_.first(value);
+    if (json_.next(member) < json_.next(value) || !json_.name(member).starts_with('$')) break;
+    value = static_cast<std::uint32_t>(member);
+  }
+  return value;
+}
+
 template <class F>
 void JsonRows::read_value(const JsonPaths::Step& step, std::uint32_t value, const F& found) {
+  value = without_type(value);
   const std::uint32_t id = find(step);
   if (id == 0) return refuse_unknown(step, value);
   if (grows_ == nullptr && layout_.paths.is_used(id)) require_shape(id, value);
@@ -780,7 +822,10 @@ void JsonRows::read(std::size_t row, const F& found) {
   for (std::size_t column = 0; column < table_.columns.size(); ++column) {
     const bool is_first = grows_ != nullptr && row == 0;
     const std::uint32_t value = is_first ? first_value(column) : table_.columns[column][row];
-    if (value != 0) read_member(table_.names[column], value, found);
+    if (value == 0) continue;
+    const std::uint32_t element = column < table_.elements.size() ? table_.elements[column] : JsonTable::of_member;
+    const JsonPaths::Step array{0, JsonPaths::of_member, table_.names[column]};
+    read_value(element == JsonTable::of_member ? array : JsonPaths::Step{find(array), element}, value, found);
   }
   if (!table_.columns.empty()) return;
   const std::uint32_t record = table_.records[row];
@@ -913,8 +958,9 @@ void add_parameters(JsonLayout& layout) {
   for (std::uint32_t i = 0; i < parameters.size(); ++i) {
     const std::size_t column = layout.columns.size();
     const JsonPaths::Step alone{0, JsonPaths::of_member, parameters[i]}, element{array, i};
-    for (const std::uint32_t id : {layout.paths.add(alone), layout.paths.add(element)}) {
-      if (layout.paths.column(id) != JsonPaths::no_column) continue;  // in another role
+    for (const JsonPaths::Step& step : {alone, element}) {
+      if (layout.paths.find(step) != 0) continue;  // in another role, or an object
+      const std::uint32_t id = layout.paths.add(step);
       layout.paths.set_column(id, layout.columns.size());
       layout.paths.set_used(id);
       const std::string path = layout.paths.path(id);

@@ -122,6 +122,7 @@ class JsonRows {
   }
   template <class F>
   void read_value(const JsonPaths::Step& step, std::uint32_t value, const F& found);
+  std::uint32_t without_type(std::uint32_t value) const;
   std::uint32_t find(const JsonPaths::Step& step);
   std::uint32_t first_value(std::size_t column) const;
   bool is_value_in_earlier_record(std::uint32_t step) const;

@@ -469,11 +469,12 @@ void take_rate(FileSettings& settings, const UnitOptions& units, Records& record
     return;
   }
   records.facts.shown_rate = rate;
-  if (!columns.time_gap || unit_of_time(columns.time)) {
+  if (columns.has(Role::time) && (!columns.time_gap || unit_of_time(columns.time))) {
     settings.unused.push_back(settings.rate_name);
   } else {
-    columns.doubts.push_back(fmt::format("{} is {}, and is not used; --input-fps {} takes the times as frames at it",
-                                         in_quotes(settings.rate_name), rate, rate));
+    columns.doubts.push_back(fmt::format("{} is {}, and is not used; --input-fps {} takes the {} as frames at it",
+                                         in_quotes(settings.rate_name), rate, rate,
+                                         columns.has(Role::time) ? "times" : "keys"));
   }
 }
 
@@ -584,26 +585,53 @@ SharedJson json_of_lines(JsonBlock block, std::vector<Error>& faults) {
   }
 }
 
+/// Whether the first record is an object of other members than the second one, which has a time.
+bool begins_with_settings(const Json& json, const JsonTable& table) {
+  if (!table.has_names || !table.columns.empty() || table.records.size() < 2) return false;
+  const std::size_t first = table.records[0], second = table.records[1];
+  const auto has_member = [&](std::size_t value) { return json.member(second, json.name(value)).has_value(); };
+  return json.is(first, Kind::object) && !may_be_key(json, first) && may_be_key(json, second) &&
+         std::ranges::none_of(json.inside(first), has_member);
+}
+
 /// Several values, each a key.
 Records open_values(JsonBlock block, const std::shared_ptr<JsonBlocks>& blocks, const InputOptions& options) {
   std::vector<Error> faults;
-  const SharedJson first = json_of_lines(std::move(block), faults);
+  SharedJson first = json_of_lines(std::move(block), faults);
+  std::uint64_t skipped = 0;  // null, which ends a curve, before the first key
+  while (std::ranges::all_of(first->inside(0), [&](std::size_t value) { return ends_curve(*first, value); })) {
+    std::optional<JsonBlock> next = faults.empty() ? blocks->next() : std::nullopt;
+    if (!next) break;
+    skipped += first->count(0);
+    first = json_of_lines(*std::move(next), faults);
+  }
   if (first->size() < 2) throw Error(faults.front());
   const bool is_list = first->is(1, Kind::array) && !first->is_empty(1) && first->is_nested(first->first(1));
   if (is_list && first->next(1) < first->size()) throw unlike_list(*first);
-  const auto table = std::make_shared<const JsonTable>(table_of_values(*first, options.max_memory));
-  TablePart part{first, table, meaning_of(first, table, options, {}), 0, table->size()};
+  JsonTable found = table_of_values(*first, options.max_memory);
+  found.number += skipped;
+  FileSettings settings;
+  if (begins_with_settings(*first, found)) {
+    settings = JsonSettings(*first, {}).of_object(found.records[0], options);
+    found.records.erase(found.records.begin());
+    ++found.number;
+  }
+  const auto table = std::make_shared<const JsonTable>(std::move(found));
+  TablePart part{first, table, meaning_of(first, table, options, settings), 0, table->size()};
   part.faults = std::move(faults);
   Records records = records_of(*part.meaning, *table);
+  take_rate(settings, options.units, records);
+  add_notes(records, settings);
+  records.keys.curve_info = std::move(settings.curve_info);
   records.facts.shape = table->has_names ? JsonShape::lines : JsonShape::table;
   Source<TablePart> parts = [blocks, meaning = part.meaning, number = table->number + table->size(),
-                             has_names = table->has_names]() mutable -> std::optional<TablePart> {
+                             has_names = table->has_names, names = table->names]() mutable -> std::optional<TablePart> {
     std::optional<JsonBlock> block = blocks->next();
     if (!block) return std::nullopt;
     TablePart next{nullptr, nullptr, meaning, 0, 0};
     next.json = json_of_lines(*std::move(block), next.faults);
     next.table = std::make_shared<const JsonTable>(
-        JsonTable{.has_names = has_names, .records = records_in(*next.json, 0), .number = number});
+        JsonTable{.has_names = has_names, .names = names, .records = records_in(*next.json, 0), .number = number});
     next.last = next.table->size();
     number += next.last;
     return next;

@@ -22,12 +22,24 @@ FileMember::Value value_of(const Json& json, std::size_t value) {
   return {of_file, kind == Kind::number ? json_number_text(json.text(value)) : std::string(json.text(value))};
 }
 
+/// The name and the value in an object of these, such as {"name":"tension","value":0.5}.
+std::optional<std::pair<std::size_t, std::size_t>> named_value_in(const Json& json, std::size_t object) {
+  for (const std::string_view key : {"name", "key"}) {
+    const auto name = json.member(object, key), value = json.member(object, "value");
+    if (name && value && json.is(*name, Kind::string)) return std::pair(*name, *value);
+  }
+  return std::nullopt;
+}
+
 /// Whether an array has only objects of a name and a value, each of which is a member.
 bool are_named_values(const Json& json, std::size_t array) {
   return json.has_only(array, Kind::object) && std::ranges::all_of(json.inside(array), [&](std::size_t value) {
-           const auto name = json.member(value, "name");
-           return name && json.is(*name, Kind::string) && json.member(value, "value");
+           return named_value_in(json, value).has_value();
          });
+}
+
+std::string joined(std::string_view path, std::string_view name) {
+  return path.empty() ? std::string(name) : fmt::format("{}.{}", path, name);
 }
 
 }  // namespace
@@ -47,6 +59,7 @@ FileMember JsonSettings::member_of(std::string_view name, std::size_t named, std
   mark_ = json_.mark_at(json_.offset(value), mark_);
   member.value_position = {"", mark_.at.line, mark_.at.column};
   member.holds_numbers = json_.holds(value, Kind::number);
+  member.is_object = json_.is(value, Kind::object);
   const JsonRange elements = json_.inside(value);
   const auto is_nested = [&](std::size_t element) { return json_.is_nested(element); };
   if (!json_.is_nested(value)) {
@@ -59,25 +72,44 @@ FileMember JsonSettings::member_of(std::string_view name, std::size_t named, std
   return member;
 }
 
+/// Adds what an object beside the way to the keys, or one in it, has of names of settings that shape the curve.
+void JsonSettings::add_apart(std::size_t object, const std::string& path, std::vector<FileObject>& objects) {
+  FileObject found{.path = path, .is_apart = true};
+  for (const std::size_t value : json_.inside(object)) {
+    if (tables_.contains(value)) continue;
+    const std::string_view name = json_.name(value);
+    if (json_.is(value, Kind::object)) {
+      add_apart(value, joined(path, name), objects);
+    } else if (may_shape_curve(name)) {
+      found.members.push_back(member_of(name, value - 1, value));
+    }
+  }
+  if (!found.members.empty()) objects.push_back(std::move(found));
+}
+
 /// Adds an object, or an array of names and values, behind those in it that may hold settings.
 void JsonSettings::add_object(std::size_t object, std::string path, bool is_own, std::vector<FileObject>& objects) {
   FileObject found{.path = std::move(path), .is_own = is_own};
   if (json_.is(object, Kind::array)) {
     for (const std::size_t value : json_.inside(object)) {
-      const std::size_t name = *json_.member(value, "name");
-      found.members.push_back(member_of(json_.text(name), name, *json_.member(value, "value")));
+      const auto [name, inner] = *named_value_in(json_, value);
+      found.members.push_back(member_of(json_.text(name), name, inner));
     }
   } else {
     for (const std::size_t value : json_.inside(object)) {
       if (tables_.contains(value)) continue;
       const std::string_view name = json_.name(value);
-      if (may_hold_settings(name) && (json_.is(value, Kind::object) || are_named_values(json_, value))) {
-        add_object(value, found.path.empty() ? std::string(name) : fmt::format("{}.{}", found.path, name), false,
-                   objects);
+      const std::string inner = joined(found.path, name);
+      const bool is_object = json_.is(value, Kind::object);
+      if (may_hold_settings(name) && (is_object || are_named_values(json_, value))) {
+        add_object(value, inner, false, objects);
+      } else if (is_object && name != "meta") {
+        add_apart(value, inner, objects);
       }
       FileMember member = member_of(name, value - 1, value);
       const bool has_values = !member.values.empty() || member.is_array;
-      if (has_values || is_own || is_setting_name(name)) found.members.push_back(std::move(member));
+      if (has_values || is_own || is_setting_name(name) || may_shape_curve(name))
+        found.members.push_back(std::move(member));
     }
   }
   objects.push_back(std::move(found));
@@ -111,6 +143,10 @@ FileSettings JsonSettings::around(const JsonTable& table, const InputOptions& op
 
 FileSettings JsonSettings::around_curves(const JsonTable& curve, const InputOptions& options) {
   return read_settings(objects_in(curve.around[0].object, "", true), options);
+}
+
+FileSettings JsonSettings::of_object(std::size_t object, const InputOptions& options) {
+  return read_settings(objects_in(object, "", false), options);
 }
 
 }  // namespace tcb

@@ -26,9 +26,12 @@ class JsonSettings {
   FileSettings around(const JsonTable& table, const InputOptions& options);
   /// The settings in the object around the curves that the program writes, one of which is given.
   FileSettings around_curves(const JsonTable& curve, const InputOptions& options);
+  /// The settings in an object before the keys.
+  FileSettings of_object(std::size_t object, const InputOptions& options);
 
  private:
   FileMember member_of(std::string_view name, std::size_t named, std::size_t value);
+  void add_apart(std::size_t object, const std::string& path, std::vector<FileObject>& objects);
   void add_object(std::size_t object, std::string path, bool is_own, std::vector<FileObject>& objects);
   const std::vector<FileObject>& objects_in(std::size_t object, std::string_view path, bool is_own);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -26,6 +27,9 @@ using Values = std::vector<std::uint32_t>;
 /// Whether a name may be an index of rows: a number, or a time in words.
 bool is_index(std::string_view name) { return parse_number(name) || find_notation(name); }
 
+/// Whether a name is x, y or z.
+bool is_axis(std::string_view name) { return name.size() == 1 && lists_word("x y z", in_lower_case(name)); }
+
 /// The first value of an array that is not null; its first one if all are. Requires: it is not empty.
 std::size_t first_record(const Json& json, std::size_t array) {
   for (const std::size_t value : json.inside(array)) {
@@ -45,7 +49,15 @@ void require_once(const Json& json, std::size_t object, std::size_t member) {
 /// Finds the layout of tables.
 class Layouts {
  public:
-  Layouts(const Json& json, std::uint64_t max_memory) : json_(json), memory_(max_memory) {}
+  Layouts(const Json& json, std::uint64_t max_memory, std::span<const RoleRequest> requests = {})
+      : json_(json), memory_(max_memory) {
+    for (const RoleRequest& request : requests) {
+      if (request.role == Role::time && request.columns.size() == 1) time_ = request.columns[0];
+    }
+  }
+
+  /// A list of one record with a time is a table, too.
+  void take_single_records() { least_records_ = 1; }
 
   /// The table that a value is. `is_wanted`: by a path, so that nothing has to tell it from other lists.
   std::optional<JsonTable> table_of(std::size_t value, bool is_wanted) {
@@ -75,6 +87,20 @@ class Layouts {
   }
   /// Whether a value may be in a column.
   bool is_cell(std::size_t value) const { return is_number(value) || is_missing(value) || is_in_words(value); }
+
+  /// Whether an array has numbers alone, of which each is greater than the one before.
+  bool rises(std::size_t array) const {
+    std::optional<double> before;
+    return std::ranges::all_of(json_.inside(array), [&](std::size_t value) {
+      const auto number = json_.is(value, Kind::number) ? parse_number(json_.text(value)) : std::nullopt;
+      const bool is_next = number && (!before || *number > *before);
+      before = number;
+      return is_next;
+    });
+  }
+  bool are_cells(std::size_t array) const {
+    return std::ranges::all_of(json_.inside(array), [&](std::size_t value) { return is_cell(value); });
+  }
 
   bool has_number(std::size_t object) const {
     return any_inside(object, [&](std::size_t value) {
@@ -120,6 +146,27 @@ class Layouts {
     return json_.is(row, Kind::array) && std::ranges::all_of(json_.inside(row), is_cell_or_vector);
   }
 
+  /// Takes the names of columns from a first row of different texts that are no cells. Behind it are rows as long.
+  bool take_row_of_names(JsonTable& table, bool is_wanted) const {
+    const std::size_t first = table.records[0];
+    const auto is_name = [&](std::size_t value) { return json_.is(value, Kind::string) && !is_cell(value); };
+    const std::size_t count = json_.count(first);
+    if (table.records.size() < 3 || count < 2 || !json_.is(first, Kind::array)) return false;
+    std::unordered_set<std::string_view> names;
+    for (const std::size_t value : json_.inside(first)) {
+      if (!is_name(value) || !names.insert(json_.text(value)).second) return false;
+    }
+    const auto is_row_below = [&](std::size_t row) {
+      return json_.is(row, Kind::array) && (is_wanted || (json_.count(row) == count && has_number(row)));
+    };
+    if (!std::all_of(table.records.begin() + 1, table.records.end(), is_row_below)) return false;
+    for (const std::size_t value : json_.inside(first)) table.names.emplace_back(json_.text(value));
+    table.records.erase(table.records.begin());
+    ++table.number;
+    table.has_times = std::ranges::any_of(table.names, [](auto& name) { return is_usual_time(name); });
+    return true;
+  }
+
   /// The records of a list from the first that is not null.
   void take_records(JsonTable& table, std::size_t list) const {
     Values records = records_in(json_, list);
@@ -134,8 +181,10 @@ class Layouts {
     if (table.records.empty()) return false;
     if (is_list_of_objects(table.value) || (is_wanted && json_.is(table.records[0], Kind::object))) {
       table.has_times = has_time(table.records[0]);
-      return is_wanted || ((table.records.size() > 1 || is_root) && has_number(table.records[0]));
+      const bool has_enough = table.records.size() > 1 || is_root || (least_records_ == 1 && table.has_times);
+      return is_wanted || (has_enough && has_number(table.records[0]));
     }
+    if (take_row_of_names(table, is_wanted)) return true;
     table.has_names = false;
     const bool is_whole_text = table.value <= 1 && json_.is(table.records[0], Kind::array) &&
                                table.records.size() > 1 && json_.count(table.records[0]) > 1 &&
@@ -162,6 +211,13 @@ class Layouts {
     const auto is_row_of_index = [&](std::size_t member) {
       return is_index(json_.name(member)) && json_.is_nested(member) && !json_.is_empty(member);
     };
+    const auto is_cell_of_index = [&](std::size_t member) { return is_index(json_.name(member)) && is_cell(member); };
+    const bool may_be_cells = members.size() > 1 && (is_wanted || table.value <= 1);
+    if (may_be_cells && std::ranges::all_of(members, is_cell_of_index)) {
+      add_column(table, "value", members.size()) = members;
+      for (const std::uint32_t member : members) table.index.push_back(member - 1);
+      return true;
+    }
     const bool are_objects = json_.has_only(table.value, Kind::object);
     const bool are_arrays = json_.has_only(table.value, Kind::array);
     if ((are_objects || are_arrays) && std::ranges::all_of(members, is_row_of_index)) {
@@ -262,10 +318,12 @@ class Layouts {
   }
 
   /// A column without values, whose memory is counted before it is kept.
-  Values& add_column(JsonTable& table, std::string name, std::size_t rows) {
+  Values& add_column(JsonTable& table, std::string name, std::size_t rows,
+                     std::uint32_t element = JsonTable::of_member) {
     constexpr std::uint64_t bytes_of_column = 64;
     memory_.add(name.size() + bytes_of_column + rows * sizeof(std::uint32_t));
     table.names.push_back(std::move(name));
+    table.elements.push_back(element);
     return table.columns.emplace_back(rows);
   }
 
@@ -273,13 +331,17 @@ class Layouts {
   bool take_arrays(JsonTable& table, const Values& members, bool is_wanted) {
     Values arrays;
     std::optional<std::size_t> times;
+    bool are_coordinates = true;  // which need no times
     for (const std::size_t member : members) {
       if (!json_.is(member, Kind::array) || json_.has_only(member, Kind::object)) continue;
-      const bool are_times = is_usual_time(json_.name(member)) && !json_.has_only(member, Kind::array);
+      const bool is_time = json_.name(member) == time_ || (time_.empty() && is_usual_time(json_.name(member)));
+      const bool are_times = is_time && !json_.has_only(member, Kind::array);
       if (are_times && !times) times = member;
       arrays.push_back(static_cast<std::uint32_t>(member));
+      are_coordinates = are_coordinates && is_axis(json_.name(member)) && json_.count(member) > 1 && are_cells(member);
     }
-    if (arrays.empty() || (!is_wanted && (!times || arrays.size() < 2))) return false;
+    if (arrays.empty() || (!is_wanted && ((!times && !are_coordinates) || arrays.size() < 2))) return false;
+    table.has_times = times.has_value();
     const std::size_t rows = json_.count(times.value_or(arrays[0]));
     for (const std::size_t array : arrays) {
       if (take_array(table, std::string(json_.name(array)), array, times ? rows : 0, rows)) {
@@ -321,10 +383,10 @@ class Layouts {
   }
 
   /// A column for each number of vectors that are written one after another.
-  void add_flat_vectors(JsonTable& table, std::string_view name, const Values& cells, std::size_t rows) {
+  void add_flat_vectors(JsonTable& table, const std::string& name, const Values& cells, std::size_t rows) {
     const std::size_t size = cells.size() / rows;
     for (std::size_t number = 0; number < size; ++number) {
-      Values& column = add_column(table, fmt::format("{}[{}]", name, number), rows);
+      Values& column = add_column(table, name, rows, static_cast<std::uint32_t>(number));
       for (std::size_t row = 0; row < rows; ++row) column[row] = cells[row * size + number];
     }
   }
@@ -346,6 +408,8 @@ class Layouts {
   }
 
   const Json& json_;
+  std::string time_;               ///< the name of the time, if it is requested
+  std::size_t least_records_ = 2;  ///< of a list of objects that no path leads to
   std::optional<Error> fault_;
   MemoryUse memory_;  ///< of the index of rows, and of columns
 };
@@ -433,7 +497,10 @@ void follow(const Json& json, std::size_t value, Way& way, std::string_view left
 class TableSearch {
  public:
   TableSearch(const Json& json, const InputOptions& options)
-      : json_(json), options_(options), layouts_(json, options.max_memory), paths_(options.max_memory) {}
+      : json_(json),
+        options_(options),
+        layouts_(json, options.max_memory, options.columns.roles),
+        paths_(options.max_memory) {}
 
   std::vector<JsonTable> find() {
     constexpr std::size_t root = 1;
@@ -441,6 +508,10 @@ class TableSearch {
     if (is_at_path && take_path(root)) return std::move(tables_);
     if (!is_at_path && (take_requested_list(root) || take_own_curves(root))) return std::move(tables_);
     search(root);
+    if (tables_.empty()) {
+      layouts_.take_single_records();
+      search(root);
+    }
     const bool has_times = std::ranges::any_of(tables_, &JsonTable::has_times);
     if (has_times) std::erase_if(tables_, [](const JsonTable& table) { return !table.has_times; });
     if (is_at_path) {
@@ -448,19 +519,61 @@ class TableSearch {
                         options_.records, tables_.empty() ? "" : ", such as ", listed_paths());
     }
     const auto is_named = [](const JsonTable& table) { return table.has_times && table.has_names; };
-    const bool is_sure = tables_.size() == 1 && is_named(tables_[0]);
-    if (std::ranges::none_of(tables_, is_named)) {
-      if (auto table = scattered_arrays()) return {*std::move(table)};
+    const bool is_one = tables_.size() == 1 && is_named(tables_[0]);
+    const bool are_columns = is_one && !tables_[0].columns.empty();
+    const auto table = std::ranges::find_if(tables_, is_named);
+    const bool may_be_scattered =
+        std::ranges::count_if(tables_, is_named) == 1 && !table->columns.empty() && has_vectors_beside(*table);
+    if (may_be_scattered || std::ranges::none_of(tables_, is_named)) {
+      if (auto scattered = scattered_arrays()) return {*std::move(scattered)};
     }
-    if (!is_sure) refuse_other_files(root);
+    if (!is_one || are_columns) refuse_other_files(root);
     if (tables_.empty() && layouts_.fault()) throw Error(*layouts_.fault());
     require_each_once();
     if (tables_.size() > 1) refuse_several();
+    if (tables_.size() == 1) require_no_times_beside(tables_[0]);
     return std::move(tables_);
   }
 
  private:
+  /// Takes an array of times beside a list of objects without such, one for each, as their times.
+  void take_times_beside(JsonTable& table) const {
+    const bool may_be = table.has_names && table.columns.empty() && table.names.empty() && table.index.empty();
+    if (!may_be || table.has_times || table.number > 0 || way_.around.empty()) return;
+    const JsonTable::Outer& outer = way_.around.back();
+    if (outer.member != table.value) return;
+    for (const std::size_t member : json_.inside(outer.object)) {
+      const bool are_times = is_usual_time(json_.name(member)) && json_.is(member, Kind::array) &&
+                             json_.count(member) == table.records.size();
+      if (!are_times || !layouts_.are_cells(member)) continue;
+      table.index = json_.values(member);
+      table.members.push_back(static_cast<std::uint32_t>(member));
+      table.has_times = true;
+      return;
+    }
+  }
+
+  /// Throws: Error (data) for rows beside an array of rising numbers, one for each, which may be the times.
+  void require_no_times_beside(const JsonTable& table) const {
+    const ColumnOptions& columns = options_.columns;
+    if (table.has_names || table.around.empty() || columns.timeless || columns.has(Role::time)) return;
+    const JsonTable::Outer& outer = table.around.back();
+    if (outer.member != table.value) return;
+    for (const std::size_t member : json_.inside(outer.object)) {
+      const bool may_be = json_.is(member, Kind::array) && json_.count(member) == table.records.size();
+      if (!may_be || !layouts_.rises(member)) continue;
+      const std::string_view name = json_.name(member), list = json_.name(outer.member);
+      throw data_error(
+          "the array {} has a rising number for each row of {}; expected the times in the rows; give --columns {} if "
+          "it "
+          "is the times, or --columns time=1 if the first number of each row is",
+          in_quotes(name), in_quotes(list), in_shell(fmt::format("time={},position={}", name, list)))
+          .at(json_.position(member - 1));
+    }
+  }
+
   void add(JsonTable table) {
+    take_times_beside(table);
     paths_.add(way_.path.size() + way_.around.size() * sizeof(JsonTable::Outer));
     table.path = way_.path;
     table.around = way_.around;
@@ -613,7 +726,9 @@ class TableSearch {
     std::unordered_set<std::string_view> names;
     for (const auto& [value, name] : arrays) {
       Values cells = json_.values(value);
-      const bool are_columns = cells.size() != rows && json_.is_nested(cells[0]) && json_.count(cells[0]) == rows;
+      const bool are_places = name == "coordinates";  // of GeoJSON, each with its numbers
+      const bool are_columns =
+          cells.size() != rows && !are_places && json_.is_nested(cells[0]) && json_.count(cells[0]) == rows;
       table.members.push_back(static_cast<std::uint32_t>(value));
       if (cells.size() != rows && !are_columns) {
         table.others.emplace_back(name);
@@ -633,6 +748,16 @@ class TableSearch {
     return table.columns.size() > 1 ? std::optional(std::move(table)) : std::nullopt;
   }
 
+  /// Whether an array outside of a table has a vector for each of its rows.
+  bool has_vectors_beside(const JsonTable& table) const {
+    for (std::size_t value = 1; value < json_.size(); ++value) {
+      if (value >= table.value && value < json_.next(table.value)) continue;
+      const bool are_vectors = json_.has_only(value, Kind::array) && json_.count(value) == table.size();
+      if (are_vectors && may_be_column(value)) return true;
+    }
+    return false;
+  }
+
   /// Throws: Error (data) for a file of another product, by its members, unless columns are requested.
   void refuse_other_files(std::size_t root) const {
     if ((options_.columns.timeless && tables_.size() < 2) || !options_.columns.roles.empty()) return;
@@ -642,10 +767,28 @@ class TableSearch {
     }
     const bool is_list = json_.is(root, Kind::array) && !json_.is_empty(root);
     const auto type = json_.member(is_list ? first_record(json_, root) : root, "type");
-    const std::string records =
-        tables_.empty() || tables_[0].path.empty() ? "" : fmt::format("--records {} ", in_shell(path_of(tables_[0])));
+    const std::string path = path_for_rest(root);
+    const std::string records = path.empty() ? "" : fmt::format("--records {} ", in_shell(path));
     const auto error = other_json(names, type ? json_.text(*type) : "", records);
     if (error) throw error->at({"", 1, 1});
+  }
+
+  /// The path to all lists; to the first one where there is none; beside columns, to the first array of vectors.
+  std::string path_for_rest(std::size_t root) const {
+    if (tables_.empty()) return "";
+    if (tables_.size() > 1) {
+      const std::string all = path_of_all();
+      if (!all.empty()) return all;
+    }
+    if (tables_[0].columns.empty()) {
+      const std::string path = path_of(tables_[0]);
+      return path.ends_with(']') ? path.substr(0, path.rfind('[')) + "[*]" : path;  // as there may be more lists
+    }
+    for (std::size_t value = root; value < json_.size(); ++value) {
+      const bool is_place = json_.is_member(value) && json_.name(value) == "coordinates";
+      if (is_place && json_.has_only(value, Kind::array)) return json_.path(root, value);
+    }
+    return path_of(tables_[0]);
   }
 
   std::string listed_paths() const {
@@ -699,10 +842,10 @@ class TableSearch {
   /// The path of the first table with * for the one step in which those of the others differ; empty where they differ
   /// in more, or their records do.
   std::string path_of_all() const {
-    Values firsts;
+    Values firsts;  // records, or objects of columns
     for (const JsonTable& table : tables_) {
-      if (!json_.is(table.value, Kind::array)) return "";
-      firsts.push_back(static_cast<std::uint32_t>(first_record(json_, table.value)));
+      const bool is_list = json_.is(table.value, Kind::array);
+      firsts.push_back(static_cast<std::uint32_t>(is_list ? first_record(json_, table.value) : table.value));
     }
     if (!layouts_.are_alike(firsts)) return "";
     std::vector<std::string> steps = steps_of(tables_[0]);

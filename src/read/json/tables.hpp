@@ -30,8 +30,11 @@ struct JsonTable {
   bool are_scattered = false;               ///< its columns are in several objects
   bool has_names = true;                    ///< the text names its columns
   std::vector<std::string> names = {};      ///< of the cells of records that are arrays, or of columns
-  std::vector<std::uint32_t> records = {};  ///< objects, arrays, or null, which ends a curve
-  std::uint64_t number = 0;                 ///< of the first record in its list
+  /// Of columns that are numbers of an array of their name, which number it is; of_member for others.
+  static constexpr std::uint32_t of_member = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> elements = {};
+  std::vector<std::uint32_t> records = {};               ///< objects, arrays, or null, which ends a curve
+  std::uint64_t number = 0;                              ///< of the first record in its list
   std::vector<std::vector<std::uint32_t>> columns = {};  ///< in place of records; 0 for a missing value
   std::vector<std::uint32_t> index = {};                 ///< names or values of rows, the times; empty: none are
   std::vector<std::string> others = {};                  ///< names of arrays of other sizes, which are not read
