@@ -338,7 +338,8 @@ class Layouts {
       const bool are_times = is_time && !json_.has_only(member, Kind::array);
       if (are_times && !times) times = member;
       arrays.push_back(static_cast<std::uint32_t>(member));
-      are_coordinates = are_coordinates && is_axis(json_.name(member)) && json_.count(member) > 1 && are_cells(member);
+      are_coordinates = are_coordinates && is_axis(json_.name(member)) && json_.count(member) > 1 &&
+                        json_.has_only(member, Kind::number) && !rises(member);  // as one that rises may be the time
     }
     if (arrays.empty() || (!is_wanted && ((!times && !are_coordinates) || arrays.size() < 2))) return false;
     table.has_times = times.has_value();
