@@ -481,7 +481,58 @@ class SettingsReader {
   std::string shown_closing_;
 };
 
+/// The names and values in a line: each value is a word behind ":" or "=", or behind the only delimiter of the line.
+std::vector<std::pair<std::string_view, std::string_view>> pairs_in(std::string_view line) {
+  std::vector<std::pair<std::string_view, std::string_view>> pairs;
+  constexpr std::string_view marks = ":=", around = " \t\",;|#%!/*";
+  const bool has_marks = line.find_first_of(marks) != std::string_view::npos;
+  for (std::size_t begin = 0; begin < line.size();) {
+    const std::size_t end = line.find_first_of(has_marks ? marks : std::string_view(",;\t"), begin);
+    const std::size_t value = line.find_first_not_of(around, std::min(end, line.size() - 1) + 1);
+    if (value == std::string_view::npos) break;
+    const std::size_t last = std::min(line.find_first_of(" \t\r\",;|", value), line.size());
+    std::string_view name = line.substr(begin, end - begin);
+    name.remove_prefix(std::min(name.find_first_not_of(around), name.size()));
+    name = name.substr(0, name.find_last_not_of(" \t") + 1);
+    pairs.emplace_back(name, line.substr(value, last - value));
+    begin = last;
+  }
+  return pairs;
+}
+
 }  // namespace
+
+SettingsInText settings_in(std::string_view lines, const InputOptions& options, bool has_tcb) {
+  SettingsInText found;
+  std::vector<std::string> names, values;  // of numbers
+  for (const std::string_view line : split(lines, '\n')) {
+    for (const auto& [name, value] : pairs_in(line)) {
+      const std::string word = compact(name);
+      if (lists_word(rate_names, word) && frame_rate_in(value)) found.frame_rate = value;
+      const bool closes = lists_word(closing_names, word) && lists_word("true yes on 1", in_lower_case(value));
+      if (closes && !options.given.closed) {
+        found.shown.push_back(fmt::format("{} {}", name, value));
+        found.options.emplace_back("--closed");
+      } else if (parse_number(value)) {
+        names.emplace_back(name);
+        values.emplace_back(value);
+      }
+    }
+  }
+  if (has_tcb || options.keys.tcb) return found;
+  for (const ParameterSet& set : parameter_sets(names, std::vector<bool>(names.size(), true), {.timeless = true})) {
+    if (!set.is_clear()) continue;
+    std::array<std::string, 3> numbers{"0", "0", "0"};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (!set.cells[i]) continue;
+      numbers[i] = values[*set.cells[i]];
+      found.shown.push_back(fmt::format("{} {}", names[*set.cells[i]], numbers[i]));
+    }
+    found.options.push_back(fmt::format("--tcb {}", fmt::join(numbers, ",")));
+    break;
+  }
+  return found;
+}
 
 bool may_hold_settings(std::string_view name) { return has_word_of(name, inner_words); }
 

@@ -63,6 +63,17 @@ struct FileSettings {
   std::vector<std::string> unused = {};  ///< members with numbers that are no settings
 };
 
+/// What lines above a table say of the curve or the times, as "# closed: true" and "fps = 25" do.
+struct SettingsInText {
+  std::vector<std::string> shown = {};    ///< names and values
+  std::vector<std::string> options = {};  ///< that apply them
+  std::string frame_rate = {};            ///< empty: none
+};
+
+/// The settings among lines, each a name with a value behind ":" or "=", or both alone in a line, but not what
+/// the options or the columns, if these `has_tcb`, say.
+SettingsInText settings_in(std::string_view lines, const InputOptions& options, bool has_tcb);
+
 /// The settings in objects from the root on, of which a later one has priority. Throws: Error (data) at a member whose
 /// value is none of its setting, that may be something else, or whose name is nearly that of a setting.
 FileSettings read_settings(std::span<const FileObject> objects, const InputOptions& options);

@@ -174,6 +174,13 @@ struct ColumnOfChannel {
   bool requested;
 };
 
+/// The name of the role of all channels that corresponds to one of a channel.
+std::string_view common_role(Role role) {
+  return role_name(role == Role::channel_tension      ? Role::tension
+                   : role == Role::channel_continuity ? Role::continuity
+                                                      : Role::bias);
+}
+
 /// The columns that have such a role by their names: in a column that may be a channel. `times`: for each column,
 /// whether it is the time by its name; `chosen`: the positions are requested by an option. Throws: Error (data) for a
 /// name such as "tension_q" where there is no q, unless `chosen`; but "q_v" is then any other name.
@@ -209,15 +216,21 @@ std::vector<ColumnOfChannel> columns_of_channels(const Columns& columns, std::sp
       constexpr std::size_t most = 12;
       std::vector<std::string> possible;
       std::vector<std::size_t> all;  // the column may be a channel of its own
+      std::vector<std::string> roles;
       for (std::size_t i = 0; i < header.size(); ++i) {
+        const bool is_alike = named[i] && named[i]->channel == named[cell]->channel && !is_velocity(named[i]->role);
+        if (is_alike) roles.push_back(requested_as(common_role(named[i]->role), header, {&i, 1}));
         if (may_be_channel[i] && !named[i]) possible.push_back(header[i]);
         if (may_be_channel[i] && !channels[i]) all.push_back(i);
       }
       throw data_error(
-          "column {} names a channel {}, which does not exist; expected {}; correct the name, or name the channels "
+          "column {} names a channel {}, which does not exist; expected {}; correct the name, {}or name the channels "
           "with --columns {}",
           in_quotes(header[cell]), in_quotes(named[cell]->channel),
           possible.empty() ? "a column of that name" : "one of " + listed(possible),
+          roles.empty()
+              ? ""
+              : fmt::format("give --columns {} for all channels, ", in_shell(fmt::format("{}", fmt::join(roles, ",")))),
           all.size() > most ? "position=NAME:NAME" : in_shell(requested_as("position", header, all)));
     }
   }

@@ -273,11 +273,15 @@ Found letters_that_are_data(const FoundColumns& found) {
   std::ranges::copy_if(found.columns.channels, std::back_inserter(letters),
                        [&](const std::string& name) { return std::ranges::count(known, name) > 0; });
   if (letters.empty()) return std::nullopt;
-  const auto role = tcb_roles[static_cast<std::size_t>(std::ranges::find(known, letters[0]) - known.begin())];
+  std::vector<std::string> roles;
+  for (const std::string& letter : letters) {
+    const auto place = static_cast<std::size_t>(std::ranges::find(known, letter) - known.begin());
+    roles.push_back(fmt::format("{}={}", role_name(tcb_roles[place]), letter));
+  }
   return note(
-      "positions by a single letter: {}; only T, C and B together are tension, continuity and bias; --columns {}={} "
-      "gives the role",
-      listed(letters), role_name(role), letters[0]);
+      "positions by a single letter: {}; only T, C and B together are tension, continuity and bias; --columns {} "
+      "gives the role{}",
+      listed(letters), fmt::join(roles, ","), roles.size() > 1 ? "s" : "");
 }
 
 /// Whether the request or the file says what a column is.
@@ -387,6 +391,43 @@ Found parameters_in_short(const FoundColumns& found) {
   return std::nullopt;
 }
 
+/// The ease of keys by other names than ease_in and ease_out, as "Ease To", beside tension, continuity and bias.
+Found ease_in_other_words(const FoundColumns& found) {
+  const bool has_tcb = std::ranges::any_of(found.columns.cells, [](auto& column) { return is_parameter(column.role); });
+  if (!has_tcb || is_requested(found, Role::position)) return std::nullopt;
+  std::vector<std::size_t> cells;
+  std::vector<std::string> roles;
+  for (std::size_t cell = 0; cell < found.names.size(); ++cell) {
+    const std::vector<std::string> words = words_of(found.names[cell]);
+    const std::string word = fmt::format("{}", fmt::join(words, ""));
+    const bool is_in = word == "easein" || word == "easeto", is_out = word == "easeout" || word == "easefrom";
+    if ((!is_in && !is_out) || found.columns.cells[cell].role != Role::position) continue;
+    cells.push_back(cell);
+    roles.push_back(requested_as(is_in ? "ease_in" : "ease_out", found.names, {&cell, 1}));
+  }
+  if (cells.empty()) return std::nullopt;
+  return error(
+      "{} may be the ease at the keys; expected ease_in and ease_out in this spelling; give --columns {} if that is "
+      "so, "
+      "or --columns {} to leave {} out",
+      listed(names_of(found.names, cells)), in_shell(fmt::format("{}", fmt::join(roles, ","))),
+      roles_of(found, "ignore", cells), cells.size() == 1 ? "it" : "them");
+}
+
+/// Texts in a column of the three parameters.
+Found parameters_as_text(const FoundColumns& found) {
+  for (std::size_t cell = 0; cell < found.names.size() && !found.rows.empty(); ++cell) {
+    const std::string& name = found.names[cell];
+    const bool is_tcb = same_in_any_case(name, "tcb") || same_in_any_case(name, "tbc");
+    if (!is_tcb || !found.columns.cells[cell].is_text || is_known(found, cell)) continue;
+    return error(
+        "column {} has texts such as {}, not three numbers; expected (0, 0.5, 0), or columns tension, continuity and "
+        "bias; write the numbers alone, or give --columns {} to leave the column out",
+        shown(found, cell), in_quotes(found.rows[0][cell]), roles_of(found, "ignore", {&cell, 1}));
+  }
+  return std::nullopt;
+}
+
 /// Columns that are parameters by their names.
 std::vector<std::size_t> parameters_of(const FoundColumns& found) {
   std::vector<std::size_t> cells;
@@ -406,21 +447,30 @@ Found parameters_that_are_data(const FoundColumns& found) {
     return std::ranges::count(set.cells, cells[0]) > 0 && set.count(ParameterSet::Kind::letter) == cells.size();
   });
   std::size_t all = 0, beyond = 0;
+  bool is_from_0_to_50 = true, is_beyond_likely = false;
   std::optional<std::pair<std::size_t, double>> first;
   for (const std::size_t cell : cells) {
     for (const auto& row : found.rows) {
       const double number = number_in(found, row, cell);
       if (std::isnan(number)) continue;
-      const bool is_from_0_to_50 = number >= 0 && number <= 50;
-      if (cells.size() == 3 && !are_letters && !is_from_0_to_50) return std::nullopt;
+      constexpr double most = 50, likely = 10;
+      is_beyond_likely = is_beyond_likely || std::abs(number) > likely;
+      is_from_0_to_50 = is_from_0_to_50 && number >= 0 && number <= most;
       ++all;
       if (std::abs(number) <= 1) continue;
       ++beyond;
       if (!first) first.emplace(cell, number);
     }
   }
+  const bool are_words = cells.size() == 3 && !are_letters;
   const bool is_doubt = cells.size() == 3 && are_letters ? beyond > 0 : 2 * beyond > all;
-  if (!is_doubt) return std::nullopt;
+  if (are_words && !is_from_0_to_50 && is_beyond_likely) {
+    return error(
+        "{} would shape the curve, but {} is {}; expected numbers that are usually from -1 to 1; divide them by 100 if "
+        "they are in percent, or give --tcb-scale none to take them unchanged, or --columns {} for channels",
+        listed(names_of(found.names, cells)), in_quotes(found.names[first->first]), first->second, positions_of(found));
+  }
+  if (!is_doubt || (are_words && !is_from_0_to_50)) return std::nullopt;
   return error(
       "{} would shape the curve as {}, but {} is {}; expected parameters, which are usually from -1 to 1; give "
       "--columns {} for channels, --tcb-scale none for parameters as they are, or --tcb-scale 3dsmax for parameters "
@@ -492,7 +542,16 @@ Found time_in_second_number(const FoundColumns& found) {
       "--columns time=2,position=1 for the second one, or --columns time=1 for the first");
 }
 
-/// Numbers in a column of dates that count no unit, such as 20240301.
+/// Whether 14 digits are a date and a time of day.
+bool are_date_and_clock(std::string_view digits) {
+  constexpr std::size_t size = 14;
+  if (digits.size() != size || digits.find_first_not_of("0123456789") != std::string_view::npos) return false;
+  const auto part = [&](std::size_t at) { return (digits[at] - '0') * 10 + (digits[at + 1] - '0'); };
+  return part(0) >= 19 && part(0) <= 21 && part(4) >= 1 && part(4) <= 12 && part(6) >= 1 && part(6) <= 31 &&
+         part(8) < 24 && part(10) < 60 && part(12) < 60;
+}
+
+/// Numbers in a column of dates that count no unit, such as 20240301, and times such as 20240301120000.
 Found dates_as_numbers(const FoundColumns& found) {
   constexpr double least = 1e7;
   if (found.has_time_unit || found.requested.timeless || is_requested(found, Role::time) || found.rows.empty()) {
@@ -500,6 +559,13 @@ Found dates_as_numbers(const FoundColumns& found) {
   }
   for (std::size_t cell = 0; cell < std::min(found.names.size(), found.rows[0].size()); ++cell) {
     const std::string_view date = found.rows[0][cell];
+    if (found.columns.cells[cell].role == Role::time && are_date_and_clock(date)) {
+      return error(
+          "the times in column {}, such as {}, seem to be dates; expected dates such as 2024-03-01 12:00:00, or "
+          "numbers "
+          "in a unit of time; write the dates so, or give --time-unit s if they are such numbers",
+          shown(found, cell), date);
+    }
     if (!names_dates(found.names[cell]) || !(number_in(found, found.rows[0], cell) >= least)) continue;
     if (unit_since_1970(date)) continue;
     return error(
@@ -689,11 +755,12 @@ Found other_interpolation_of_keys(const FoundColumns& found) {
 }
 
 /// The list. The first error is the one that is shown.
-constexpr std::array about_columns{
-    pieces_of_curve,         labels_of_curves,          parameters_in_short,      near_miss_of_role,
-    letters_that_are_data,   parameters_by_other_names, parameters_that_are_data, times_without_role,
-    durations_without_times, time_in_second_number,     dates_as_numbers,         rotation_vector_by_name,
-    poses_as_matrices,       quaternion_by_norm,        minutes_and_seconds,      other_interpolation_of_keys};
+constexpr std::array about_columns{ease_in_other_words,   parameters_as_text,        pieces_of_curve,
+                                   labels_of_curves,      parameters_in_short,       near_miss_of_role,
+                                   letters_that_are_data, parameters_by_other_names, parameters_that_are_data,
+                                   times_without_role,    durations_without_times,   time_in_second_number,
+                                   dates_as_numbers,      rotation_vector_by_name,   poses_as_matrices,
+                                   quaternion_by_norm,    minutes_and_seconds,       other_interpolation_of_keys};
 
 // The rows about a request.
 

@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "schema/usual_names.hpp"
@@ -86,15 +87,13 @@ bool repeats_parameter(std::string_view name) {
 }
 
 /// Whether a name has no unit, or one without letters as in "tension (0-1)"; others are those of other quantities.
-bool may_be_parameter(std::string_view name) {
-  constexpr std::size_t longest = 64;
-  if (name.empty() || name.size() > longest) return false;
+bool has_no_unit(std::string_view name) {
   const std::string_view unit = unit_in(name);
   const auto is_letter = [](char c) {
     return (lower(c) >= 'a' && lower(c) <= 'z') || static_cast<unsigned char>(c) > 127;
   };
   return std::ranges::none_of(unit, is_letter) ||
-         lists_word("none unitless dimensionless normalized", in_lower_case(unit)) || repeats_parameter(name);
+         lists_word("none unitless dimensionless normalized", in_lower_case(unit));
 }
 
 /// The words of a name without the one that is the parameter: those before and those behind it.
@@ -128,12 +127,16 @@ bool is_word_in_path(std::string_view name) {
          std::ranges::count(parameter_words, in_lower_case(name.substr(point + 1))) > 0;
 }
 
-/// Separates words that are written together, as in xtension and tcbt. Returns whether they may mean something else.
-bool separate(std::vector<std::string>& words) {
+/// Separates words that are written together, as in xtension, tcbt, and tx, where x is one of the names of one letter.
+/// Returns whether they may mean something else.
+bool separate(std::vector<std::string>& words, std::string_view single_letters) {
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string word = words[i];
-    if (meaning_of(word)) continue;
-    std::size_t at = 0;
+    const auto is_name = [&](char c) { return single_letters.find(c) != std::string_view::npos; };
+    const auto is_parameter = [](char c) { return c == 't' || c == 'c' || c == 'b'; };
+    const bool has_letters = word.size() == 2 && is_parameter(word[0]) != is_parameter(word[1]);
+    std::size_t at = has_letters && is_name(is_parameter(word[0]) ? word[1] : word[0]) ? 1 : 0;
+    if (at == 0 && meaning_of(word)) continue;
     for (const std::string_view known : parameter_words) {
       if (word.ends_with(known)) at = word.size() - known.size();
       if (word.starts_with(known)) at = known.size();
@@ -166,6 +169,19 @@ struct Readings {
            std::ranges::all_of(parameters, has_letters_alone) && meaning_of_rest(rest) != Rest::of_tcb;
   }
 
+  /// Adds the columns that are parameters by a word, or by letters alone of which there are all.
+  void add_likely(std::unordered_set<std::size_t>& cells) const {
+    const bool are_letters = std::ranges::all_of(parameters, [](const auto& columns) {
+      const auto is_letter = [](const auto& one) { return one.second.kind == Kind::letter; };
+      return !columns.empty() && std::ranges::all_of(columns, is_letter);
+    });
+    for (const auto& columns : parameters) {
+      for (const auto& [cell, meaning] : columns) {
+        if (are_letters || meaning.kind == Kind::word || meaning.kind == Kind::beginning) cells.insert(cell);
+      }
+    }
+  }
+
   /// Some of the words are among the names, but not all.
   bool lacks_words() const {
     const auto has_word = [](const auto& columns) {
@@ -185,25 +201,86 @@ struct Readings {
   }
 };
 
+/// The columns that may be positions, by the words of their names.
+class ChannelNames {
+ public:
+  void add(std::string_view name, std::size_t cell) {
+    cells_.push_back(cell);
+    const std::vector<std::string> words = words_of(without_unit(name));
+    by_words_.emplace(joined(words_of(name)), cell);
+    by_words_.emplace(joined(words), cell);
+    if (words.empty()) return;
+    const bool ends_in_axis = std::string_view("xyz").find(words.back().back()) != std::string_view::npos;
+    if (words.size() > 1) {
+      add_part(words.back(), cell);
+      const std::string stem = joined(std::span(words).first(words.size() - 1));
+      add_part(stem, cell);
+      by_stems_[stem].push_back(cell);
+    } else if (ends_in_axis && is_coordinate(name)) {  // as in px
+      add_part(words[0].substr(words[0].size() - 1), cell);
+    }
+  }
+
+  /// The column with these words, or the only one that begins or ends with them, as pos_x for x.
+  std::optional<std::size_t> find(const std::string& words) const {
+    if (words.empty()) return std::nullopt;
+    for (const std::string_view end : {"", " value", " v"}) {  // as x.value beside x.tension
+      const auto found = by_words_.find(words + std::string(end));
+      if (found != by_words_.end()) return found->second;
+    }
+    const auto found = by_parts_.find(words);
+    return found != by_parts_.end() ? found->second : std::nullopt;
+  }
+
+  /// The columns that have one more word than these.
+  std::vector<std::size_t> with_stem(const std::string& words) const {
+    const auto found = by_stems_.find(words);
+    return found != by_stems_.end() ? found->second : std::vector<std::size_t>();
+  }
+
+  const std::map<std::string, std::size_t>& by_words() const { return by_words_; }
+  const std::vector<std::size_t>& all() const { return cells_; }
+
+ private:
+  static std::string joined(std::span<const std::string> words) { return fmt::format("{}", fmt::join(words, " ")); }
+
+  void add_part(const std::string& words, std::size_t cell) {
+    const auto [place, is_new] = by_parts_.emplace(words, cell);
+    if (!is_new) place->second.reset();
+  }
+
+  std::vector<std::size_t> cells_;
+  std::map<std::string, std::size_t> by_words_;
+  std::map<std::string, std::optional<std::size_t>> by_parts_;  ///< nothing where several columns have the part
+  std::map<std::string, std::vector<std::size_t>> by_stems_;
+};
+
 class SetFinder {
  public:
   SetFinder(std::span<const std::string> names, const std::vector<bool>& usable, const ColumnOptions& requested)
       : names_(names), has_time_(requested.timeless || requested.has(Role::time)) {
     for (const std::string& name : names) {
-      if (name.size() == 1) single_letters_ += lower(name[0]);
+      const bool is_letter = name.size() == 1 && single_letters_.find(lower(name[0])) == std::string::npos;
+      if (is_letter) single_letters_ += lower(name[0]);
+      if (name.ends_with(')') || name.ends_with(']')) have_brackets_ = true;
     }
+    if (have_brackets_) all_names_.insert(names.begin(), names.end());
     for (std::size_t cell = 0; cell < names.size(); ++cell) {
-      if (usable[cell] && may_be_parameter(names[cell])) read(cell);
+      constexpr std::size_t longest = 64;
+      if (usable[cell] && !names[cell].empty() && names[cell].size() <= longest) read(cell);
     }
     const bool may_complete = std::ranges::any_of(readings_, [](const Readings& one) { return one.lacks_words(); });
     if (!may_complete) std::erase_if(readings_, [](const Readings& readings) { return readings.says_nothing(); });
     const bool are_words = std::ranges::all_of(readings_, [](const Readings& one) { return one.has_words_alone(); });
     are_times_.resize(names.size());
-    if (are_words) return;  // whose meaning no other column changes
+    if (are_words) return;                       // whose meaning no other column changes
+    std::unordered_set<std::size_t> parameters;  // which are no channels
+    for (const Readings& readings : readings_) readings.add_likely(parameters);
     for (std::size_t cell = 0; cell < names.size(); ++cell) {
       are_times_[cell] = is_time_by_name(names[cell]);
+      if (parameters.contains(cell)) continue;
       const bool may_be_channel = usable[cell] && role_of_name(names[cell]) == Role::position && !are_times_[cell];
-      if (may_be_channel) channels_.emplace(fmt::format("{}", fmt::join(words_of(names[cell]), " ")), cell);
+      if (may_be_channel) channels_.add(names[cell], cell);
     }
     times_ = std::ranges::count(are_times_, true);
   }
@@ -220,6 +297,7 @@ class SetFinder {
       if (!set.completes) leave_letters(set);
       if (set.count() > 0) sets.push_back(std::move(set));
     }
+    find_stems(sets);
     return sets;
   }
 
@@ -240,9 +318,11 @@ class SetFinder {
         return with_rest(rest_of(words, size - 1)).places[*number].push_back(cell);
       }
     }
-    words = words_of(repeats_parameter(names_[cell]) ? names_[cell] : without_unit(names_[cell]));
+    const bool has_words_in_brackets = have_brackets_ && has_words_in_its_brackets(names_[cell]);
+    if (!has_words_in_brackets && !has_no_unit(names_[cell])) return;
+    words = words_of(has_words_in_brackets ? names_[cell] : without_unit(names_[cell]));
     leave_repeated_letter(words);
-    const bool may_mean_other = separate(words);
+    const bool may_mean_other = separate(words, single_letters_);
     for (std::size_t i = 0; i < words.size(); ++i) {
       if (words[i] == "r" || words[i] == "g" || words[i] == "a") with_rest(rest_of(words, i)).letters += words[i];
       auto meaning = meaning_of(words[i]);
@@ -250,6 +330,16 @@ class SetFinder {
       meaning->needs_others = meaning->needs_others || may_mean_other;
       with_rest(rest_of(words, i)).parameters[meaning->parameter].emplace_back(cell, *meaning);
     }
+  }
+
+  /// Whether what a name has in brackets is no unit, but the parameter, as in "x (tension)", or another column, as in
+  /// "tension [x]".
+  bool has_words_in_its_brackets(std::string_view name) const {
+    const std::string_view text = unit_in(name);
+    if (text.empty()) return false;
+    const auto meaning = meaning_of(in_lower_case(text));
+    const bool is_parameter = meaning && (meaning->kind == Kind::word || meaning->kind == Kind::beginning);
+    return is_parameter || repeats_parameter(name) || (all_names_.contains(text) && !is_unit(text));
   }
 
   /// Leaves the letter out that repeats the parameter, as in "Tension T", unless it is the name of a channel.
@@ -283,8 +373,10 @@ class SetFinder {
         std::ranges::any_of(set.cells, [&](const auto& cell) { return cell && is_word_in_path(names_[*cell]); });
     set.time = time_of(set, readings.rest);
     if (!set.is_complete()) set.time.reset();
-    const auto channel = channel_of(readings.rest);
+    const std::string words = words_beside(readings.rest);
+    const auto channel = channels_.find(words);
     if (channel && std::ranges::count(set.cells, *channel) == 0) set.channel = names_[*channel];
+    if (set.channel.empty()) set.stem = channels_.with_stem(words);
     const auto has_letter = [&](char c) { return readings.letters.find(c) != std::string::npos; };
     set.may_be_others = has_letter('a') || (has_letter('r') && has_letter('g'));
     return set;
@@ -338,28 +430,40 @@ class SetFinder {
     }
   }
 
-  /// The column whose words are these, apart from those of tcb in front of the parameter; nothing if there is none that
-  /// may be a channel.
-  std::optional<std::size_t> channel_of(std::string_view rest) const {
-    const std::size_t middle = rest.find('|');
-    std::string_view before = rest.substr(0, middle);
-    const std::string_view behind = rest.substr(middle + 1);
-    const std::size_t last = before.rfind(' ') + 1;
-    if (lists_word(words_of_tcb, before.substr(last))) before = before.substr(0, last == 0 ? 0 : last - 1);
-    if (before.empty() == behind.empty()) return std::nullopt;
-    const std::string channel(before.empty() ? behind : before);
-    for (const std::string_view end : {"", " value", " v"}) {  // as x.value beside x.tension
-      const auto found = channels_.find(channel + std::string(end));
-      if (found != channels_.end()) return found->second;
+  /// The words of a rest without those of tcb.
+  static std::string words_beside(std::string_view rest) {
+    std::vector<std::string> words;
+    for (const std::string_view part : {rest.substr(0, rest.find('|')), rest.substr(rest.find('|') + 1)}) {
+      for (const std::string_view word : split(part, ' ')) {
+        if (!word.empty() && !lists_word(words_of_tcb, word)) words.emplace_back(word);
+      }
     }
-    return std::nullopt;
+    return fmt::format("{}", fmt::join(words, " "));
+  }
+
+  /// Leaves in each stem the channels that are no parameters. Parameters of all channels have no stem.
+  void find_stems(std::vector<ParameterSet>& sets) const {
+    std::unordered_set<std::size_t> taken;
+    for (const ParameterSet& set : sets) {
+      for (const auto& cell : set.cells) {
+        if (cell && (set.is_complete() || set.count(Kind::letter) == 0)) taken.insert(*cell);
+      }
+    }
+    const auto is_taken = [&](std::size_t cell) { return taken.contains(cell); };
+    const auto channels = std::ssize(channels_.all()) - std::ranges::count_if(channels_.all(), is_taken);
+    for (ParameterSet& set : sets) {
+      std::erase_if(set.stem, is_taken);
+      if (set.stem.empty() || std::ssize(set.stem) < channels) continue;
+      set.stem.clear();
+      if (set.rest == Rest::other) set.rest = Rest::of_keys;
+    }
   }
 
   /// The column of times that has the same words in front of its own, where no other column is the time.
   std::optional<std::size_t> time_of(const ParameterSet& set, std::string_view rest) const {
     if (has_time_ || times_ > 0 || rest.size() < 2 || !rest.ends_with('|')) return std::nullopt;
     const std::string front = std::string(rest.substr(0, rest.size() - 1)) + ' ';
-    for (const auto& [words, cell] : channels_) {
+    for (const auto& [words, cell] : channels_.by_words()) {
       const bool is_other = std::ranges::count(set.cells, cell) == 0;
       if (is_other && words.starts_with(front) && is_time_by_name(words.substr(front.size()))) return cell;
     }
@@ -367,11 +471,13 @@ class SetFinder {
   }
 
   const std::span<const std::string> names_;
-  const bool has_time_;                                       ///< it is requested, or none is
-  std::vector<bool> are_times_ = {};                          ///< the columns that are times by their names
-  std::ptrdiff_t times_ = 0;                                  ///< their number
-  std::string single_letters_ = {};                           ///< names of one letter
-  std::map<std::string, std::size_t> channels_ = {};          ///< columns that may be positions, by their words
+  const bool has_time_;                                  ///< it is requested, or none is
+  std::vector<bool> are_times_ = {};                     ///< the columns that are times by their names
+  std::ptrdiff_t times_ = 0;                             ///< their number
+  std::string single_letters_ = {};                      ///< names of one letter
+  bool have_brackets_ = false;                           ///< some of the names
+  std::unordered_set<std::string_view> all_names_ = {};  ///< if they have
+  ChannelNames channels_ = {};
   std::unordered_map<std::string, std::size_t> places_ = {};  ///< of readings, by their rests
   std::deque<Readings> readings_ = {};
 };
@@ -406,6 +512,7 @@ bool ParameterSet::is_clear() const {
   const std::size_t letters = count(Kind::letter);
   if (completes) return letters == 0 || rest != Rest::other;
   if (rest == Rest::of_tcb || (rest == Rest::of_parameters && letters == 0)) return true;
+  if (!stem.empty()) return false;
   const bool is_known = rest != Rest::other || !channel.empty();
   if (!is_complete()) return count(Kind::word) == count() && (rest == Rest::nothing || !channel.empty());
   return letters == 0 || (letters == count() && is_known && !may_be_others);
@@ -415,6 +522,7 @@ bool ParameterSet::is_doubtful() const {
   if (is_clear()) return false;
   if (completes) return true;
   const std::size_t letters = count(Kind::letter);
+  if (!stem.empty() && is_complete()) return true;
   if (letters > 0) return count(Kind::unclear) == 0 && (letters < count() || rest != Rest::other || !channel.empty());
   if (rest == Rest::nothing) return true;
   return rest == Rest::of_keys || !channel.empty() || count() > 1 || is_member;
@@ -447,6 +555,7 @@ std::string ParameterSet::request(std::span<const std::string> names) const {
     const std::string name = channel.empty() ? std::string(role_name(parameter_roles[i])) : role_name(role(i));
     if (cells[i]) parts.push_back(requested_as(name, names, {&*cells[i], 1}));
   }
+  if (!stem.empty()) parts.push_back(requested_as("position", names, stem));
   if (time) parts.insert(parts.begin(), requested_as("time", names, {&*time, 1}));
   return fmt::format("{}", fmt::join(parts, ","));
 }

@@ -30,6 +30,7 @@ struct ParameterSet {
   std::array<Kind, 3> kinds = {};
   Rest rest = Rest::nothing;             ///< nothing: the names have no rest
   std::string channel = {};              ///< the name of the column that the rest names; empty: none
+  std::vector<std::size_t> stem = {};    ///< the channels, but not all, whose names begin with the rest
   bool may_be_others = false;            ///< beside the letters are r and g, or a
   std::optional<std::size_t> time = {};  ///< the column of times with this rest, where no other column is the time
   bool is_member = false;                ///< a whole word behind the path to it, as in properties.tension

@@ -16,6 +16,7 @@
 #include "read/input.hpp"
 #include "read/json/text.hpp"
 #include "read/key_builder.hpp"
+#include "read/settings.hpp"
 #include "schema/pose_formats.hpp"
 #include "schema/usual_names.hpp"
 #include "stream/ordered_map.hpp"
@@ -369,6 +370,36 @@ std::string joined_time(std::span<const std::string> parts) {
 
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head) { return RecordReader(chunk, head).read(); }
 
+namespace {
+
+std::string_view first_lines(std::string_view text, std::uint64_t count) {
+  std::size_t end = 0;
+  for (; count > 0 && end < text.size(); --count) end = std::min(text.find('\n', end), text.size() - 1) + 1;
+  return text.substr(0, end);
+}
+
+/// Notes what the lines above the keys say of the curve. Those of an earlier output of the program say what made it.
+void tell_settings(std::string_view lines, const InputOptions& options, DelimitedHead& head) {
+  const bool is_output = lines.substr(0, lines.find('\n')).find("tcbsample ") != std::string_view::npos;
+  if (is_output) return;
+  const SettingsInText found = settings_in(lines, options, !head.columns.shape_roles().empty());
+  head.facts.shown_rate = found.frame_rate;
+  if (found.options.empty()) return;
+  head.columns.doubts.push_back(fmt::format("a line above the keys says {}, which is not applied; {} applies it",
+                                            listed(found.shown), fmt::join(found.options, " ")));
+}
+
+/// The options that apply what lines above a table say, each behind a blank.
+std::string options_of_lines(std::string_view lines, const InputOptions& options, const LaterTable& table) {
+  const SettingsInText found = settings_in(lines, options, table.has_tcb);
+  std::string text;
+  for (const std::string& option : found.options) text += " " + option;
+  const bool counts_frames = table.has_frames && !options.units.frame_rate && !found.frame_rate.empty();
+  return counts_frames ? text + " --input-fps " + found.frame_rate : text;
+}
+
+}  // namespace
+
 Records open_delimited(Source<std::string> bytes, InputOptions options) {
   if (options.delimited.skipped_lines > 0) bytes = without_lines(std::move(bytes), options.delimited.skipped_lines);
   const std::optional<char> named = take_named_delimiter(bytes);
@@ -403,11 +434,13 @@ Records open_delimited(Source<std::string> bytes, InputOptions options) {
       const auto table = closes_quotes(text) ? find_table_below(text) : std::nullopt;
       const bool is_unlike = table && (table->follows_text || table->cells != found.columns.cells.size());
       if (is_unlike) require_keys(rest.front(), first_line + table->line, found);
+      if (is_any && !found.is_plain) tell_settings(first_lines(first, rest.front().line - first_line), options, found);
       return found;
     } catch (const Error& error) {
       if (error.exit() != Exit::data) throw;
-      const auto table = find_table_below(first);
+      auto table = find_table_below(first);
       if (!table) throw;
+      table->options += options_of_lines(first_lines(first, table->line - 1), options, *table);
       const std::string_view reason = error.message();
       throw unlike_table(*table, first_line, options.columns.roles.empty() ? "" : reason.substr(0, reason.find(';')));
     }

@@ -67,6 +67,9 @@ struct LaterTable {
   bool has_names;       ///< above them
   std::string options;  ///< that its columns need, as " --no-header"; may be empty
   bool follows_text;    ///< a line above it, below the first one, has no number
+  bool has_tcb;         ///< one of its names is that of a parameter
+  bool has_frames;      ///< one of its names is that of a time in frames
+  std::string comment;  ///< the mark with which all lines above it begin, of which the last one has its names; or empty
 };
 
 /// Two lines at least of the same number of cells that are mostly numbers, and the line of names directly above them:

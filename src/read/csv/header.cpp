@@ -38,10 +38,38 @@ std::vector<std::string> texts(const HeadCells& cells) {
   return result;
 }
 
+/// A line without the word in front of names, as in "columns: time, x".
+std::string_view without_title(std::string_view line) {
+  constexpr std::string_view titles = "columns column fields names header format order data variables";
+  const std::size_t colon = line.find(':');
+  if (colon == std::string_view::npos || !lists_word(titles, in_lower_case(trimmed(line.substr(0, colon)))))
+    return line;
+  return trimmed(line.substr(colon + 1));
+}
+
+/// Removes the numbers of columns, as in "1:time" and "time[1]", where all names have them.
+void remove_numbers(std::vector<std::string>& names) {
+  std::vector<std::string> bare_names;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string number = fmt::format("{}", i + 1);
+    std::string_view name = names[i];
+    for (const std::string& front : {number + ":", number + "=", "[" + number + "]", "(" + number + ")"}) {
+      if (name.starts_with(front)) name.remove_prefix(front.size());
+    }
+    for (const std::string& end : {"[" + number + "]", "(" + number + ")"}) {
+      if (name.ends_with(end)) name.remove_suffix(end.size());
+    }
+    if (name == names[i]) return;
+    bare_names.emplace_back(trimmed(name));
+  }
+  names = std::move(bare_names);
+}
+
 /// The names in a comment line such as "# timestamp tx ty tz", between the delimiter, or between others if it has as
 /// many parts as there are columns.
 std::vector<std::string> comment_names(std::string_view comment, const Dialect& dialect, std::size_t columns) {
   while (comment.starts_with(dialect.comment)) comment.remove_prefix(dialect.comment.size());
+  comment = without_title(comment);
   const Chunk chunk{std::string(comment), 1, 0};
   const Dialect no_comments{dialect.delimiter, ""};
   HeadCells cells;
@@ -52,7 +80,9 @@ std::vector<std::string> comment_names(std::string_view comment, const Dialect& 
       std::ranges::transform(cells, cells.begin(), trimmed);
     }
   }
-  return texts(cells);
+  std::vector<std::string> names = texts(cells);
+  remove_numbers(names);
+  return names;
 }
 
 bool are_units(const std::vector<std::string>& cells) { return tcb::are_units(HeadCells(cells.begin(), cells.end())); }
@@ -107,7 +137,7 @@ class HeadRecords {
     std::uint64_t line = 1;
   };
 
-  HeadRecords(const Source<Chunk>& source, const Dialect& dialect) {
+  HeadRecords(const Source<Chunk>& source, const Dialect& dialect) : delimiter_(dialect.delimiter) {
     while (records.size() < wanted_) {
       std::optional<Chunk> chunk = source();
       if (!chunk) break;
@@ -142,11 +172,21 @@ class HeadRecords {
     constexpr std::size_t most = 2;
     if (tokenizer.follows_blank()) comments_.clear();
     if (tokenizer.comment().empty()) return;
-    const std::vector<std::string_view> lines = split(tokenizer.comment(), '\n');
-    comments_.insert(comments_.end(), lines.end() - std::min(std::ssize(lines), std::ptrdiff_t{most}), lines.end());
+    for (const std::string_view line : split(tokenizer.comment(), '\n')) {
+      if (!is_rule(line)) comments_.emplace_back(line);
+    }
     if (comments_.size() > most) comments_.erase(comments_.begin(), comments_.end() - most);
   }
 
+  /// Whether a comment is a line of dashes or the like, or nothing, unless that ends what an earlier output tells of
+  /// itself. Beside blanks, nothing ends a remark.
+  bool is_rule(std::string_view comment) const {
+    const std::size_t text = comment.find_first_not_of("# \t\r");
+    if (text != std::string_view::npos) return comment.find_first_not_of("#-=_*+~ \t\r") == std::string_view::npos;
+    return delimiter_ != ' ' && (comments_.empty() || !comments_.back().starts_with("# command: "));
+  }
+
+  const char delimiter_;
   std::size_t wanted_ = 3;
   std::vector<std::string> comments_;  ///< above what follows, as in Record
 };
@@ -321,9 +361,16 @@ std::string remedy_for_row(const HeadRecords& first, std::size_t data, const Dia
     const bool agree = std::ranges::all_of(first.records, [&](const auto& one) { return marks_in(one) == marks; });
     if (delimiter != dialect.delimiter && marks > 0 && agree) return fmt::format("give --delimiter {}", name);
   }
+  const std::string& mark = first.records[0].cells[0];  // as in "% time x y"
+  const bool is_comment = data == 1 && first.records[0].cells.size() == row.cells.size() + 1 && !mark.empty() &&
+                          lists_word("% ! // ; * --", mark);
+  if (is_comment) return fmt::format("give --comment {} if it begins a comment with the names", in_shell(mark));
   const std::string lines = fmt::format("correct line {} or line {}", first.records[0].line, row.line);
-  const bool is_table =
-      data + 1 < first.records.size() && first.records[data + 1].cells.size() == row.cells.size() && row.line > 1;
+  const auto is_name = [](const std::string& cell) {
+    return role_of_name(cell) != Role::position || is_usual_time(cell);
+  };
+  const bool is_table = data + 1 < first.records.size() && first.records[data + 1].cells.size() == row.cells.size() &&
+                        row.line > 1 && std::ranges::none_of(first.records[0].cells, is_name);
   return is_table
              ? fmt::format("{}, or give --skip-lines {} if what is above the row is no header", lines, row.line - 1)
              : lines;
@@ -553,7 +600,7 @@ void require_delimiter_in_header(const HeadRecords& first, const Dialect& dialec
   const bool carriage_returns =
       std::ranges::any_of(record.cells, [](const auto& cell) { return cell.find('\r') != std::string::npos; });
   throw(carriage_returns ? data_error("the input is a single line that contains carriage returns; expected a line for "
-                                      "each key; change them to line feeds")
+                                      "each key; change them to line feeds, as in tr '\\r' '\\n' <FILE | tcbsample")
                          : data_error("no row follows the header; expected a row for each key; see --help"))
       .at({"", record.line, 1});
 }
@@ -617,6 +664,7 @@ class RolesByCells {
     if (!requested_.has(Role::time) && !requested_.timeless && !has_rate_) take_time_beside_frames();
     if (!requested_.has(Role::time) && !requested_.timeless) take_only_time();
     if (!names_.empty()) take_index();
+    leave_second_times();
     if (!names_.empty() && !requested_.has(Role::position)) leave_counters();
     if (!requested_.has(Role::time) && !requested_.timeless) names_.empty() ? leave_labels() : take_dates();
     for (std::size_t i = 0; i < names_.size(); ++i) {
@@ -752,6 +800,7 @@ class RolesByCells {
 
   /// A first column that counts rows is their index, and so is one without a name that repeats dates.
   void take_index() {
+    leave_key_numbers();
     if (is_requested(0) || rows_[0].empty() || !is_index_name(names_[0])) return;
     const bool has_dates = notation(0) && is_date(*notation(0));
     if (!has_dates && !counts()) return;
@@ -776,6 +825,49 @@ class RolesByCells {
     notes_.push_back(fmt::format("column {} is taken as the index of the rows, not as a position", shown(0)));
   }
 
+  /// Beside a time by its name, times since 1970 that are called so are no position.
+  void leave_second_times() {
+    bool has_time = requested_.has(Role::time);
+    for (const std::string& name : names_) has_time = has_time || role_of_name(name) == Role::time;
+    for (std::size_t cell = 0; cell < names_.size() && has_time; ++cell) {
+      const bool is_second = numeric_[cell] && !is_requested(cell) && role_of_name(names_[cell]) == Role::position &&
+                             ends_like_time(names_[cell]) && cell < rows_[0].size() && unit_since_1970(rows_[0][cell]);
+      if (!is_second) continue;
+      request(Role::unused, cell);
+      notes_.push_back(fmt::format("column {} has times as well, and is left out", shown(cell)));
+    }
+  }
+
+  /// Beside a time, a column such as "key" that counts rows, and begins anew with each curve, is no position.
+  void leave_key_numbers() {
+    bool has_time = requested_.has(Role::time);
+    std::size_t others = 0;  // that may be positions
+    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
+      has_time = has_time || is_time(cell);
+      if (numeric_[cell] && !is_requested(cell) && !is_time(cell)) ++others;
+    }
+    for (std::size_t cell = 1; cell < names_.size() && has_time && others > 1; ++cell) {
+      if (is_requested(cell) || is_time(cell) || names_record(names_[cell])) continue;
+      if (names_[cell].empty() || !is_index_name(names_[cell]) || !counts_anew(cell)) continue;
+      request(Role::unused, cell);
+      notes_.push_back(fmt::format("column {} is taken as the index of the rows, not as a position", shown(cell)));
+    }
+  }
+
+  /// Whether all cells are one more than those above, or as the first one.
+  bool counts_anew(std::size_t cell) const {
+    const auto number = [&](const HeadCells& row) {
+      return cell < row.size() ? in_digits<std::uint64_t>(row[cell]) : std::nullopt;
+    };
+    const auto first = number(rows_[0]);
+    if (!first || *first > 1 || rows_.size() < 2 || number(rows_[1]) != *first + 1) return false;
+    for (std::size_t row = 2; row < rows_.size(); ++row) {
+      const auto before = number(rows_[row - 1]), here = number(rows_[row]);
+      if (!here || (*here != *before + 1 && *here != *first)) return false;
+    }
+    return true;
+  }
+
   /// Columns of whole numbers that rise are counters by names such as event_id, unless they are the only numbers.
   void leave_counters() {
     if (std::ranges::none_of(names_, names_record)) return;
@@ -797,9 +889,11 @@ class RolesByCells {
   }
 
   static bool is_index_name(std::string_view name) {
-    constexpr std::array names{"",      "index",   "unnamed: 0", "row",      "#",      "rownames", "row_names",
-                               "no.",   "nr.",     "no",         "nr",       "pt",     "point",    "punkt",
-                               "ptnum", "field #", "frame#",     "sample #", "record", "key",      "---"};
+    constexpr std::string_view endings = "no nr num number index idx";
+    const std::vector<std::string> words = words_of(name);
+    if (name.ends_with('#') || (words.size() > 1 && lists_word(endings, words.back()))) return true;
+    constexpr std::array names{"",   "index", "unnamed: 0", "row",   "rownames", "row_names", "no.", "nr.", "no",
+                               "nr", "pt",    "point",      "punkt", "ptnum",    "record",    "key", "---"};
     return std::ranges::any_of(names, [&](std::string_view known) { return same_in_any_case(known, name); });
   }
 

@@ -51,8 +51,10 @@ class LinesOfCells {
     const std::size_t size = cells(row).size();
     const std::optional<std::size_t> head = names_above(row);
     const std::size_t begin = head.value_or(row);
+    const std::string comment = head ? "" : comment_above(row, size);
     const bool may_be_names = begin == 1 && (cells(0).size() > 1 || has_words(lines_[0], size));
-    if (!head && may_be_names) return std::nullopt;  // the first line may be a header with a fault
+    // The first line may be a header with a fault, or one of rows that have fewer cells at their ends.
+    if (!head && comment.empty() && (may_be_names || has_short_rows(row))) return std::nullopt;
     const auto first = lines_.begin();
     if (std::none_of(first, at(begin), [&](std::string_view line) { return is_text(line); })) return std::nullopt;
     const auto is_other = [&](std::string_view line) { return is_text(line) && cells_of(line).size() != size; };
@@ -68,7 +70,10 @@ class LinesOfCells {
                       size,
                       head.has_value(),
                       !head && has_text(cells(row)) ? " --no-header" : "",
-                      std::any_of(at(1), at(row), has_no_number)};
+                      std::any_of(at(1), at(row), has_no_number),
+                      head && has_name(*head, size, [](auto name) { return is_parameter_word(name); }),
+                      head && counts_frames(names_in(*head, size)),
+                      comment};
   }
 
  private:
@@ -132,6 +137,41 @@ class LinesOfCells {
     return delimiter_ == ' ' && names.size() != size ? names_between_blanks(trimmed(lines_[line])) : names;
   }
 
+  template <class Test>
+  bool has_name(std::size_t line, std::size_t size, Test test) const {
+    return std::ranges::any_of(names_in(line, size), [&](std::string_view name) { return test(bare(name)); });
+  }
+  /// Whether the only time by its name is one in frames.
+  static bool counts_frames(const Cells& names) {
+    const auto is_time = [](std::string_view name) { return role_of_name(name) == Role::time || is_usual_time(name); };
+    const auto time = std::ranges::find_if(names, is_time, bare);
+    return time != names.end() && std::none_of(time + 1, names.end(), [&](auto name) { return is_time(bare(name)); }) &&
+           unit_of_time(bare(*time)) == TimeUnit::frames;
+  }
+  static bool is_parameter_word(std::string_view name) {
+    const Role role = role_of_name(name);
+    return role == Role::tension || role == Role::continuity || role == Role::bias;
+  }
+
+  /// Whether the first line names a time, and all lines from it to a row are rows of no more cells than it has.
+  bool has_short_rows(std::size_t row) const {
+    const Cells names = cells(0);
+    return std::ranges::any_of(names, is_usual_time, bare) && std::all_of(at(1), at(row), [&](std::string_view line) {
+             const Cells row = cells_of(line);
+             return !is_text(line) || (row.size() <= names.size() && is_of_numbers(row));
+           });
+  }
+
+  /// A mark of comments that begins all lines above a row, if the last of these has as many words behind it.
+  std::string comment_above(std::size_t row, std::size_t size) const {
+    for (const std::string_view mark : {"//", "%", "!", ";", "--", "*"}) {
+      const auto has_mark = [&](std::string_view line) { return is_blank(line) || trimmed(line).starts_with(mark); };
+      if (!std::all_of(lines_.begin(), at(row), has_mark) || is_blank(lines_[row - 1])) continue;
+      if (has_words(trimmed(trimmed(lines_[row - 1]).substr(mark.size())), size)) return std::string(mark);
+    }
+    return "";
+  }
+
   /// The line above a row that names its columns, above blank lines and units, and above other names if it names the
   /// time.
   std::optional<std::size_t> names_above(std::size_t row) const {
@@ -183,6 +223,13 @@ std::optional<LaterTable> find_later_table(std::string_view text, const Dialect&
 Error unlike_table(const LaterTable& table, std::uint64_t first, std::string_view reason) {
   const std::uint64_t line = first + table.line - 1;
   const std::string also = reason.empty() ? "" : fmt::format(" ({})", reason);
+  if (!table.comment.empty() && table.end == 0) {
+    return data_error(
+               "the lines above line {} begin with {}, as comments do; expected # in front of comments; give --comment "
+               "{}",
+               line, in_quotes(table.comment), in_shell(table.comment) + table.options)
+        .at({"", first, 0});
+  }
   const bool is_plain = !table.has_names && table.options.empty();
   const std::string options = is_plain ? ", with which columns have no names and the first is the time"
                                        : table.options + (table.has_names ? "" : ", as columns have no names then");

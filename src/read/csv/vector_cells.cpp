@@ -11,6 +11,7 @@
 
 #include "numbers/parse_number.hpp"
 #include "read/csv/csv_reader.hpp"
+#include "schema/usual_names.hpp"
 #include "text/suggest.hpp"
 
 namespace tcb {
@@ -37,6 +38,7 @@ struct CellOfText {
   std::size_t numbers = 0;  ///< of a vector; 0: it is none
   std::size_t first = 0;    ///< where the first number, or its name, begins
   bool may_be_one = false;  ///< as the numbers may also be parts of one, such as 0,5
+  bool has_blanks = false;  ///< between the numbers, and no other mark
 };
 
 /// What divides two numbers of a vector: blanks, ",", ";" or ", "; empty for anything else.
@@ -105,7 +107,8 @@ CellOfText vector_at(std::string_view text, std::size_t begin, char delimiter) {
   std::size_t next = at;
   while (get(next) != delimiter && (Dialect::is_blank(get(next)) || get(next) == '\r')) ++next;
   const bool ends_cell = get(next) == delimiter || get(next) == '\n';
-  return {begin, at, ends_cell && numbers > 1 ? numbers : 0, first, !has_brackets && may_be_one(alone, mark)};
+  return {begin,      at, ends_cell && numbers > 1 ? numbers : 0, first, !has_brackets && may_be_one(alone, mark),
+          mark == " "};
 }
 
 /// The place behind a quoted cell that begins at a place.
@@ -179,6 +182,8 @@ std::vector<std::string> names_in(std::string_view name, std::size_t numbers) {
   return {};
 }
 
+bool is_tcb(std::string_view name) { return same_in_any_case(name, "tcb") || same_in_any_case(name, "tbc"); }
+
 /// The names of the numbers of a vector.
 std::vector<std::string> part_names(std::string_view name, std::size_t numbers) {
   constexpr std::array coordinates{"x", "y", "z", "w"};
@@ -228,8 +233,11 @@ std::vector<VectorColumn> name_vectors(std::vector<Chunk>& chunks, const std::ve
   const bool has_header = std::ranges::all_of(names, [](const CellOfText& cell) { return cell.numbers == 0; });
   std::string& text = chunks[lines[0].chunk].text;
   const std::string_view second = chunks[lines[1].chunk].text;
+  const auto text_of = [&](const CellOfText& cell) {
+    return bare(trimmed(second.substr(cell.begin, cell.end - cell.begin)));
+  };
   const bool has_points = std::ranges::any_of(cells, [&](const CellOfText& cell) {
-    const std::string_view number = trimmed(second.substr(cell.begin, cell.end - cell.begin));
+    const std::string_view number = text_of(cell);
     return cell.numbers == 0 && number.find('.') != std::string_view::npos && parse_number(number);
   });
   std::vector<VectorColumn> columns;
@@ -237,7 +245,10 @@ std::vector<VectorColumn> name_vectors(std::vector<Chunk>& chunks, const std::ve
     if (cells[i].numbers == 0) continue;
     const std::string_view cell = trimmed(std::string_view(text).substr(names[i].begin, names[i].end - names[i].begin));
     const std::string name = has_header ? unquoted(cell) : fmt::format("{}", i + 1);
-    const bool is_one = cells[i].may_be_one && !has_points && names_in(name, cells[i].numbers).empty();
+    const bool names_vector =
+        !names_in(name, cells[i].numbers).empty() || (cells[i].has_blanks && (is_usual_position(name) || is_tcb(name)));
+    const bool may_have_points = delimiter == ',' && !has_thousands_separators(text_of(cells[i]));
+    const bool is_one = cells[i].may_be_one && !(has_points && may_have_points) && !names_vector;
     if (is_one) continue;
     if (name.find('"') != std::string::npos) return {};
     columns.push_back({i, name, part_names(name, cells[i].numbers)});
