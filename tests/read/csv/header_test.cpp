@@ -46,7 +46,7 @@ TEST(Header, a_first_record_of_text_and_numbers_without_a_known_name_is_an_error
 TEST(Header, carriage_returns_alone_end_no_lines) {
   EXPECT_EQ(read("t,x\r0,1\r1,2\r"),
             "f:1:1: error: the input is a single line that contains carriage returns; expected a line for "
-            "each key; change them to line feeds");
+            "each key; change them to line feeds, as in tr '\\r' '\\n' <FILE | tcbsample");
 }
 
 TEST(Header, a_header_may_be_forced_or_denied) {

@@ -84,8 +84,9 @@ TEST(JsonSettings, errors_have_their_position) {
               testing::StartsWith("f:2:2: error: curves[2].closed: found \"maybe\"; expected"));
   EXPECT_THAT(refusal(R"({"preset":"gte","preset":"vtk"})"), testing::HasSubstr("has this member twice"));
   EXPECT_THAT(refusal(R"({"channels":"x"})"), testing::HasSubstr("not an array of names"));
-  EXPECT_THAT(refusal(R"({"channels":["t","t"]})"),
-              testing::StartsWith("f:1:28: error: curves[2].channels: two names are \"t\"; expected different ones"));
+  EXPECT_THAT(refusal(R"({"channels":["x","x"]})"),
+              testing::StartsWith("f:1:28: error: curves[2].channels: two names are \"x\"; expected different ones"));
+  EXPECT_THAT(refusal(R"({"channels":["t"]})"), testing::HasSubstr("\"t\" is the name of a role"));
   EXPECT_THAT(refusal(R"({"tension":{"a":1}})"),
               testing::StartsWith("f:1:27: error: curves[2].tension: this is not a number; expected one"));
   EXPECT_THAT(refusal(R"({"id":[1]})"), testing::HasSubstr("not a text or a number"));
