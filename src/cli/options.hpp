@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -107,12 +108,39 @@ enum class ValueKind {
   other,
 };
 
+/// What a command line requests, where options differ in what they change of it.
+enum Product : std::uint16_t {
+  of_samples = 1,
+  of_pieces = 2,
+  of_fit = 4,
+  of_check = 8,
+  of_expected_rows = 16,  ///< a comparison, also with the rows that sampling options request
+  of_identify = 32,
+  of_limits = 64,
+  of_picture = 128,  ///< without requested samples
+  of_drawn_samples = 256,
+  of_explanation = 512,  ///< without requested samples
+  of_explained_samples = 1024,
+};
+using Products = std::uint16_t;
+
+/// Where an option may change a byte: in the output of some products, if the format of rows offers what it asks for.
+/// Elsewhere it is refused.
+struct Effect {
+  Products products;
+  offer::Offer asks_for;
+
+  constexpr Effect(int on, offer::Offer asked = offer::nothing)  // NOLINT(google-explicit-constructor)
+      : products(static_cast<Products>(on)), asks_for(asked) {}
+};
+
 /// An option. To add one: its row in the table.
 struct OptionRow {
   std::string_view name;        ///< as in "--step", which identifies it
   std::string_view other_name;  ///< a letter such as "-s", a second long name, or empty
   std::string_view value;       ///< what the help calls its value; empty for a flag
   std::string_view group;
+  Effect effect;
   std::string_view text;           ///< what it does, without a point at the end; @NAMES@ stands for `known`
   std::string_view default_value;  ///< as it would be typed; empty: none, or described in the text
   ValueKind kind;
@@ -135,11 +163,14 @@ std::span<const OptionRow> option_table();
 
 const OptionRow& row_of(std::string_view name);
 
-inline constexpr std::initializer_list<const char*> sampling_options{
-    "--step",     "--rate",      "--fps",    "--count",     "--per-segment", "--at",
-    "--arc-step", "--arc-count", "--arc-at", "--tolerance", "--emit",        "--fit"};
+/// With blanks between them.
+inline constexpr std::string_view sampling_options =
+    "--step --rate --fps --count --per-segment --at --arc-step --arc-count --arc-at --tolerance --emit --fit";
 
 bool has_sampling_option(const TypedOptions& typed);
+
+/// The product of these options, of rows also where their times are scaled.
+Product product_of(const TypedOptions& typed);
 
 /// Whether samples are compared, so that there is a report.
 bool is_comparison(const TypedOptions& typed);
@@ -149,7 +180,8 @@ bool prints_limits(const TypedOptions& typed);
 /// No length, speed or distance is requested, so that a metric has no effect.
 bool needs_no_metric(const TypedOptions& typed);
 
-/// Throws: Error (usage) for the first conflict of the options that are given, in the order of the table.
+/// Throws: Error (usage) for the first option that is given without effect, and for the first conflict, each in the
+/// order of its table.
 void require_no_conflict(const TypedOptions& typed);
 
 }  // namespace tcb

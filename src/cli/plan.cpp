@@ -111,7 +111,7 @@ void require_forward_range(const TypedOptions& typed) {
 
 Error no_sampling_option() {
   return usage_error("there is no sampling option; expected one of {}; give one, as in tcbsample --step 0.1 keys.csv",
-                     listed(std::vector<std::string_view>(sampling_options.begin(), sampling_options.end())));
+                     listed(split(sampling_options, ' ')));
 }
 
 /// Whether the input may be a camera path, which has frames of its own, so that no sampling option is needed.
@@ -171,12 +171,9 @@ KeyOptions keys_of(const TypedOptions& typed) {
           {.role = Role::position, .columns = rotation.columns, .option = "--rotation", .unless_taken = true});
     }
   }
-  if (typed.output.format->poses != nullptr) {
-    keys.input.rotation.shown = {.form = typed.output.format->poses->form};
-    keys.input.rotation.shown_by_format = true;
-  }
-  if (typed.output.format->has_nodes) {
-    keys.input.rotation.shown = spline::RotationNotation{};
+  if (const Format& format = *typed.output.format; !format.fields.empty()) {
+    const bool are_poses = format.poses != nullptr;
+    keys.input.rotation.shown = {.form = are_poses ? format.poses->form : spline::RotationForm::quaternion};
     keys.input.rotation.shown_by_format = true;
   }
   if (typed.has("--tcb") && keys.input.keys.tcb_scale == TcbScale::max3ds) {
@@ -196,14 +193,8 @@ bool is_from_left(const TypedOptions& typed, const std::vector<std::size_t>& cho
 }
 
 std::vector<std::size_t> fields_of(const TypedOptions& typed) {
-  if (typed.output.format->poses != nullptr) {
-    const bool has_times = typed.output.format->poses->has_times;
-    return has_times ? std::vector{field_of("time"), field_of("position")} : std::vector{field_of("position")};
-  }
-  if (typed.output.format->has_nodes) {
-    if (typed.sampling.mode != Mode::emit) return {field_of("time"), field_of("position")};
-    return {field_of("start"), field_of("duration"), field_of("hermite")};
-  }
+  const std::string_view of_format = typed.output.format->fields;
+  if (!of_format.empty() && !typed.form) return field_list(std::string(of_format));
   std::vector<std::size_t> chosen = typed.output.fields;
   if (typed.form) chosen.insert(chosen.begin(), {field_of("start"), field_of("duration"), *typed.form});
   return chosen.empty() ? field_list(std::string(row_of("--fields").default_value)) : chosen;
@@ -350,12 +341,13 @@ RetimeJob retime_job(const TypedOptions& typed) {
 
 /// The job of these options. Requires: no conflict. Throws: Error (usage) if they do not fit each other.
 Job make_job(const TypedOptions& typed) {
+  const Product product = product_of(typed);
   if (is_comparison(typed)) return compare_job(typed);
+  if (product == of_limits) return limits_job(typed);
   if (typed.has("--retime")) return retime_job(typed);
-  if (typed.has("--limits")) return limits_job(typed);
   require_samples(typed);
   if (typed.has("--explain")) return explain_job(typed);
-  if (typed.has("--fit")) return fit_job(typed);
+  if (product == of_fit) return fit_job(typed);
   if (typed.output.format->is_picture) return plot_job(typed);
   return resample_job(typed);
 }

@@ -182,7 +182,9 @@ std::optional<Rational> seconds_in_words(const UnitOptions& units, std::string_v
   const DateOrder order = needs_order ? *units.date_order : DateOrder::ymd;
   const std::string whole = fmt::format("{}{}", text, ends_with_minutes(units, text) ? ":00" : "");
   const auto seconds = read_time(whole, *notation, units.frame_rate.value_or(1), order);
-  if (!seconds) throw usage_error("{} is not a time that exists; correct it", in_quotes(text));
+  if (!seconds)
+    throw usage_error("{} is not a time that exists; expected a day of the calendar and a time of day",
+                      in_quotes(text));
   return seconds;
 }
 
@@ -306,8 +308,7 @@ std::vector<Limit> limit_list(const std::string& text) {
     }
     if (limit.name.empty()) {
       throw usage_error(
-          "{} is not a limit; expected NAME, NAME=LIMIT or NAME=LEAST:MOST, as in speed=2 or position_z=0:3; correct "
-          "it",
+          "{} is not a limit; expected NAME, NAME=LIMIT or NAME=LEAST:MOST, as in speed=2 or position_z=0:3",
           in_quotes(part));
     }
     limits.push_back(std::move(limit));

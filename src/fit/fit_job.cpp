@@ -80,7 +80,7 @@ class FittedKeys final : public BatchOutput {
       std::optional<InputCurve> curve = curves.next();
       if (!curve) return std::nullopt;
       const Format& format = *job_.rows.format;
-      if (expected > 0 && curve->group.empty() && format.has_marks && format.delimiter != ' ') {
+      if (expected > 0 && curve->group.empty() && format.offers(offer::marks) && format.delimiter != ' ') {
         throw data_error(
             "there are several curves, and {} does not show where one curve ends; give --output-format ssv or json, or "
             "name a column of groups with --group",

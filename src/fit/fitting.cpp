@@ -185,8 +185,7 @@ std::vector<std::size_t> kept_samples(const std::vector<Time>& samples, const st
     auto found = find(nearest_time(place));
     if (found == samples.end()) found = find(nearest_time(place, all_decimals));
     if (found == samples.end()) {
-      throw data_error("there is no sample at time {}; expected times of samples; correct it", text(place))
-          .about("--keep-times");
+      throw data_error("there is no sample at time {}; expected times of samples", text(place)).about("--keep-times");
     }
     kept.push_back(static_cast<std::size_t>(found - samples.begin()));
   }

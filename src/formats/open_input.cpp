@@ -85,8 +85,7 @@ void require_no_json(const Format& format, std::string_view path, std::string_vi
     return std::min(beginning.find_first_not_of(" \t\r\n", at), beginning.size());
   };
   const std::size_t first = next(0), second = next(first + 1);
-  if (!format.input->takes_delimiters || second == beginning.size() ||
-      !without_compression(path).ends_with(format.ending))
+  if (format.delimiter == 0 || second == beginning.size() || !without_compression(path).ends_with(format.ending))
     return;
   const std::string_view inside = beginning[first] == '{' ? "\"}" : beginning[first] == '[' ? "[{\"" : "";
   if (inside.find(beginning[second]) == std::string_view::npos) return;
@@ -113,7 +112,7 @@ InputOptions options_of(const Format& format, Source<std::string>& bytes, const 
         format.name)
         .about("--records");
   }
-  if (!input.takes_delimiters && given.delimited != DelimitedOptions{}) {
+  if (!format.offers(offer::marks) && given.delimited != DelimitedOptions{}) {
     throw usage_error(
         "--delimiter, --header, --no-header, --comment, --decimal and --thousands have no effect on an input in the "
         "format {}; remove them, or, if it is in another format, give that with --input-format",

@@ -77,7 +77,6 @@ struct InputFormat {
   std::optional<int> (*fit)(std::string_view beginning) = nullptr;
 
   bool has_tracks = false;       ///< of several objects, of which --only chooses
-  bool takes_delimiters = true;  ///< options of delimited text are no error
   bool has_own_columns = false;  ///< the format names its columns
   bool has_frames = false;       ///< a file may have samples of its own, so that no sampling option is needed
 };

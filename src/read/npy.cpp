@@ -359,6 +359,6 @@ bool begins_npy(std::string_view beginning) { return beginning.starts_with(npy_m
 
 }  // namespace
 
-extern const InputFormat npy_input{.open = open_npy, .begins = begins_npy, .takes_delimiters = false};
+extern const InputFormat npy_input{.open = open_npy, .begins = begins_npy};
 
 }  // namespace tcb

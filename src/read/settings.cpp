@@ -363,14 +363,14 @@ class SettingsReader {
 
   void read_channels(const FileMember& member) {
     if (!member.is_array || !are_all(member, Kind::text)) {
-      throw at(member, data_error("this is not an array of names in quotes; expected one; correct it"));
+      throw at(member, data_error("this is not an array of names in quotes; expected one"));
     }
     add_place(member);
     found.channels.clear();
     std::unordered_set<std::string_view> names;
     for (const Value& value : member.values) {
       if (!names.insert(value.text).second) {
-        throw at(member, data_error("two names are {}; expected different ones; correct them", in_quotes(value.text)));
+        throw at(member, data_error("two names are {}; expected different ones", in_quotes(value.text)));
       }
       if (role_of_name(value.text) != Role::position) {
         throw at(member, data_error("{} is the name of a role; expected names of channels; give it another name",
@@ -382,7 +382,7 @@ class SettingsReader {
 
   void read_id(const FileMember& member) {
     if (member.values.size() != 1 || member.is_array) {
-      throw at(member, data_error("this is not a text or a number; expected one; correct it"));
+      throw at(member, data_error("this is not a text or a number; expected one"));
     }
     const Value& id = member.values[0];
     found.curve_info.id = id.kind == Kind::text ? '"' + id.text : id.text;

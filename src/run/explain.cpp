@@ -110,6 +110,7 @@ Facts intentions(const ExplainJob& job, const Schema& schema, const std::optiona
   const auto duplicates = name_in(duplicates_names, job.keys.curves.duplicates);
   if (schema.time.is_given) add("duplicates", std::string(duplicates));
   if (job.keys.curves.sort) add("sort", "by time");
+  if (job.keys.rules.no_ease) add("ease", "none");
   const spline::Tcb<double> tcb = job.keys.input.keys.tcb.value_or(of_file.value_or(spline::Tcb<double>{}));
   add("tcb", fmt::format("{},{},{} where keys carry none", tcb.tension, tcb.continuity, tcb.bias));
   for (const AngleColumn& angle : schema.angles) {
@@ -139,7 +140,7 @@ Facts intentions(const ExplainJob& job, const Schema& schema, const std::optiona
   add("fields", fmt::format("{}", fmt::join(names, ", ")));
   const Format& output = *job.format;
   const std::string_view header = job.header.value_or(schema.named) ? " with a header" : " without a header";
-  add("output", fmt::format("{}{}", output.name, output.has_marks ? header : ""));
+  add("output", fmt::format("{}{}", output.name, output.offers(offer::marks) ? header : ""));
   return facts;
 }
 

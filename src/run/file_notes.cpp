@@ -65,7 +65,7 @@ RequestNeeds needs_of(const Input& input, const KeyOptions& options, const Sampl
   RequestNeeds needs;
   needs.lengths = by_length(request) || options.rules.equal_speed ||
                   std::ranges::any_of(chosen, [](std::size_t field) { return fields()[field].over_metric; });
-  const bool is_of_format = !input.facts.format->has_marks && !input.facts.format->is_json;
+  const bool is_of_format = !input.facts.format->offers(offer::marks) && !input.facts.format->is_json;
   needs.chooses_metric = options.rules.metric || input.keys.curve_info.settings.metric || is_of_format;
   needs.time_gap = input.facts.time_gap;
   needs.is_rate = request.is_rate;

@@ -58,7 +58,7 @@ void observe(PaceProfile& profile, const KeyBlock& block, std::size_t channel) {
     const double distance = block.keys.position(key)[channel];
     const TextPosition place{"", block.text_positions.lines[key], 0};
     if (distance < 0 || (profile.are_parts && distance > 1)) {
-      throw data_error("the distance {} is not on the curve; expected {}; correct the profile", distance,
+      throw data_error("the distance {} is not on the curve; expected {}", distance,
                        profile.are_parts ? "a part of the length from 0 to 1" : "an arc length of 0 or more")
           .at(place);
     }
@@ -103,7 +103,7 @@ PaceProfile read(const PaceFile& file, const SamplingRequest& request, const Key
                       .unit = input.schema.time.unit};
   Curves curves(input.schema, input.keys, {});
   std::optional<InputCurve> curve = curves.next();
-  if (!curve) throw data_error("found no keys; expected at least two; add them");
+  if (!curve) throw data_error("found no keys; expected at least two");
   CurvePipeline pipeline(samples, input.schema, input.keys.traits, *curve->curve_info);
   const CurveSamples rows = pipeline.samples(
       observed(std::move(curve->keys), [&](const KeyBlock& block) { observe(profile, block, channel); }));

@@ -102,10 +102,7 @@ class FileRun {
   }
 
   /// Neither keyframes nor poses.
-  bool may_have_empty_cells() const {
-    const Format& format = *job_.rows.format;
-    return format.output->keeper == nullptr && format.poses == nullptr;
-  }
+  bool may_have_empty_cells() const { return job_.rows.format->offers(offer::any_columns); }
 
   void begin_keeper(RowKeeper& keeper, const Input& input, const CurveInfo& info) {
     if (const auto others = keeper.channels_in_extras(); !others.empty()) {

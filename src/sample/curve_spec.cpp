@@ -210,9 +210,8 @@ CurveSpec make_spec(const CurveSettings& settings, const std::vector<std::string
           data_error("the rule velocity does not apply to rotations; expected a different end rule; change it, or give "
                      "--rotation none to take rotations as plain channels"));
     if (end->velocity.size() == channels.size()) continue;
-    throw settings.ends->origin.error(
-        data_error("the velocity has {} numbers; expected {}, one for each of {}; correct it", end->velocity.size(),
-                   channels.size(), listed(channels)));
+    throw settings.ends->origin.error(data_error("the velocity has {} numbers; expected {}, one for each of {}",
+                                                 end->velocity.size(), channels.size(), listed(channels)));
   }
   return spec;
 }

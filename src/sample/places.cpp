@@ -266,6 +266,7 @@ void require_extended_to(std::string_view option, const Rational& time, const Ex
 }
 
 RowPlaces row_places(const SamplingRequest& request, const KeptCurve& curve, bool exact) {
+  if (!request.places.empty()) require_rows(Rational(request.places.size() - 1), request.max_rows);
   if (!request.pace) return places_by_time(request, curve, exact);
   if (request.pace->profile != nullptr) return profiled_places(*request.pace->profile, curve);
   require_on_curve(request, request.exact(curve.extent().first), request.exact(*curve.extent().last));

@@ -615,11 +615,11 @@ Error same_column_names(std::string_view name) {
 }
 
 Error no_such_column(std::string_view name, std::span<const std::string> columns) {
-  return data_error("there is no column {}; expected one of {}; correct the name", in_quotes(name), listed(columns));
+  return data_error("there is no column {}; expected one of {}", in_quotes(name), listed(columns));
 }
 
 Error no_such_column_number(std::string_view number, std::size_t column_count) {
-  return data_error("there is no column {}; the columns have no names; expected a number from 1 to {}; correct it",
+  return data_error("there is no column {}; the columns have no names; expected a number from 1 to {}",
                     in_quotes(number), column_count);
 }
 

@@ -24,9 +24,9 @@ constexpr PoseFormat tum_poses{tum_columns, {}, spline::RotationForm::quaternion
 constexpr PoseFormat euroc_poses{
     euroc_columns, euroc_others, spline::RotationForm::quaternion, TimeUnit::ns,
     "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z []\n"};
-constexpr PoseFormat kitti_poses{kitti_columns, {}, spline::RotationForm::matrix, std::nullopt, "", false};
-constexpr PoseFormat nerfstudio_poses{camera_columns, camera_others, spline::RotationForm::matrix, std::nullopt, "",
-                                      true,           true};
+constexpr PoseFormat kitti_poses{kitti_columns, {}, spline::RotationForm::matrix, std::nullopt};
+constexpr PoseFormat nerfstudio_poses{
+    camera_columns, camera_others, spline::RotationForm::matrix, std::nullopt, "", true};
 
 std::vector<std::string_view> rotation_columns_of(const PoseFormat& format) {
   if (format.form == spline::RotationForm::quaternion) return {"qx", "qy", "qz", "qw"};

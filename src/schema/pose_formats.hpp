@@ -22,7 +22,6 @@ struct PoseFormat {
   spline::RotationForm form;                  ///< of the rotation
   std::optional<TimeUnit> unit;               ///< of the times; nothing: there are none
   std::string_view head = {};                 ///< the line above the rows of an output; empty: none
-  bool has_times = true;                      ///< in rows of an output, as cameras have them for their rate
   bool has_others = false;                    ///< channels besides the position and the rotation
 };
 

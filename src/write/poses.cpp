@@ -28,11 +28,12 @@ std::vector<std::string_view> other_channels(const PoseFormat& format) {
   return channels;
 }
 
-std::vector<std::string_view> names_of_cells(const PoseFormat& format, std::string_view name, const Schema& schema) {
+std::vector<std::string_view> names_of_cells(const Format& of, const Schema& schema) {
+  const PoseFormat& format = *of.poses;
   const std::vector<RotationColumns> rotations = rotation_columns(schema);
   const std::vector<std::string_view> numbers = rotation_columns_of(format), others = other_channels(format);
   std::vector<std::string_view> names;
-  if (format.has_times) names.emplace_back("t");
+  if (of.fields.starts_with("time")) names.emplace_back("t");
   std::size_t positions = 0;
   for (const PositionCell& cell : position_cells(schema.channels.size(), rotations)) {
     if (cell.rotation != PositionCell::none) {
@@ -49,7 +50,7 @@ std::vector<std::string_view> names_of_cells(const PoseFormat& format, std::stri
         "each row of {} is a pose, but the curve has channels of position: {}, rotations: {}; expected 3 channels and "
         "1 rotation; choose them with --columns and --rotation, or give another format, such as csv, to "
         "--output-format",
-        name, positions, rotations.size());
+        of.name, positions, rotations.size());
   }
   return names;
 }
@@ -58,7 +59,7 @@ std::vector<std::string_view> names_of_cells(const PoseFormat& format, std::stri
 
 std::vector<std::size_t> pose_cells(const Format& of, const Schema& schema) {
   const PoseFormat& format = *of.poses;
-  const std::vector<std::string_view> names = names_of_cells(format, of.name, schema);
+  const std::vector<std::string_view> names = names_of_cells(of, schema);
   std::vector<std::size_t> order;
   const auto find = [&](std::string_view column) {
     const auto found = std::ranges::find(names, column);

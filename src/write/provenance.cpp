@@ -58,7 +58,7 @@ std::string with_files(std::vector<std::string> command, const std::vector<std::
 }  // namespace
 
 std::string text_before_rows(const Provenance& provenance, const Format& format) {
-  if (!format.has_marks) return "";
+  if (!format.offers(offer::marks)) return "";
   std::string out = fmt::format("# {}\n", provenance.program);
   for (const auto& [name, value] : provenance.rules) out += line(name, value);
   out += line("command", provenance.command);
@@ -67,7 +67,7 @@ std::string text_before_rows(const Provenance& provenance, const Format& format)
 
 std::string text_after_rows(const Provenance& provenance, const Format& format) {
   if (format.nests) return json_member(provenance);
-  if (!format.has_marks) return "{" + json_member(provenance) + "}\n";
+  if (!format.offers(offer::marks)) return "{" + json_member(provenance) + "}\n";
   std::string out;
   for (std::size_t i = 0; i < provenance.inputs.size(); ++i) {
     out += line("input", printable(provenance.inputs[i].first)) + line("sha256", provenance.inputs[i].second);

@@ -102,15 +102,9 @@ std::string Writer::set_layouts(bool header) {
   for (const bool is_group : {true, false}) {
     const std::vector<std::string>& texts = is_group ? columns_.groups : columns_.labels;
     if (texts.empty() || (is_group ? format.output->has_groups : format.output->has_labels)) continue;
-    if (format.poses == nullptr) {
-      throw data_error(
-          "column {} holds text, but {} holds only numbers; expected a format with text; give another one, such as "
-          "csv, to --output-format, or remove the column",
-          in_quotes(texts.front()), format.name);
-    }
     throw data_error(
-        "column {} holds text, but {} holds only times and poses; expected rows without text; give another format, "
-        "such as csv, to --output-format",
+        "column {} holds text, but {} holds only numbers; expected a format with text; give another one, such as csv, "
+        "to --output-format, or remove the column",
         in_quotes(texts.front()), format.name);
   }
   std::vector<OutputColumn> all;
@@ -180,12 +174,8 @@ void Writer::begin_curve(std::vector<std::string> group, const std::optional<Eul
 
 TimeNotation notation_of_times(const WriterOptions& options, const TimeSchema& time) {
   const auto given = options.time_notation;
-  const Format& format = *options.format;
-  if (format.poses != nullptr || format.has_nodes) return TimeNotation::seconds;
-  if (!given) {
-    const bool are_numbers = format.is_binary || (options.time_zero && is_date(time.notation));
-    return are_numbers ? TimeNotation::seconds : time.notation;
-  }
+  if (!options.format->offers(offer::words_of_time)) return TimeNotation::seconds;
+  if (!given) return options.time_zero && is_date(time.notation) ? TimeNotation::seconds : time.notation;
   const bool drops = given == TimeNotation::smpte && time.notation == TimeNotation::drop_frame;
   return drops ? TimeNotation::drop_frame : *given;
 }

@@ -72,18 +72,6 @@ TEST(Plan, the_range_is_exact_and_goes_forward) {
   EXPECT_EQ(stepped_refusal({"--from", "1", "--to", "1"}), "") << "a single time is a range";
 }
 
-TEST(Plan, options_about_the_input_have_their_meaning) {
-  EXPECT_EQ(stepped({"-i", "jsonl"}).keys.input.format, find_format("jsonl"));
-  EXPECT_EQ(stepped({"--comment", "//"}).keys.input.delimited.comment, "//");
-  EXPECT_EQ(stepped({"--comment", "none"}).keys.input.delimited.comment, "");
-  EXPECT_EQ(stepped({"--header"}).keys.input.delimited.header, true);
-  EXPECT_EQ(stepped({"--no-header"}).keys.input.delimited.header, false);
-  EXPECT_EQ(stepped({"--decimal", ","}).keys.input.delimited.marks.decimal, ',');
-  EXPECT_EQ(stepped({"--missing", "skip-cell"}).keys.input.keys.missing, Missing::skip_cell);
-  EXPECT_EQ(stepped({"--duplicates", "break"}).keys.curves.duplicates, Duplicates::break_curve);
-  EXPECT_TRUE(stepped({"--parameter", "chordal"}).keys.input.columns.timeless);
-}
-
 TEST(Plan, groups_come_after_the_columns_whatever_their_order) {
   for (const auto& words : {std::vector<std::string>{"--group", "id,take", "--columns", "carry=label"},
                             std::vector<std::string>{"--columns", "carry=label", "--group", "id,take"}}) {
@@ -95,29 +83,12 @@ TEST(Plan, groups_come_after_the_columns_whatever_their_order) {
   }
 }
 
-TEST(Plan, notations_have_their_count) {
-  using Kind = Notation::Kind;
-  EXPECT_EQ(stepped({"--digits", "17"}).rows.notation.kind, Kind::digits);
-  EXPECT_EQ(stepped({"--digits", "17"}).rows.notation.count, 17);
-  EXPECT_EQ(stepped({"--fixed", "0"}).rows.notation.kind, Kind::fixed);
-  EXPECT_EQ(stepped({"--hex"}).rows.notation.kind, Kind::hex);
-  EXPECT_EQ(stepped({}).rows.notation.kind, Kind::shortest);
-}
-
 TEST(Plan, golden_rows_take_more_digits_and_exact_input) {
   const ResampleJob job = stepped({"--golden", "--exact-input", "--digits", "100"});
   ASSERT_TRUE(job.golden.has_value());
   EXPECT_TRUE(job.golden->decimal && job.keys.input.keys.keeps_decimals);
   EXPECT_EQ(job.golden->notation.count, 100);
   EXPECT_FALSE(stepped({"--golden"}).golden->decimal);
-}
-
-TEST(Plan, the_output_goes_to_one_place) {
-  EXPECT_EQ(stepped({"-o", "out.csv"}).files.outputs.file, "out.csv");
-  const ResampleJob job = stepped({"--output-dir", "out", "a.csv", "b.csv"});
-  EXPECT_EQ(job.files.outputs.folder, "out");
-  EXPECT_THAT(job.files.files, ElementsAre("a.csv", "b.csv"));
-  EXPECT_EQ(stepped({"--no-output-header"}).rows.header, false);
 }
 
 TEST(Plan, standard_input_is_read_once) {

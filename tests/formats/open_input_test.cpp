@@ -48,7 +48,7 @@ TEST(OpenInput, a_byte_order_mark_is_not_part_of_the_first_cell) {
     EXPECT_EQ(read(mark + csv_text, {}, piece), csv_keys);
     EXPECT_EQ(read(mark + "[{\"t\":0,\"x\":1}]", {}, piece), "t x\n1: 0 1\n");
     EXPECT_EQ(read(mark + "t,x\n\"0\n", {}, piece),
-              "f:2:1: error: a quoted cell is not closed; expected \" at its end; add it");
+              "f:2:1: error: a quoted cell is not closed; expected \" at its end");
     EXPECT_EQ(read(mark + "0,inf\n1,2\n", {}, piece),
               "f:1:3: error: x: \"inf\" is not a finite double; expected less than 1.8e308 in size; correct the cell")
         << "characters are counted without it";

@@ -133,11 +133,11 @@ TEST(Columns, a_column_that_does_not_exist_is_an_error_with_those_that_do) {
   EXPECT_EQ(error_of([] {
               found_columns({"t", "x"}, "position=y");
             }),
-            "f: error: --columns: there is no column \"y\"; expected one of t, x; correct the name");
+            "f: error: --columns: there is no column \"y\"; expected one of t, x");
   for (const char* number : {"0", "3", "-1", "1x"}) {
     EXPECT_EQ(error_of([&] { find_without_header(2, std::string("position=") + number); }),
               std::string("f: error: --columns: there is no column \"") + number +
-                  "\"; the columns have no names; expected a number from 1 to 2; correct it");
+                  "\"; the columns have no names; expected a number from 1 to 2");
   }
 }
 

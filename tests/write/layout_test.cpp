@@ -22,7 +22,7 @@ namespace {
 TEST(OutputFormat, each_layout_writes_what_its_format_reads) {
   const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"the x", CellKind::real}};
   for (const Format& format : formats()) {
-    const bool has_names = format.has_marks || format.is_json;
+    const bool has_names = format.offers(offer::marks) || format.is_json;
     if (!format.can_read() || !format.can_write() || !has_names) continue;
     const Layout layout = format.output->layout(columns, {format.delimiter}, true);
     std::string text = layout.head;

@@ -159,8 +159,7 @@ class RecordReader {
     if (find_notation(text) == head_.units.notation) {
       return data_error(
           "{}: the time {} does not exist, or is not written as the first time is; expected a date of the calendar, a "
-          "time of day without leap seconds, and a frame number that is below the frame rate and is not dropped; "
-          "correct it",
+          "time of day without leap seconds, and a frame number that is below the frame rate and is not dropped",
           column, in_quotes(text));
     }
     return data_error("{}: {} is not in the notation of the first time; expected all times in one notation; convert it",
@@ -469,7 +468,7 @@ namespace {
 /// The lines of a format, which has a delimiter, unless any may be found.
 Records open_lines(const Format& format, Source<std::string> bytes, InputOptions options) {
   std::optional<char>& delimiter = options.delimited.delimiter;
-  if (!delimiter && !format.has_any_delimiter) delimiter = format.delimiter;
+  if (!delimiter && !format.offers(offer::any_delimiter)) delimiter = format.delimiter;
   return open_delimited(std::move(bytes), options);
 }
 

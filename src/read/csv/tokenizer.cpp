@@ -167,8 +167,7 @@ std::string_view Tokenizer::take_quoted() {
     if (at_ + 1 == end_ || at_[1] != '"') break;
     ++at_;
   }
-  if (at_ == end_)
-    throw data_error("a quoted cell is not closed; expected \" at its end; add it").at(position({start, 1}));
+  if (at_ == end_) throw data_error("a quoted cell is not closed; expected \" at its end").at(position({start, 1}));
   const std::string_view cell(start, static_cast<std::size_t>(++at_ - start));
   const bool blanks = dialect_.delimiter == ' ';  // blanks and tabs delimit
   while (!blanks && !at_line_end() && is_blank(*at_) && *at_ != dialect_.delimiter) ++at_;

@@ -39,10 +39,9 @@ class CameraValues {
   explicit CameraValues(const Json& json) : json_(json) {}
 
   WrittenNumber number_of(std::size_t value) const {
-    if (json_.is_nested(value))
-      throw at(value, data_error("this is not a number; expected one, as in the first key; correct it"));
+    if (json_.is_nested(value)) throw at(value, data_error("this is not a number; expected one, as in the first key"));
     if (json_.kind(value) != Kind::number)
-      throw at(value, data_error("{} is not a number; expected a number; correct it", in_quotes(json_.text(value))));
+      throw at(value, data_error("{} is not a number; expected a number", in_quotes(json_.text(value))));
     const std::string_view decimal = json_.text(value);
     return {parse_number(decimal).value_or(0), std::string(decimal)};
   }
@@ -70,7 +69,7 @@ class CameraValues {
     const auto value = json_.member(object, name);
     if (!value || json_.kind(*value) == Kind::null || json_.kind(*value) == Kind::object) return false;
     if (json_.kind(*value) != Kind::boolean) {
-      throw at(*value, data_error("found {}; expected true or false; correct it", in_quotes(json_.text(*value))));
+      throw at(*value, data_error("found {}; expected true or false", in_quotes(json_.text(*value))));
     }
     return json_.text(*value) == "true";
   }
@@ -91,9 +90,9 @@ class CameraValues {
                      "--columns 'position=camera_to_world[3]:camera_to_world[7]:camera_to_world[11]' for its frames"));
     }
     if (json_.kind(*value) != Kind::array)
-      throw at(*value, data_error("this is not an array; expected one of numbers, as in the first key; correct it"));
+      throw at(*value, data_error("this is not an array; expected one of numbers, as in the first key"));
     if (const std::size_t size = json_.count(*value); size != matrix_size) {
-      throw at(*value, data_error("the matrix has {}; expected 16, row by row; correct it", how_many(size, "number")));
+      throw at(*value, data_error("the matrix has {}; expected 16, row by row", how_many(size, "number")));
     }
     std::vector<WrittenNumber> numbers;
     for (const std::size_t element : json_.inside(*value)) numbers.push_back(number_of(element));
@@ -200,7 +199,7 @@ class KeyframeReader {
     (number > 0 ? seconds_ : first_transition_) += duration;
     const auto required = [&](std::string_view name, const std::optional<WrittenNumber>& given) {
       if (given) return *given;
-      throw of_member(name, data_error("the keyframe has no {}; expected a number in every keyframe; add it", name));
+      throw of_member(name, data_error("the keyframe has no {}; expected a number in every keyframe", name));
     };
     std::vector<WrittenNumber> numbers{{nearest_double(seconds_), ratio_text(seconds_)}};
     constexpr std::array<std::size_t, 12> places{3, 7, 11, 0, 1, 2, 4, 5, 6, 8, 9, 10};  // the position comes first
@@ -299,8 +298,7 @@ Records open_camera_path(const Format&, Source<std::string> bytes, InputOptions 
   bool has_render_times = false;
   for (const std::uint32_t keyframe : keyframes) {
     if (!json.is(keyframe, Kind::object)) {
-      throw data_error("found {} as a key; expected an object; correct it", json.shown(keyframe))
-          .at(json.position(keyframe));
+      throw data_error("found {} as a key; expected an object", json.shown(keyframe)).at(json.position(keyframe));
     }
     for (const std::size_t value : json.inside(keyframe)) {
       has_render_times |= json.name(value) == "render_time" && json.is(value, Kind::number);
@@ -340,7 +338,6 @@ Records open_camera_path(const Format&, Source<std::string> bytes, InputOptions 
 extern const InputFormat camera_path_input{.open = open_camera_path,
                                            .options = options_of_camera_path,
                                            .fit = fit_of_camera_path,
-                                           .takes_delimiters = false,
                                            .has_own_columns = true,
                                            .has_frames = true};
 

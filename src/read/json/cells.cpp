@@ -277,13 +277,13 @@ class LayoutFinder {
       const bool is_no_array =
           is_number_in_tcb || same_in_any_case(column.path, "tcb") || same_in_any_case(column.path, "tbc");
       if (is_no_array || (is_tcb(column) && parameter_in_tcb(column) == parameters.size())) {
-        throw at(column, column.path, data_error("this is not an array; expected [T,C,B]; correct it"));
+        throw at(column, column.path, data_error("this is not an array; expected [T,C,B]"));
       }
       if (is_tcb(column) && column.has_text) require_number(column);
       const Role role = role_of_name(column.stem);
       const bool may_have_parts = role == Role::position || (role == Role::time && !column.is_in_array());
       if (column.depth > 0 && column.stem != "position" && !may_have_parts) {
-        throw at(column, column.stem, data_error("this is not a number; expected one; correct it"));
+        throw at(column, column.stem, data_error("this is not a number; expected one"));
       }
     }
   }
@@ -430,9 +430,8 @@ class LayoutFinder {
   }
 
   void require_number(const JsonColumn& column) const {
-    throw of_record(
-        column, column.path,
-        data_error("{} is not a number; expected a number; correct it", in_quotes(json_.text(column.value))))
+    throw of_record(column, column.path,
+                    data_error("{} is not a number; expected a number", in_quotes(json_.text(column.value))))
         .at(json_.position(column.value));
   }
 
@@ -441,8 +440,7 @@ class LayoutFinder {
       if (column.stem == stem_ && column.is_in_array() && column.has_text && !column.is_requested && !is_beyond(column))
         require_number(column);
       if (!column.path.starts_with(stem_ + '[') || column.stem == stem_) continue;
-      throw at(column, column.path,
-               data_error("this is not a number; expected one, as elsewhere in the array; correct it"));
+      throw at(column, column.path, data_error("this is not a number; expected one, as elsewhere in the array"));
     }
   }
 
@@ -663,7 +661,7 @@ class LayoutFinder {
       if (std::ranges::none_of(velocity_arrays, is_it) || !column.is_in_array() || channels == 0) continue;
       if (sizes[column.stem] == channels) continue;
       throw at(column, column.stem,
-               data_error("the array has {}; expected {}, as in the array of positions; correct it",
+               data_error("the array has {}; expected {}, as in the array of positions",
                           how_many(sizes[column.stem], "number"), channels));
     }
   }
@@ -691,7 +689,7 @@ class LayoutFinder {
         column->name = column->last_step().substr(1);
       } else {
         if (names.size() >= usual.size() || (!channels_.empty() && unnamed_.size() != usual.size())) {
-          throw data_error("\"channels\" has {}; expected {}, one for each number of \"position\"; correct it",
+          throw data_error("\"channels\" has {}; expected {}, one for each number of \"position\"",
                            how_many(usual.size(), "name"), unnamed_.size())
               .at(std::find_if(places_.rbegin(), places_.rend(), [](auto& place) {
                     return place.first.ends_with("channels");
@@ -831,8 +829,7 @@ void JsonRows::read(std::size_t row, const F& found) {
   const std::uint32_t record = table_.records[row];
   const bool is_row = table_.are_rows();
   if (!json_.is(record, is_row ? Kind::array : Kind::object)) {
-    throw data_error("found {} as a key; expected {}; correct it", json_.shown(record),
-                     is_row ? "an array" : "an object")
+    throw data_error("found {} as a key; expected {}", json_.shown(record), is_row ? "an array" : "an object")
         .at(json_.position(record));
   }
   std::uint32_t cell = 0;
@@ -848,7 +845,7 @@ void JsonRows::read(std::size_t row, const F& found) {
       if (!is_vector) add(value);
     }
     if (cell == names.size()) return;
-    throw data_error("row {} of the table has {}; expected {}, one for each column; correct it", table_.number + row,
+    throw data_error("row {} of the table has {}; expected {}, one for each column", table_.number + row,
                      how_many(cell, "cell"), names.size())
         .at(json_.position(record));
   }
@@ -919,17 +916,15 @@ void JsonRows::require_shape(std::uint32_t id, std::uint32_t value) const {
   if (json_.is(value, Kind::array) && paths.elements(id) > 0) {
     const std::size_t count = json_.count(value);
     if (count != paths.elements(id)) {
-      refuse(data_error("the array has {}; expected {}, as in the first key; correct it", how_many(count, "element"),
+      refuse(data_error("the array has {}; expected {}, as in the first key", how_many(count, "element"),
                         paths.elements(id)));
     }
   } else if (json_.is_nested(value) && is_cell && paths.elements(id) == 0) {
     const bool is_text = layout_.columns[paths.column(id)].has_text;
-    refuse(data_error("this is not a {}; expected one, as in the first key; correct it",
-                      is_text ? "text or a number" : "number"));
+    refuse(data_error("this is not a {}; expected one, as in the first key", is_text ? "text or a number" : "number"));
   } else if (!json_.is_nested(value) && !json_.is(value, Kind::null) && (!is_cell || paths.elements(id) > 0)) {
-    refuse(paths.elements(id) > 0
-               ? data_error("this is not an array; expected one of numbers, as in the first key; correct it")
-               : data_error("this is not an object; expected one, as in the first key; correct it"));
+    refuse(paths.elements(id) > 0 ? data_error("this is not an array; expected one of numbers, as in the first key")
+                                  : data_error("this is not an object; expected one, as in the first key"));
   }
 }
 

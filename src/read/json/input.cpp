@@ -684,6 +684,6 @@ std::optional<int> fit_of_json(std::string_view beginning) {
 
 }  // namespace
 
-extern const InputFormat json_input{.open = open_json, .fit = fit_of_json, .takes_delimiters = false};
+extern const InputFormat json_input{.open = open_json, .fit = fit_of_json};
 
 }  // namespace tcb

@@ -249,7 +249,7 @@ class Layouts {
       for (const std::size_t column : json_.inside(*columns)) table.names.emplace_back(json_.text(column));
       if (index && json_.is(*index, Kind::array)) table.index = json_.values(*index);
       if (index && table.index.size() != table.records.size()) {
-        throw data_error("the index of the table has {}; expected {}, one for each row; correct it",
+        throw data_error("the index of the table has {}; expected {}, one for each row",
                          how_many(table.index.size(), "value"), table.records.size())
             .at(json_.position(*index));
       }
@@ -350,7 +350,7 @@ class Layouts {
         continue;
       }
       const std::size_t first = times.value_or(arrays[0]);
-      fault_ = data_error("the column {} has {}; expected {}, as many as {}; correct it", in_quotes(json_.name(array)),
+      fault_ = data_error("the column {} has {}; expected {}, as many as {}", in_quotes(json_.name(array)),
                           how_many(json_.count(array), "value"), rows, in_quotes(json_.name(first)))
                    .at(json_.position(array - 1));
       if (is_wanted) throw Error(*fault_);
@@ -516,7 +516,7 @@ class TableSearch {
     const bool has_times = std::ranges::any_of(tables_, &JsonTable::has_times);
     if (has_times) std::erase_if(tables_, [](const JsonTable& table) { return !table.has_times; });
     if (is_at_path) {
-      throw usage_error("--records {}: there is no such value; expected the path of a list of records{}{}; correct it",
+      throw usage_error("--records {}: there is no such value; expected the path of a list of records{}{}",
                         options_.records, tables_.empty() ? "" : ", such as ", listed_paths());
     }
     const auto is_named = [](const JsonTable& table) { return table.has_times && table.has_names; };
@@ -624,7 +624,7 @@ class TableSearch {
     for (const std::size_t curve : json_.inside(*curves)) {
       const Step step(way_, json_, *curves, curve, number++);
       if (!json_.is(curve, Kind::object)) {
-        throw data_error("no curve here; expected an object with \"keys\"; correct the text").at(json_.position(curve));
+        throw data_error("no curve here; expected an object with \"keys\"").at(json_.position(curve));
       }
       if (take_own_keys(curve)) continue;
       if (number == 1 && !has_list(curve)) return false;
@@ -639,7 +639,7 @@ class TableSearch {
       if (!keys || !json_.is(*keys, Kind::array)) continue;
       if (json_.is_empty(*keys)) {
         if (!way_.path.empty()) return false;
-        throw data_error("found no keys; expected at least two; add them").at(json_.position(object));
+        throw data_error("found no keys; expected at least two").at(json_.position(object));
       }
       if (!json_.is(first_record(json_, *keys), Kind::object)) continue;
       auto table = layouts_.table_of(*keys, true);
@@ -904,8 +904,7 @@ JsonTable table_of_values(const Json& json, std::uint64_t max_memory) {
   auto table = Layouts(json, max_memory).table_of(0, true);
   if (table) return *std::move(table);
   if (records_in(json, 0).empty()) {
-    throw data_error("found no keys; expected an object, or an array of numbers, for each key; add them")
-        .at(json.position(1));
+    throw data_error("found no keys; expected an object, or an array of numbers, for each key").at(json.position(1));
   }
   throw data_error(
       "found {} in the place of a key; expected an object, or an array of numbers, for each key; give a list of these",

@@ -118,8 +118,7 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
     for (const std::string_view before : {number, syntax}) {
       if (const std::size_t at = what.find(before); at != what.npos) what.remove_prefix(at + before.size());
     }
-    throw data_error("not JSON: {}; correct the text", what.substr(0, what.find("; last read")))
-        .at(json_.position_at(begin));
+    throw data_error("not JSON: {}", what.substr(0, what.find("; last read"))).at(json_.position_at(begin));
   }
 
  private:
@@ -414,7 +413,7 @@ std::string json_number_text(std::string_view decimal) {
 }
 
 Error too_large(std::string_view decimal) {
-  return data_error("{} is too large for a double; expected less than 1.8e308 in size; correct it", in_quotes(decimal));
+  return data_error("{} is too large for a double; expected less than 1.8e308 in size", in_quotes(decimal));
 }
 
 Error twice_in(std::string_view holder) {

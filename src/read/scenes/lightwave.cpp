@@ -37,26 +37,24 @@ namespace {
 Error no_such_span(std::size_t number) {
   return data_error(
       "the span of the key is of type {}; expected 0 to 4 (TCB, Hermite, Bezier 1D, linear, stepped), in version 2 no "
-      "Hermite; correct the file",
+      "Hermite",
       number);
 }
 
 Error scene_key_count(std::size_t found, std::size_t expected) {
-  return data_error("there are {} keys or values; expected {}, the count above them; correct the file", found,
-                    expected);
+  return data_error("there are {} keys or values; expected {}, the count above them", found, expected);
 }
 
 Error scene_word_expected(std::string_view word, std::string_view found) {
-  return data_error("{} is here; expected {}, as in a motion of LightWave; correct the file", in_quotes(found),
-                    in_quotes(word));
+  return data_error("{} is here; expected {}, as in a motion of LightWave", in_quotes(found), in_quotes(word));
 }
 
 Error number_of_file_expected(std::string_view found) {
-  return data_error("{} is not a number of a key or a rate; expected a number; correct the file", in_quotes(found));
+  return data_error("{} is not a number of a key or a rate; expected a number", in_quotes(found));
 }
 
 Error count_of_file_expected(std::string_view found) {
-  return data_error("{} is not a count; expected a whole number; correct the file", in_quotes(found));
+  return data_error("{} is not a count; expected a whole number", in_quotes(found));
 }
 
 /// The lines of a file as words, one after the other.
@@ -114,8 +112,7 @@ class TextLines {
   /// Throws: Error (data) where a word is beyond those of a key.
   void require_end(std::size_t i) const {
     if (i < words_.size()) {
-      throw at(data_error("{} follows the numbers of the key; expected the end of the line; correct the file",
-                          in_quotes(from_word(i))));
+      throw at(data_error("{} follows the numbers of the key; expected the end of the line", in_quotes(from_word(i))));
     }
   }
 
@@ -365,7 +362,7 @@ class Motions {
     if (number >= behaviors.size())
       throw lines_.at(
           data_error("the behavior of the envelope is of type {}; expected 0 to 5 (reset, constant, repeat, oscillate, "
-                     "offset repeat, linear); correct the file",
+                     "offset repeat, linear)",
                      number));
     return behaviors[number];
   }

@@ -25,8 +25,7 @@ namespace tcb {
 namespace {
 
 Error track_number_too_large(std::string_view number) {
-  return data_error("{} is beyond the range of doubles; expected less than 1.8e308 in size; correct the file",
-                    in_quotes(number));
+  return data_error("{} is beyond the range of doubles; expected less than 1.8e308 in size", in_quotes(number));
 }
 
 constexpr std::string_view object_name = "object", track_name = "track";
@@ -183,8 +182,7 @@ Extrapolation extrapolation_of(const Track& track, std::string_view TrackChannel
 std::size_t place_of(const Track& track, const std::string& channel) {
   const auto found = std::ranges::find(track.channels, channel, &TrackChannel::name);
   if (found == track.channels.end())
-    throw data_error("{} is no position of a track; expected one of {}; correct it", in_quotes(channel),
-                     listed(names_of(track)))
+    throw data_error("{} is no position of a track; expected one of {}", in_quotes(channel), listed(names_of(track)))
         .about("--columns");
   return static_cast<std::size_t>(found - track.channels.begin());
 }
@@ -328,7 +326,7 @@ WrittenNumber written_number(const Rational& exact) {
 }
 
 Error times_of_track_repeat(const TrackKey& key) {
-  return data_error("the key at {} seconds is not after the one before it; expected increasing times; correct the file",
+  return data_error("the key at {} seconds is not after the one before it; expected increasing times",
                     time_text(nearest_time(exact_number(key.time))))
       .at({"", key.line, 0});
 }

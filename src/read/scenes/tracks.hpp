@@ -91,7 +91,6 @@ constexpr InputFormat input_of_scenes(decltype(InputFormat::begins) begins) {
                         InputOptions options) { return options_of_scene(format, std::move(options)); },
           .begins = begins,
           .has_tracks = true,
-          .takes_delimiters = false,
           .has_own_columns = true};
 }
 

@@ -109,7 +109,7 @@ TEST(Header, missing_columns_are_errors) {
             "f:1: error: there is no position column; expected at least one column of numbers besides the time; give "
             "--parameter uniform if the only column is a position");
   EXPECT_EQ(read("t,x\n0,1\n", with_columns("position=y")),
-            "f:1: error: --columns: there is no column \"y\"; expected one of t, x; correct the name");
+            "f:1: error: --columns: there is no column \"y\"; expected one of t, x");
 }
 
 TEST(Header, the_chunks_after_the_header_begin_with_the_first_key) {

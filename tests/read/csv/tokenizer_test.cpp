@@ -124,7 +124,7 @@ TEST(Tokenizer, lines_offsets_and_positions_count_from_the_chunk) {
 
 TEST(Tokenizer, misplaced_quotes_are_errors_at_their_position) {
   EXPECT_EQ(error_of([] { table("0,1\né,\"2\n3"); }),
-            "f:2:3: error: a quoted cell is not closed; expected \" at its end; add it");
+            "f:2:3: error: a quoted cell is not closed; expected \" at its end");
   EXPECT_EQ(
       error_of([] { table("é,\"a\" b\n"); }),
       "f:1:7: error: text follows a quoted cell; expected the delimiter or the end of the line; double the quotes "

@@ -115,7 +115,7 @@ TEST(JsonTables, several_lists_are_an_error_that_names_them) {
   EXPECT_EQ(paths(R"({"m":{"p.q":{"k":[[0,1],[1,2]]}}})", "m.p.q.k"), "m.p.q.k ");
   EXPECT_EQ(paths(text, "c"),
             "usage: f: error: --records c: there is no such value; expected the path of a list of records, such as a, "
-            "b[0].c; correct it");
+            "b[0].c");
   EXPECT_EQ(
       paths(R"({"a":{"b":5}})", "a.b"),
       "f:1:11: error: a.b: this is not a list of records; expected an array of objects or of rows, or an object of "

@@ -1,0 +1,152 @@
+"""No option is without effect in silence: effects.py PROGRAM.
+
+Each option is given beside each product, way of sampling and format, on keys of many kinds. For some of these keys it is
+refused, or changes a byte. What only the keys decide is no fault, as --no-ease beside keys without ease. Exit 1: an option
+changes no byte of a product, whatever the keys are, and is not refused.
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+
+program = os.path.abspath(sys.argv[1])
+folder = tempfile.TemporaryDirectory()
+os.chdir(folder.name)
+
+
+@cache
+def run(*words):
+    """The exit code, and what was printed and written."""
+    with tempfile.TemporaryDirectory(dir=".") as made:
+        words = [word.replace("MADE", made) for word in words]
+        done = subprocess.run([program, *words], capture_output=True, stdin=subprocess.DEVNULL, timeout=60)
+        written = [(name, open(f"{made}/{name}", "rb").read()) for name in sorted(os.listdir(made))]
+    return done.returncode, done.stdout, done.stderr, written
+
+
+def write(name, *lines):
+    with open(name, "w") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+# Keys, whose times are unequal: with everything that shapes a curve, in groups, with rotations, and odd texts.
+times = [0, 1, 1.5, 3, 3.25, 5, 6, 6.5, 8]
+xyz = [f"{t},{i * i * 7 % 11 / 10},{i * 5 % 7},{i * 3 % 5}" for i, t in enumerate(times)]
+xy = [row.split(",", 1)[1] for row in xyz]
+write("keys.csv", "t,x,y,z,a", *(f"{row},{i * 150 % 360}" for i, row in enumerate(xyz)))
+write("tcb.csv", "t,x,y,z,tension,continuity,bias", *(f"{row},0.{i},-0.{i},0.{8 - i}" for i, row in enumerate(xyz)))
+write("eased.csv", "t,x,y,z,ease_in,ease_out", *(f"{row},0.2,0.{i % 5}" for i, row in enumerate(xyz)))
+write("groups.csv", "id,t,x,y,z", *(f"{name},{row}" for name in "ab" for row in xyz))
+write("poses.csv", "t,x,y,z,qx,qy,qz,qw,tension,continuity,bias,ease_in,ease_out",
+      *(f"{row},{'0,0,0,1' if i % 2 else '0,0.6,0,0.8'},0.5,0.2,-0.{i},0.3,0.2" for i, row in enumerate(xyz)))
+write("turns.csv", "t,x,y,z,qx,qy,qz,qw", *(f"{row},{i % 3},{i % 2},1,{1 + i % 4}" for i, row in enumerate(xyz)))
+write("euler.csv", "t,x,y,z,ex,ey,ez", *(f"{row},{i * 0.2},0.{i},1" for i, row in enumerate(xyz)))
+write("beyond.csv", "t,x,y,z", *xyz[:5])
+write("dates.csv", "date,x,y", *(f"05.02.2024 00:00:0{i},{row}" for i, row in enumerate(xyz)))
+write("minutes.csv", "t,x,y,z", *(f"00:0{i},{row}" for i, row in enumerate(xy)))
+write("marks.csv", "t;x;y", *(f"{i},5;{i * i * 7 % 11}'000;{i * 5 % 7}" for i in range(9)))
+write("missing.csv", "t,x,y,z", *(f"{i},{'gone' if i == 4 else row}" for i, row in enumerate(xyz)))
+write("twice.csv", "t,x,y,z", *xyz[:4], *xyz[3:])
+write("unsorted.csv", "t,x,y,z", *xyz[::-1])
+write("numbers.csv", *(row.replace(".", "") for row in xyz))
+write("named.csv", "x,y,z", *xy)
+write("above.csv", "% text", "t,x,y,z", *xyz)
+with open("lists.json", "w") as file:
+    lists = [[dict(t=t, x=t * t % 7, y=1) for t in times[:n]] for n in (9, 5)]
+    json.dump({"a": {"b": lists[0]}, "c": {"d": lists[1]}}, file)
+usual = ["keys.csv", "tcb.csv", "eased.csv", "groups.csv", "poses.csv"]
+
+# Options with a value, after a + what they need besides; and the keys for options of which the usual ones show nothing.
+texts = """--abs 1e-3; --rel 1e-3; --ulp 1e12; --map x=q; --columns position=x:y; --tcb 0.5,0.2,0.1; --tcb-scale 3dsmax;
+--scale x=2; --angle a=degrees; --preset kb1984; --tangents uniform; --ends natural; --period 20; --metric y,z;
+--rotation-curve slerp; --parameter chordal; --extrapolate hold; --extrapolate hold + --to 9; --fit-keys hermite;
+--keep-times 1.5; --corner 20; --from 3.1; --to 2; --end keep; --max-rows 1; --pace constant; --side left;
+--side left + --fields time,velocity; --fields time,position,speed; --fields s,length; --digits 3; --fixed 1;
+--output-delimiter tab; --output-decimal ,; --output-decimal , + --output-delimiter ;;; --time-format clock;
+--time-zero 0.5; --rename x=px; --axes y:z; --title T; --size 900x700; --rotation-output matrix; --exact-input + --golden;
+--input-format tsv; --delimiter ,; --comment %; --skip-lines 1; --decimal ,; --thousands apostrophe; --group id;
+--only a/b; --records a.b; --missing skip-row + --na gone; --na gone + --missing skip-row; --time-unit min;
+--input-fps 24; --time-start 2 + --input-fps 24; --date-order dmy; --rotation euler=ex:ey:ez,order=XYZ;
+--angles degrees + --rotation euler=ex:ey:ez,order=XYZ; --duplicates last; --max-gap 1.2; --null + --files list;
+--suffix=-a + --output-dir MADE; --recursive + --output-dir MADE; --update + --output-dir MADE; --output-dir MADE;
+--files list; --output MADE/a.json; --output-format json; --output-format svg; --check keys.rows; --identify keys.rows;
+--limits; --retime + --limits=speed=1"""
+special_keys = {
+    "--extrapolate": ["beyond.csv", "keys.csv"], "--comment": ["above.csv"], "--skip-lines": ["above.csv"],
+    "--header": ["numbers.csv"], "--no-header": ["numbers.csv", "keys.csv"], "--delimiter": ["marks.csv", "keys.csv"],
+    "--decimal": ["marks.csv"], "--thousands": ["marks.csv"], "--group": ["groups.csv"], "--records": ["lists.json"],
+    "--missing": ["missing.csv"], "--na": ["missing.csv"], "--time-unit": ["minutes.csv"], "--input-fps": ["named.csv"],
+    "--time-start": ["named.csv"], "--date-order": ["dates.csv"], "--rotation": ["euler.csv"], "--angles": ["euler.csv"],
+    "--duplicates": ["twice.csv"], "--sort": ["unsorted.csv"], "--normalize": ["turns.csv"]}
+# They change no byte of an output.
+of_the_run = "--jobs --max-memory --quiet --color --generate --list-presets --version --help".split()
+
+samplers = ["--step 0.3", "--count 7", "--per-segment 2", "--at 1,2.2", "--arc-step 0.7", "--arc-count 5", "--arc-at 1,2",
+            "--tolerance 0.3,9deg", "--count 5 --pace ease"]
+products = [*samplers, "--emit poly", "--fit 0.5,9deg", "--check ROWS", "--check ROWS --step 0.3", "--identify ROWS",
+            "--limits", "--plot", "--plot --step 0.3", "--explain", "--explain --step 0.3", "--explain --arc-step 0.7",
+            "--explain --emit poly", "--explain --plot", "--limits=speed=3 --retime --per-segment 2",
+            "--limits=speed=3 --retime --plot", "--step 0.3 --golden", "--limits -f svg", "--limits -f json",
+            "--check ROWS -f svg", "--check ROWS -f json", "--identify ROWS -f svg", "--fit 0.5,9deg -f svg",
+            "--emit poly -f json", "--emit hermite -f gltf", "--fit 0.5,9deg -f jsonl", "--explain --step 0.3 -f npy",
+            *(f"--step 0.3 -f {form}" for form in "tsv ssv json jsonl tum euroc kitti nerfstudio gltf npy".split())]
+
+
+def effects(given, besides, product):
+    """What the option does to the product: what is found for each of its keys, until there is an effect."""
+    found = set()
+    for keys in special_keys.get(given[0], usual):
+        rows = keys + ".rows" if os.path.exists(keys + ".rows") else "rows"
+        words = product.replace("ROWS", rows).split() + besides
+        before, after = run(*words, keys), run(*given, *words, keys)
+        if after[0] == 2:
+            found.add("refused")
+        elif after != before:
+            return {"effect"}
+        elif after[1]:
+            found.add("none")
+    return found
+
+
+write("list", "keys.csv")
+# The rows that are compared differ a little from those of the curves.
+write("rows", run(*"--step 0.3 --fields time,position,velocity,speed,s --scale x=1.00001 keys.csv".split())[1].decode())
+for given in ("poses.csv", "euler.csv --rotation euler=ex:ey:ez,order=XYZ"):
+    write(given.split()[0] + ".rows", run("--step", "0.3", "--scale", "x=1.00001", *given.split())[1].decode())
+cases = {}
+for option in json.loads(run("--generate", "tables")[1])["options"]:
+    name = option["name"]
+    if name in of_the_run:
+        continue
+    given = [line.split() for line in texts.replace("\n", " ").split("; ") if line.split()[0].split("=")[0] == name]
+    for product in products:
+        is_elsewhere = product in samplers[1:] and option["group"] != "Sampling"  # as with --step
+        if not is_elsewhere and name not in product and not (name == "--plot" and "-f" in product):
+            cases[name, product] = [(words, product) for words in given or [[name]]]
+
+
+def is_refused(product):
+    """Whether a product is refused for all keys, so that nothing is found about it."""
+    return all(run(*product.replace("ROWS", "rows").split(), keys)[0] == 2 for keys in usual)
+
+
+def result(case):
+    found = set()
+    for words, product in case:
+        mark = words.index("+") if "+" in words else len(words)
+        found |= effects(words[:mark], words[mark + 1:], product)
+    return found
+
+
+with ThreadPoolExecutor() as pool:
+    results = dict(zip(cases, pool.map(result, cases.values())))
+silent = [case for case, found in results.items() if "none" in found and "effect" not in found]
+assert not any(map(is_refused, products)), list(filter(is_refused, products))
+for name, product in silent:
+    print(f"{name} changes no byte with {product}")
+useless = {name for name, _ in results} - {name for (name, _), found in results.items() if "effect" in found}
+print(f"{len(results)} pairs, {len(silent)} without effect; no effect at all: {' '.join(sorted(useless)) or 'none'}")
+sys.exit(bool(silent or useless))
