@@ -114,8 +114,8 @@ InputOptions options_of(const Format& format, Source<std::string>& bytes, const 
   }
   if (!format.offers(offer::marks) && given.delimited != DelimitedOptions{}) {
     throw usage_error(
-        "--delimiter, --header, --no-header, --comment, --decimal and --thousands have no effect on an input in the "
-        "format {}; remove them, or, if it is in another format, give that with --input-format",
+        "--delimiter, --header, --no-header, --comment, --skip-lines, --decimal and --thousands have no effect on an "
+        "input in the format {}; remove them, or, if it is in another format, give that with --input-format",
         format.name);
   }
   return input.options == nullptr ? given : input.options(format, bytes, given);
