@@ -57,7 +57,7 @@ void set_rate(SamplingRequest& sampling, const Rational& rate, Text text) {
 constexpr Products any_product = 2 * of_explained_samples - 1;
 constexpr Products explains = of_explanation | of_explained_samples, checks = of_check | of_expected_rows;
 constexpr Products printed = of_samples | of_pieces | of_fit, pictures = of_picture | of_drawn_samples;
-constexpr Products compared = of_samples | of_pieces | checks | of_identify;
+constexpr Products of_any_rows = of_samples | of_pieces | checks | of_identify;
 constexpr Products in_folders = printed | pictures;
 constexpr Products retimed = of_samples | of_pieces | pictures;
 constexpr Products placed = of_samples | of_expected_rows | of_drawn_samples | of_explained_samples;
@@ -100,7 +100,7 @@ constexpr OptionRow option_rows[] = {
      "doubles",
      "0", other, [](Typed& to, Text text) { to.comparison.ulp = tolerances(text); }},
     {"--map", "", "THEIRS=OURS,...", comparison_group, checks | of_identify,
-     "Renames columns of FILE before they are compared, as in frame_time=t,px=x",
+     "Renames columns of FILE before they are of_any_rows, as in frame_time=t,px=x",
      "", other, [](Typed& to, Text text) { to.comparison.maps = renamings(text); }},
     {"--identify", "", "FILE", comparison_group, of_identify,
      "Finds the rules, and the order and signs of T, C, B, that produce the positions in FILE, and prints a ranked "
@@ -250,7 +250,7 @@ constexpr OptionRow option_rows[] = {
      "radians", name,
      [](Typed& to, Text text) { to.keys.input.rotation.degrees = named_row(angle_units, text).value; },
      names_in<angle_units>},
-    {"--rotation-output", "", "FORM", input_group, Effect(compared | explains, offer::any_columns),
+    {"--rotation-output", "", "FORM", input_group, Effect(of_any_rows | explains, offer::any_columns),
      "The form of rotations in rows: quaternion, axis-angle, rotation-vector, matrix, or euler=XYZ; by default the "
      "form in the input",
      "", other, [](Typed& to, Text text) { to.keys.input.rotation.shown = rotation_form(text); }},
@@ -445,7 +445,7 @@ constexpr OptionRow option_rows[] = {
      "Draws the curve and its samples, as -f svg does; without a sampling option, it draws 51 samples equally "
      "spaced in time",
      "", flag, [](Typed& to, Text) { to.output.format = find_format("svg"); }},
-    {"--fields", "", "FIELD,...", output_group, Effect(compared | of_explained_samples, offer::any_columns),
+    {"--fields", "", "FIELD,...", output_group, Effect(of_any_rows | of_explained_samples, offer::any_columns),
      "The fields of a row, in order: time, position, s (arc length), velocity, acceleration, jerk, speed, tangent, "
      "curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error. With --emit: s and length, "
      "which follow the cubics",
