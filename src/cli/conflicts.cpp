@@ -19,7 +19,7 @@ namespace {
 
 using Typed = TypedOptions;
 
-/// OptionNames of options with blanks between them.
+/// Names of options, with blanks between them.
 using OptionNames = std::string_view;
 
 using When = bool (*)(const Typed& typed);

@@ -100,7 +100,7 @@ constexpr OptionRow option_rows[] = {
      "doubles",
      "0", other, [](Typed& to, Text text) { to.comparison.ulp = tolerances(text); }},
     {"--map", "", "THEIRS=OURS,...", comparison_group, checks | of_identify,
-     "Renames columns of FILE before they are of_any_rows, as in frame_time=t,px=x",
+     "Renames columns of FILE before they are compared, as in frame_time=t,px=x",
      "", other, [](Typed& to, Text text) { to.comparison.maps = renamings(text); }},
     {"--identify", "", "FILE", comparison_group, of_identify,
      "Finds the rules, and the order and signs of T, C, B, that produce the positions in FILE, and prints a ranked "
