@@ -132,6 +132,7 @@ constexpr Conflict conflicts[] = {
     {"--emit", disables, "--end --keys"},
     {"--fit", excludes, "--plot"},
     {sampling_options, disables, "--extrapolate", " alone, whose samples are on the curve", stays_on_curve},
+    {"--plot", disables, "--extrapolate", " alone, whose samples are on the curve", stays_on_curve},
 
     {"--output", excludes, "--output-dir"},
     {"--output-format", excludes, "--plot"},

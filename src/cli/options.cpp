@@ -57,7 +57,7 @@ void set_rate(SamplingRequest& sampling, const Rational& rate, Text text) {
 constexpr Products any_product = 2 * of_explained_samples - 1;
 constexpr Products explains = of_explanation | of_explained_samples, checks = of_check | of_expected_rows;
 constexpr Products printed = of_samples | of_pieces | of_fit, pictures = of_picture | of_drawn_samples;
-constexpr Products of_any_rows = of_samples | of_pieces | checks | of_identify;
+constexpr Products of_any_rows = of_samples | of_pieces | checks;
 constexpr Products in_folders = printed | pictures;
 constexpr Products retimed = of_samples | of_pieces | pictures;
 constexpr Products placed = of_samples | of_expected_rows | of_drawn_samples | of_explained_samples;
@@ -250,7 +250,7 @@ constexpr OptionRow option_rows[] = {
      "radians", name,
      [](Typed& to, Text text) { to.keys.input.rotation.degrees = named_row(angle_units, text).value; },
      names_in<angle_units>},
-    {"--rotation-output", "", "FORM", input_group, Effect(of_any_rows | explains, offer::any_columns),
+    {"--rotation-output", "", "FORM", input_group, Effect(of_any_rows | of_identify | explains, offer::any_columns),
      "The form of rotations in rows: quaternion, axis-angle, rotation-vector, matrix, or euler=XYZ; by default the "
      "form in the input",
      "", other, [](Typed& to, Text text) { to.keys.input.rotation.shown = rotation_form(text); }},
@@ -450,7 +450,7 @@ constexpr OptionRow option_rows[] = {
      "curvature, torsion, angular_velocity, angular_speed, segment, u, key, arc_error. With --emit: s and length, "
      "which follow the cubics",
      "time,position", names, [](Typed& to, Text text) { to.output.fields = field_list(text); }, field_names},
-    {"--side", "", "SIDE", output_group, of_samples | of_pieces | checks,
+    {"--side", "", "SIDE", output_group, of_any_rows,
      "Which segment a row at a key describes if two segments differ there: right is the segment after the key, left "
      "is the segment before it",
      "right", name,
