@@ -189,7 +189,7 @@ def main(program, golden):
     tables = json.loads(subprocess.run([program, "--generate", "tables"], capture_output=True, check=True).stdout)
     valued = {option["name"] for option in tables["options"] if option["value"]}
     names = {option["other_name"]: option["name"] for option in tables["options"] if option["other_name"]}
-    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
         tools, kept = pathlib.Path(folder, "bin"), pathlib.Path(folder, "kept")
         tools.mkdir()
         kept.mkdir()
