@@ -162,8 +162,7 @@ std::vector<ComparedSample> compared_samples(const Samples& samples, const std::
   return compared;
 }
 
-FitReport add_fits(DifferencePicture& picture, const FitJob& job) {
-  const std::string& path = job.files.files[0];
+FitReport add_fits(DifferencePicture& picture, const FitJob& job, const std::string& path) {
   const Input input = open_input(path, read_file(path), job.keys.input);
   const Schema keys = curve_of_fit(input, job.keys.rules, job.options);
   std::vector<std::size_t> all(keys.channels.size());
@@ -193,17 +192,17 @@ FitReport add_fits(DifferencePicture& picture, const FitJob& job) {
 /// Fits the recordings of the one input of a job, and writes the picture.
 Exit draw_fit(const FitJob& job) {
   const OutputPaths& outputs = job.files.outputs;
-  if (job.files.files.size() != 1 || outputs.folder || job.files.recursive) {
+  const Inputs inputs = find_inputs(job.files);  // which refuses an output that would replace an input
+  if (inputs.files.size() != 1 || outputs.folder) {
     throw usage_error(
         "a picture of --fit shows one recording; expected one input and one output; draw each file by itself");
   }
-  const std::string& path = job.files.files[0];
-  (void)find_inputs(job.files);  // refuses an output that would replace an input
+  const std::string& path = inputs.files[0].path;
   if (outputs.file != "-") remove_unfinished_when_interrupted();
   const ThreadPool pool(job.threads.count());
   Report notes(job.verbosity);
   DifferencePicture picture(job.picture, "keys", shown_name(path));
-  const FitReport report = in_file(shown_name(path), [&] { return add_fits(picture, job); });
+  const FitReport report = in_file(shown_name(path), [&] { return add_fits(picture, job, path); });
   Output output(outputs.file);
   output.write(picture.svg(fmt::format("{} samples · {} keys · at least {} are needed", with_thousands(report.samples),
                                        with_thousands(report.keys), with_thousands(report.least_keys))));

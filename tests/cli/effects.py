@@ -11,8 +11,10 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
+from itertools import product as product_of
 
-program, scene = map(os.path.abspath, (sys.argv[1], os.path.dirname(__file__) + "/../../samples/formats/scene.lws"))
+program = os.path.abspath(sys.argv[1])
+scene = open(os.path.dirname(__file__) + "/../../samples/formats/scene.lws").read()
 folder = tempfile.TemporaryDirectory()
 os.chdir(folder.name)
 
@@ -46,7 +48,7 @@ write("tcb.csv", "t,x,y,z,tension,continuity,bias", *(f"{row},0.{i},0.{i},0.{8 -
 write("eased.csv", "t,x,y,z,ease_in,ease_out", *(f"{row},0.2,0.{i % 5}" for i, row in enumerate(xyz)))
 write("groups.csv", "id,t,x,y,z", *(f"{name},{row}" for name in "ab" for row in xyz))
 write("poses.csv", "t,x,y,z,qx,qy,qz,qw,tension,continuity,bias,ease_in,ease_out",
-      *(f"{row},{'0,0,0,1' if i % 2 else '0,0.6,0,0.8'},0.5,0.2,-0.{i},0.3,0.2" for i, row in enumerate(xyz[:4])))
+      *(f"{row},{'0,0,0,1' if i % 2 else '0,0.6,0,0.8'},0.5,0.2,-0.{i},0.3,0.2" for i, row in enumerate(xyz[:5])))
 write("turns.csv", "t,x,y,z,qx,qy,qz,qw", *(f"{row},{i % 3},{i % 2},1,{1 + i % 4}" for i, row in enumerate(xyz)))
 write("euler.csv", "t,x,y,z,ex,ey,ez", *(f"{row},{i * 0.2},0.{i},1" for i, row in enumerate(xyz)))
 write("beyond.csv", "t,x,y,z", *xyz[:5])
@@ -88,7 +90,7 @@ special_keys = {
     "--missing": ["missing.csv"], "--na": ["missing.csv"], "--time-unit": ["minutes.csv"], "--input-fps": ["named.csv"],
     "--time-start": ["named.csv"], "--date-order": ["dates.csv"], "--rotation": ["euler.csv"],
     "--angles": ["euler.csv"],
-    "--only": [scene], "--duplicates": ["twice.csv"], "--sort": ["unsorted.csv"], "--normalize": ["turns.csv"]}
+    "--only": ["scene.lws"], "--duplicates": ["twice.csv"], "--sort": ["unsorted.csv"], "--normalize": ["turns.csv"]}
 # They change no byte of an output.
 of_the_run = "--update --jobs --max-memory --quiet --color --generate --list-presets --version --help".split()
 
@@ -101,18 +103,20 @@ products = ["", *samplers, "--emit poly", "--fit 0.5", "--check ROWS", "--check 
             "--check ROWS -f svg", "--check ROWS -f json", "--identify ROWS -f svg", "--fit 0.5 -f svg",
             "--emit poly -f json", "--emit hermite -f gltf", "--fit 0.5 -f jsonl", "--explain --step 0.3 -f npy",
             *(f"--step 0.3 -f {form}" for form in "tsv ssv json jsonl tum euroc kitti nerfstudio gltf npy".split())]
-# What is decided by the file with rows, which may have a speed, by numbers, of which an animation holds floats, and by
-# the way of sampling, as an explanation tells lengths.
+# What is decided by the file with rows, which may have a speed, by numbers, of which an animation holds floats, by the
+# way of sampling, as an explanation tells lengths, and by the tolerance, which may be one of rotations.
 explained = [product for product in products if "--explain" in product]
+fitted = [product for product in products if "--fit" in product]
 by_case = {"--metric": ["--check ROWS -f svg"], "--golden": ["--emit hermite -f gltf"],
-           "--exact-input": ["--emit hermite -f gltf"], "--scale": explained, "--tcb-scale": explained}
+           "--exact-input": ["--emit hermite -f gltf"], "--scale": explained, "--tcb-scale": explained,
+           "--normalize": fitted, "--angles": fitted}
 
 
 def effects(given, besides, product):
     """What the option does to the product: what is found for each of its keys, until there is an effect."""
     found = set()
-    for keys in special_keys.get(given[0], usual):
-        rows = keys + ".rows" if os.path.exists(keys + ".rows") else "rows"
+    for keys, rows in product_of(special_keys.get(given[0], usual), ["rows", "same"] if "ROWS" in product else [""]):
+        rows = f"{keys}.{rows}" if os.path.exists(f"{keys}.{rows}") else rows
         words = product.replace("ROWS", rows).split() + besides
         before, after = run(*words, keys), run(*given, *words, keys)
         if after[0] == 2:
@@ -124,14 +128,17 @@ def effects(given, besides, product):
     return found
 
 
-write("list", "keys.csv")
+write("scene.lws", scene)
+write("other.csv", "t,x,y,z", *xyz)
+write("list", "other.csv")
 os.mkdir("tree")
 write("tree/k.csv", "t,x,y,z", *xyz)
 with open("nul", "w") as file:
     file.write("keys.csv\0")
-# The rows that are compared differ a little from those of the curves.
+# The rows that are compared differ a little from those of the curves, or are theirs.
+write("same", output("--step", "0.25", "keys.csv"))
 write("rows", output(*"--step 0.3 --fields time,position,velocity,speed,s --scale x=1.00001 keys.csv".split()))
-for given in ("poses.csv", "euler.csv --rotation euler=ex:ey:ez,order=XYZ"):
+for given in ("poses.csv", "scene.lws", "euler.csv --rotation euler=ex:ey:ez,order=XYZ"):
     write(given.split()[0] + ".rows", output("--step", "0.3", "--scale", "x=1.00001", *given.split()))
 cases = {}
 for option in json.loads(output("--generate", "tables"))["options"]:
@@ -158,7 +165,7 @@ def result(case):
     return found
 
 
-with ThreadPoolExecutor() as pool:
+with ThreadPoolExecutor(2) as pool:
     results = dict(zip(cases, pool.map(result, cases.values())))
 silent = [case for case, found in results.items() if "none" in found and "effect" not in found
          and case[1] not in by_case.get(case[0], [])]
