@@ -35,9 +35,8 @@ constexpr std::string_view closing_names =
 
 /// Words in the names of objects among the members of another one that hold settings of it.
 constexpr std::string_view inner_words =
-    "params param parameters default defaults setting settings option options spline curve interpolation interp tcb "
-    "tbc "
-    "kb kochanek bartels config configuration cfg header metadata properties props attributes attrs";
+    "params param parameters default defaults setting settings option options spline curve interpolation interp config "
+    "configuration cfg header metadata properties props attributes attrs tcb tbc kb kochanek bartels";
 /// Those of tension, continuity and bias.
 constexpr std::string_view words_of_tcb = "tcb tbc kb kochanek bartels";
 

@@ -22,18 +22,15 @@ struct ExpectedPreset {
 constexpr ExpectedPreset expected_presets[] = {
     {"maya",
      "its spline tangents are those of tension, continuity and bias 0 with the tangent rule interval; remove it, and "
-     "give "
-     "--tangents interval"},
+     "give --tangents interval"},
     {"unity",
      "its smooth tangents are those of tension, continuity and bias 0 with the preset tcb, the default; remove it"},
     {"blender",
      "its keys have handles and no rule; where these are a third of a segment long, their slopes are velocities; "
-     "remove "
-     "it, and give them in columns such as x_vin and x_vout"},
+     "remove it, and give them in columns such as x_vin and x_vout"},
     {"catmullrom",
      "tension, continuity and bias 0 are this curve, with the tangent rule uniform, or finite-difference where times "
-     "are "
-     "uneven; remove it, and give --tangents uniform or finite-difference"},
+     "are uneven; remove it, and give --tangents uniform or finite-difference"},
 };
 
 /// The row of a table with this name.

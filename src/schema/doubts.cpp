@@ -408,8 +408,7 @@ Found ease_in_other_words(const FoundColumns& found) {
   if (cells.empty()) return std::nullopt;
   return error(
       "{} may be the ease at the keys; expected ease_in and ease_out in this spelling; give --columns {} if that is "
-      "so, "
-      "or --columns {} to leave {} out",
+      "so, or --columns {} to leave {} out",
       listed(names_of(found.names, cells)), in_shell(fmt::format("{}", fmt::join(roles, ","))),
       roles_of(found, "ignore", cells), cells.size() == 1 ? "it" : "them");
 }
@@ -562,8 +561,7 @@ Found dates_as_numbers(const FoundColumns& found) {
     if (found.columns.cells[cell].role == Role::time && are_date_and_clock(date)) {
       return error(
           "the times in column {}, such as {}, seem to be dates; expected dates such as 2024-03-01 12:00:00, or "
-          "numbers "
-          "in a unit of time; write the dates so, or give --time-unit s if they are such numbers",
+          "numbers in a unit of time; write the dates so, or give --time-unit s if they are such numbers",
           shown(found, cell), date);
     }
     if (!names_dates(found.names[cell]) || !(number_in(found, found.rows[0], cell) >= least)) continue;
@@ -922,8 +920,7 @@ Found range_beside_clock(const Schema& schema, const RequestNeeds& needs) {
   if (needs.range_like_clock.empty() || schema.time.notation != TimeNotation::clock) return std::nullopt;
   return error(
       "{0} may be a range, in seconds, or a time of day, as those in column {1}; expected one of the two; give {2}s "
-      "for "
-      "the time of day, or {0}.0 for the range",
+      "for the time of day, or {0}.0 for the range",
       needs.range_like_clock, in_quotes(schema.time.name),
       whole_text(*read_time(needs.range_like_clock, TimeNotation::clock, 1, DateOrder::ymd)));
 }

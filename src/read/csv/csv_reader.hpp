@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -58,6 +59,9 @@ inline constexpr std::uint64_t last_line_of_roles = 1000;
 
 /// The keys of a chunk. A pure function. Errors are among its faults, at the position of the cell; at most ten.
 KeyBlock parse_delimited(const Chunk& chunk, const DelimitedHead& head);
+
+/// What begins comments in text of others, of which --comment takes one.
+inline constexpr std::array<std::string_view, 6> comment_marks{"//", "%", "!", ";", "--", "*"};
 
 /// A table that seems to begin below other lines.
 struct LaterTable {

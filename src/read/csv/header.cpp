@@ -362,8 +362,8 @@ std::string remedy_for_row(const HeadRecords& first, std::size_t data, const Dia
     if (delimiter != dialect.delimiter && marks > 0 && agree) return fmt::format("give --delimiter {}", name);
   }
   const std::string& mark = first.records[0].cells[0];  // as in "% time x y"
-  const bool is_comment = data == 1 && first.records[0].cells.size() == row.cells.size() + 1 && !mark.empty() &&
-                          lists_word("% ! // ; * --", mark);
+  const bool is_comment =
+      data == 1 && first.records[0].cells.size() == row.cells.size() + 1 && std::ranges::count(comment_marks, mark) > 0;
   if (is_comment) return fmt::format("give --comment {} if it begins a comment with the names", in_shell(mark));
   const std::string lines = fmt::format("correct line {} or line {}", first.records[0].line, row.line);
   const auto is_name = [](const std::string& cell) {

@@ -164,7 +164,7 @@ class LinesOfCells {
 
   /// A mark of comments that begins all lines above a row, if the last of these has as many words behind it.
   std::string comment_above(std::size_t row, std::size_t size) const {
-    for (const std::string_view mark : {"//", "%", "!", ";", "--", "*"}) {
+    for (const std::string_view mark : comment_marks) {
       const auto has_mark = [&](std::string_view line) { return is_blank(line) || trimmed(line).starts_with(mark); };
       if (!std::all_of(lines_.begin(), at(row), has_mark) || is_blank(lines_[row - 1])) continue;
       if (has_words(trimmed(trimmed(lines_[row - 1]).substr(mark.size())), size)) return std::string(mark);

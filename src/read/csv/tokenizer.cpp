@@ -209,8 +209,7 @@ bool has_thousands_separators(std::string_view text) {
 Error date_not_read(std::string_view column, std::string_view cell, std::string_view known) {
   return data_error(
       "{}: {} is a date in a form that is not read; expected it as {}; write the dates so, as to_datetime of pandas "
-      "does "
-      "with the argument format",
+      "does with the argument format",
       column, in_quotes(cell), known);
 }
 

@@ -103,7 +103,7 @@ void JsonSettings::add_object(std::size_t object, std::string path, bool is_own,
       const bool is_object = json_.is(value, Kind::object);
       if (may_hold_settings(name) && (is_object || are_named_values(json_, value))) {
         add_object(value, inner, false, objects);
-      } else if (is_object && name != "meta") {
+      } else if (is_object) {
         add_apart(value, inner, objects);
       }
       FileMember member = member_of(name, value - 1, value);

@@ -566,8 +566,7 @@ class TableSearch {
       const std::string_view name = json_.name(member), list = json_.name(outer.member);
       throw data_error(
           "the array {} has a rising number for each row of {}; expected the times in the rows; give --columns {} if "
-          "it "
-          "is the times, or --columns time=1 if the first number of each row is",
+          "the array has the times, or --columns time=1 if the first number of each row is one",
           in_quotes(name), in_quotes(list), in_shell(fmt::format("time={},position={}", name, list)))
           .at(json_.position(member - 1));
     }

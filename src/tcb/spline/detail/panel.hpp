@@ -178,6 +178,7 @@ T root_integral(const Quartic<T>& q, const T& begin, const T& end) {
   const auto& rule = gauss_rule<S, N>();
   const T width = end - begin;
   if constexpr (std::is_same_v<T, DoubleDouble>) {  // two nodes as a pair
+    static_assert(N % 2 == 0);
     const auto both = [](const T& x) { return pair_of(x, x); };
     const auto q0 = both(q[0]), q1 = both(q[1]), q2 = both(q[2]), q3 = both(q[3]), q4 = both(q[4]);
     const auto first = both(begin), widths = both(width);
