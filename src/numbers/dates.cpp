@@ -238,16 +238,61 @@ std::optional<std::int64_t> offset_of(std::string_view zone) {
   return (hours * 60 + minutes) * 60 * (zone[sign] == '-' ? -1 : 1);
 }
 
-/// The digits after the point of a number below 1, with a point; empty for 0.
-std::string fraction_text(Rational rest, std::optional<int> decimals) {
-  std::string text;
-  for (int i = 0; decimals ? i < *decimals : rest != 0; ++i) {
-    rest *= 10;
-    const Rational digit = floor(rest);
-    text += static_cast<char>('0' + whole_number(digit));
-    rest -= digit;
+using Digits = LongDecimal::Digits;
+
+/// A number of so many digits, with zeros before it.
+std::string padded(Digits value, std::size_t size) {
+  constexpr std::size_t digits = 18;
+  constexpr std::uint64_t split = 1'000'000'000'000'000'000;
+  std::string text(size, '0');
+  for (std::size_t end = size; value != 0; end -= std::min(end, digits), value /= split) {
+    std::size_t at = end;
+    for (auto part = static_cast<std::uint64_t>(value % split); part != 0; part /= 10) {
+      text[--at] = static_cast<char>('0' + part % 10);
+    }
   }
-  return text.empty() ? text : "." + text;
+  return text;
+}
+
+/// Nothing from 10^18 seconds on. `decimals`: as in TimeWords.
+std::optional<SplitSeconds> split_seconds(LongDecimal seconds, std::optional<int> decimals) {
+  constexpr int most_digits_of_seconds = 18, most_places = 38;
+  if (decimals) seconds = rounded(seconds, *decimals);
+  if (seconds.size() + seconds.exponent > most_digits_of_seconds) return std::nullopt;
+  for (; seconds.exponent > 0; --seconds.exponent) seconds.digits *= 10;
+  Digits unit = seconds.exponent < -most_places ? 0 : 1;  // 0: there are no whole seconds
+  for (int i = seconds.exponent; i < 0 && unit != 0; ++i) unit *= 10;
+  const Digits whole = unit == 0 ? 0 : seconds.digits / unit, rest = unit == 0 ? seconds.digits : seconds.digits % unit;
+  SplitSeconds result{static_cast<std::int64_t>(whole)};
+  std::string digits = padded(rest, static_cast<std::size_t>(-seconds.exponent));
+  digits.resize(digits.find_last_not_of('0') + 1);
+  if (seconds.negative) {
+    result.whole = -result.whole - (digits.empty() ? 0 : 1);
+    for (char& digit : digits) digit = static_cast<char>('9' - digit + '0');
+    if (!digits.empty()) ++digits.back();
+  }
+  if (decimals) digits.resize(static_cast<std::size_t>(*decimals), '0');
+  if (!digits.empty()) result.fraction = "." + digits;
+  return result;
+}
+
+bool is_zero(const SplitSeconds& seconds) {
+  return seconds.whole == 0 && seconds.fraction.find_first_not_of(".0") == std::string::npos;
+}
+
+/// A number of two digits at least.
+void append_padded(std::string& out, std::int64_t number) {
+  if (number > 99) out += std::to_string(number / 100);
+  out += static_cast<char>('0' + number / 10 % 10);
+  out += static_cast<char>('0' + number % 10);
+}
+
+/// hh:mm:ss.fff. Requires: seconds >= 0.
+void append_clock(std::string& out, const SplitSeconds& seconds) {
+  append_padded(out, seconds.whole / 3600);
+  append_padded(out += ':', seconds.whole / 60 % 60);
+  append_padded(out += ':', seconds.whole % 60);
+  out += seconds.fraction;
 }
 
 }  // namespace
@@ -289,13 +334,6 @@ std::optional<Rational> read_clock(std::string_view text) {
       point + 1 < text.size() ? parse_rational("0." + std::string(text.substr(point + 1))) : Rational(0);
   if (!fraction) return std::nullopt;
   return Rational((hours * 60 + minutes) * 60 + seconds) + *fraction;
-}
-
-std::string clock_text(const Rational& seconds, std::optional<int> decimals) {
-  const Rational whole = floor(seconds);
-  const std::uint64_t all = whole_number(whole);
-  return fmt::format("{:02}:{:02}:{:02}{}", all / 3600, all / 60 % 60, all % 60,
-                     fraction_text(seconds - whole, decimals));
 }
 
 std::optional<DateFormat> find_date_format(std::string_view text) {
@@ -398,38 +436,81 @@ std::optional<DateSeconds> read_usual_date(std::string_view text, DateOrder orde
   return DateSeconds{days * seconds_of_day + time, fraction};
 }
 
-Rational zone_offset(const DateFormat& format) { return offset_of(format.zone).value_or(0); }
+std::int64_t zone_offset(const DateFormat& format) { return offset_of(format.zone).value_or(0); }
 
-std::optional<std::string> date_text(const Rational& seconds, const DateFormat& format, std::optional<int> decimals) {
-  const Rational local = seconds + zone_offset(format);
-  const Rational day = floor(local / seconds_of_day);
-  if (abs(day) > 10'000'000) return std::nullopt;
-  const auto size = static_cast<int>(whole_number(abs(day)));
-  const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(day < 0 ? -size : size))};
+TimeWords::TimeWords(TimeNotation notation, Rational rate, std::optional<int> decimals, DateFormat dates, TimeUnit unit)
+    : notation_(notation),
+      rate_(std::move(rate)),
+      decimals_(decimals),
+      dates_(std::move(dates)),
+      unit_(row_of(unit)),
+      offset_(zone_offset(dates_)) {}
+
+bool TimeWords::append(std::string& out, const Time& time) {
+  if (notation_ == TimeNotation::smpte || notation_ == TimeNotation::drop_frame) {
+    const Rational seconds = exact_time(time) * unit_.seconds / unit_.units;
+    const auto text = timecode_text(seconds, notation_ == TimeNotation::drop_frame, rate_);
+    if (text) out += *text;
+    return text.has_value();
+  }
+  std::optional<LongDecimal> seconds = exact_decimal_of(time);
+  if (!seconds) return false;
+  seconds->digits *= static_cast<std::uint64_t>(unit_.seconds);
+  for (std::int64_t units = unit_.units; units > 1; units /= 10) --seconds->exponent;
+  if (is_date(notation_)) {
+    const auto utc = split_seconds(*seconds, decimals_);
+    return utc && append_date(out, *utc);
+  }
+  const bool is_negative = std::exchange(seconds->negative, false);
+  const auto size = split_seconds(*seconds, decimals_);
+  if (!size) return false;
+  if (is_negative && !is_zero(*size)) out += '-';
+  append_clock(out, *size);
+  return true;
+}
+
+/// Sets the text of a day; false beyond the years.
+bool TimeWords::set_day(std::int64_t day) {
+  constexpr std::int64_t most = 10'000'000;
+  if (day < -most || day > most) return false;
+  const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(static_cast<int>(day)))};
   const int year = static_cast<int>(date.year());
-  if (year < 0 || year > 9999) return std::nullopt;
-  const auto padded = [&](unsigned number) { return fmt::format("{:0{}}", number, format.is_padded ? 2 : 1); };
-  std::array numbers{fmt::format("{:04}", year), padded(static_cast<unsigned>(date.month())),
-                     padded(static_cast<unsigned>(date.day()))};
-  if (!format.month_name.empty()) numbers[1] = month_like(format.month_name, static_cast<unsigned>(date.month()));
-  if (format.order == DateOrder::mdy) std::swap(numbers[1], numbers[2]);
-  if (format.order != DateOrder::ymd) std::swap(numbers[0], numbers[2]);
-  const std::string mark(format.mark == 0 ? 0 : 1, format.mark);
-  std::string text = fmt::format("{}", fmt::join(numbers, mark));
-  const Rational time_of_day = local - day * seconds_of_day;
-  if (format.before_clock == 0 && time_of_day == 0) return text;
+  if (year < 0 || year > 9999) return false;
+  const auto in_digits = [&](unsigned number) { return fmt::format("{:0{}}", number, dates_.is_padded ? 2 : 1); };
+  std::array numbers{fmt::format("{:04}", year), in_digits(static_cast<unsigned>(date.month())),
+                     in_digits(static_cast<unsigned>(date.day()))};
+  if (!dates_.month_name.empty()) numbers[1] = month_like(dates_.month_name, static_cast<unsigned>(date.month()));
+  if (dates_.order == DateOrder::mdy) std::swap(numbers[1], numbers[2]);
+  if (dates_.order != DateOrder::ymd) std::swap(numbers[0], numbers[2]);
+  const std::string mark(dates_.mark == 0 ? 0 : 1, dates_.mark);
+  day_text_ = fmt::format("{}", fmt::join(numbers, mark));
+  day_ = day;
+  return true;
+}
+
+bool TimeWords::append_date(std::string& out, const SplitSeconds& utc) {
+  const std::int64_t local = utc.whole + offset_;
+  const std::int64_t day = local / seconds_of_day - (local % seconds_of_day < 0 ? 1 : 0);
+  if (day_ != day && !set_day(day)) return false;
+  out += day_text_;
+  SplitSeconds clock{local - day * seconds_of_day, utc.fraction};
+  if (dates_.before_clock == 0 && is_zero(clock)) return true;
+  out += dates_.before_clock == 0 ? ' ' : dates_.before_clock;
   constexpr std::int64_t half_a_day = seconds_of_day / 2;
-  const bool is_late = time_of_day >= half_a_day, is_hour_0 = time_of_day - (is_late ? half_a_day : 0) < 3600;
-  std::string half = format.half_of_day;
-  std::ranges::transform(half, half.begin(), [&](char c) {
-    if (lower(c) != 'a' && lower(c) != 'p') return c;
-    return static_cast<char>(c - lower(c) + (is_late ? 'p' : 'a'));
-  });
-  const Rational shown =
-      half.empty() ? time_of_day : time_of_day - (is_late ? half_a_day : 0) + (is_hour_0 ? half_a_day : 0);
-  std::string clock = clock_text(shown, decimals) + half;
-  if (!format.is_padded && clock.starts_with('0')) clock.erase(0, 1);
-  return text + (format.before_clock == 0 ? ' ' : format.before_clock) + clock + format.zone;
+  const bool is_late = clock.whole >= half_a_day;
+  if (!dates_.half_of_day.empty()) {
+    clock.whole %= half_a_day;
+    if (clock.whole < 3600) clock.whole += half_a_day;
+  }
+  const std::size_t begin = out.size();
+  append_clock(out, clock);
+  if (!dates_.is_padded && out[begin] == '0') out.erase(begin, 1);
+  for (const char c : dates_.half_of_day) {
+    const char half = is_late ? 'p' : 'a';
+    out += lower(c) == 'a' || lower(c) == 'p' ? static_cast<char>(c - lower(c) + half) : c;
+  }
+  out += dates_.zone;
+  return true;
 }
 
 }  // namespace tcb

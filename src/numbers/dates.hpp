@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "numbers/decimal_time.hpp"
 #include "numbers/rational.hpp"
 #include "numbers/time_notation.hpp"
 
@@ -24,9 +25,6 @@ std::string_view half_of_day(std::string_view text);
 /// hh:mm:ss.fff in seconds, also with AM or PM; nothing for an hour, minute or second that does not exist. Requires:
 /// the form of a time of day.
 std::optional<Rational> read_clock(std::string_view text);
-
-/// hh:mm:ss.fff, with `decimals` decimals or as many as the time has. Requires: seconds >= 0.
-std::string clock_text(const Rational& seconds, std::optional<int> decimals);
 
 /// The format of a date by its form; its order is dmy if the year is last, or has two digits. Nothing if the text is no
 /// date.
@@ -54,9 +52,43 @@ struct DateSeconds {
 std::optional<DateSeconds> read_usual_date(std::string_view text, DateOrder order, bool has_zone);
 
 /// The seconds by which local time in a format is ahead of UTC.
-Rational zone_offset(const DateFormat& format);
+std::int64_t zone_offset(const DateFormat& format);
 
-/// The date at a time; nothing beyond the years 0 to 9999.
-std::optional<std::string> date_text(const Rational& seconds, const DateFormat& format, std::optional<int> decimals);
+/// Whole seconds, rounded down, and the digits of the rest with a point before them; empty where there is none.
+struct SplitSeconds {
+  std::int64_t whole = 0;
+  std::string fraction = {};
+};
+
+/// Writes times in a notation of words. Dates of one day share its text.
+class TimeWords {
+ public:
+  /// `rate`: frames per second, of timecode. `decimals`: how many a second has; nothing: as many as the time. `unit`:
+  /// of the times; not frames.
+  TimeWords(TimeNotation notation, Rational rate, std::optional<int> decimals, DateFormat dates = {},
+            TimeUnit unit = TimeUnit::s);
+
+  /// Appends a time; false where it has no words: between two frames, before 0 in timecode, or beyond the years 0 to
+  /// 9999.
+  bool append(std::string& out, const Time& time);
+
+  std::optional<std::string> text(const Time& time) {
+    std::string words;
+    return append(words, time) ? std::optional(words) : std::nullopt;
+  }
+
+ private:
+  bool append_date(std::string& out, const SplitSeconds& utc);
+  bool set_day(std::int64_t day);
+
+  TimeNotation notation_;
+  Rational rate_;
+  std::optional<int> decimals_;
+  DateFormat dates_;
+  TimeUnitRow unit_;
+  std::int64_t offset_;              ///< of the zone
+  std::optional<std::int64_t> day_;  ///< since 1970, of the text
+  std::string day_text_;
+};
 
 }  // namespace tcb

@@ -46,23 +46,6 @@ std::optional<Rational> read_timecode(std::string_view text, bool drops, const R
   return (Rational(number) + *part) / rate;
 }
 
-std::optional<std::string> timecode_text(const Rational& seconds, bool drops, const Rational& rate) {
-  const std::optional<Rational> frame = whole_frame(seconds, rate);
-  if (!frame || *frame < 0) return std::nullopt;
-  const auto nominal = static_cast<std::uint64_t>(nominal_rate(rate));
-  std::uint64_t number = whole_number(*frame);
-  if (drops) {
-    const auto dropped = static_cast<std::uint64_t>(dropped_numbers(rate));
-    if (dropped == 0) return std::nullopt;
-    const std::uint64_t minute = nominal * 60 - dropped, ten_minutes = minute * 10 + dropped;
-    const std::uint64_t rest = number % ten_minutes;
-    number += dropped * (number / ten_minutes * 9 + (rest < minute + dropped ? 0 : (rest - dropped) / minute));
-  }
-  const std::uint64_t all = number / nominal;
-  return fmt::format("{:02}:{:02}:{:02}{}{:02}", all / 3600, all / 60 % 60, all % 60, drops ? ';' : ':',
-                     number % nominal);
-}
-
 /// hh:mm:ss.fff, or mm:ss.fff, or a time of day with AM or PM.
 bool is_clock(std::string_view text) {
   text.remove_suffix(half_of_day(text).size());
@@ -125,6 +108,23 @@ std::optional<Rational> whole_frame(const Rational& seconds, const Rational& rat
   return nearest_time(nearest / rate) == nearest_time(seconds) ? std::optional(nearest) : std::nullopt;
 }
 
+std::optional<std::string> timecode_text(const Rational& seconds, bool drops, const Rational& rate) {
+  const std::optional<Rational> frame = whole_frame(seconds, rate);
+  if (!frame || *frame < 0) return std::nullopt;
+  const auto nominal = static_cast<std::uint64_t>(nominal_rate(rate));
+  std::uint64_t number = whole_number(*frame);
+  if (drops) {
+    const auto dropped = static_cast<std::uint64_t>(dropped_numbers(rate));
+    if (dropped == 0) return std::nullopt;
+    const std::uint64_t minute = nominal * 60 - dropped, ten_minutes = minute * 10 + dropped;
+    const std::uint64_t rest = number % ten_minutes;
+    number += dropped * (number / ten_minutes * 9 + (rest < minute + dropped ? 0 : (rest - dropped) / minute));
+  }
+  const std::uint64_t all = number / nominal;
+  return fmt::format("{:02}:{:02}:{:02}{}{:02}", all / 3600, all / 60 % 60, all % 60, drops ? ';' : ':',
+                     number % nominal);
+}
+
 std::optional<Rational> read_duration(std::string_view text) {
   const auto is_letter = [](char c) { return lower(c) >= 'a' && lower(c) <= 'z'; };
   std::string_view number = text;
@@ -141,20 +141,6 @@ std::optional<Rational> day_of(TimeNotation notation, const Rational& rate) {
     case TimeNotation::clock: return Rational(86'400);
     case TimeNotation::smpte: return read_timecode("24:00:00:00", false, rate);
     case TimeNotation::drop_frame: return read_timecode("24:00:00;00", true, rate);
-    default: return std::nullopt;
-  }
-}
-
-std::optional<std::string> time_in_words(const Rational& seconds, TimeNotation notation, const Rational& rate,
-                                         std::optional<int> decimals, const DateFormat& dates) {
-  const bool has_fraction = notation == TimeNotation::clock || is_date(notation);
-  const Rational rounded = has_fraction && decimals ? exact_time(rounded_to(seconds, *decimals)) : seconds;
-  switch (notation) {
-    case TimeNotation::clock: return rounded < 0 ? "-" + clock_text(-rounded, decimals) : clock_text(rounded, decimals);
-    case TimeNotation::smpte: return timecode_text(seconds, false, rate);
-    case TimeNotation::drop_frame: return timecode_text(seconds, true, rate);
-    case TimeNotation::date:
-    case TimeNotation::zoned_date: return date_text(rounded, dates, decimals);
     default: return std::nullopt;
   }
 }

@@ -130,9 +130,8 @@ std::optional<Rational> day_of(TimeNotation notation, const Rational& rate);
 /// The frame at a time in seconds that was rounded once, as times in an input or on a grid are; nothing between frames.
 std::optional<Rational> whole_frame(const Rational& seconds, const Rational& rate);
 
-/// The text of a time in seconds, with `decimals` decimals or as many as it has; nothing where it has none: between two
-/// frames, before 0 in timecode, or beyond the years 0 to 9999.
-std::optional<std::string> time_in_words(const Rational& seconds, TimeNotation notation, const Rational& rate,
-                                         std::optional<int> decimals, const DateFormat& dates = {});
+/// SMPTE timecode at a time in seconds; nothing between two frames, and before 0. `drops`: the first frame numbers of
+/// most minutes.
+std::optional<std::string> timecode_text(const Rational& seconds, bool drops, const Rational& rate);
 
 }  // namespace tcb

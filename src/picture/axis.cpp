@@ -208,7 +208,8 @@ std::string Axis::title(std::string_view name) const {
 
 /// A time in words without what all ticks at multiples of the step have in common.
 std::string Axis::words(const Rational& time, const Rational& step) const {
-  std::string text = time_in_words(time, scale_->notation, scale_->frames_per_second, {}, scale_->dates).value_or("");
+  TimeWords notation(scale_->notation, scale_->frames_per_second, {}, scale_->dates);
+  std::string text = notation.text(nearest_time(time)).value_or("");
   if (!is_date(scale_->notation)) return text;
   const std::size_t date = std::min(text.find_first_of("T "), text.size());
   if (step >= seconds_of_day || date == text.size()) return text.substr(0, date);

@@ -9,6 +9,7 @@
 #include "io/encoding.hpp"
 #include "io/input_file.hpp"
 #include "keys/curves.hpp"
+#include "numbers/dates.hpp"
 #include "numbers/decimal_time.hpp"
 #include "numbers/print_number.hpp"
 #include "read/input.hpp"
@@ -294,7 +295,7 @@ std::string shown_time(const TimeSchema& schema, const Time& time) {
   const Rational exact = exact_time(time), rate = schema.frame_rate.value_or(1);
   const bool is_number = schema.notation == TimeNotation::seconds || schema.notation == TimeNotation::frames;
   const auto decimals = floor(exact) == exact ? std::nullopt : std::optional(3);
-  const auto words = is_number ? std::nullopt : time_in_words(exact, schema.notation, rate, decimals, schema.dates);
+  const auto words = is_number ? std::nullopt : TimeWords(schema.notation, rate, decimals, schema.dates).text(time);
   return words.value_or(time_text(time));
 }
 

@@ -158,42 +158,53 @@ std::string json_list(const std::vector<std::string>& texts) {
 }
 
 /// Rows without texts in place of numbers.
-static void append_numbers(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
-                           const std::vector<Cell>& cells, bool first) {
+static void append_numbers(std::string& out, const Layout& layout, std::span<const PrintedColumn> columns,
+                           const RowCells& rows, bool first) {
   const std::size_t begin = out.size();
   const bool shortest = layout.notation.kind == Notation::Kind::shortest && layout.decimal == '.';
-  std::vector<std::pair<std::string_view, CellKind>> row;  // the text before each cell, and its kind
-  for (std::size_t i = 0; i < columns.size(); ++i) row.emplace_back(layout.before[i], columns[i].kind);
-  out.resize(begin + cells.size() / columns.size() * longest_row(layout) + spare_room);
+  std::vector<std::pair<std::string_view, PrintedColumn>> row;  // each column with the text before its cell
+  for (std::size_t i = 0; i < columns.size(); ++i) row.emplace_back(layout.before[i], columns[i]);
+  out.resize(begin + rows.cells.size() / rows.width * longest_row(layout) + spare_room);
   char* at = out.data() + begin;
-  for (const Cell* cell = cells.data(); cell != cells.data() + cells.size();) {
-    if (cell != cells.data() || !first) at = write_text(at, layout.between_rows);
-    for (const auto& [before, kind] : row) {
+  const Cell* const end = rows.cells.data() + rows.cells.size();
+  for (const Cell* cells = rows.cells.data(); cells != end; cells += rows.width) {
+    if (cells != rows.cells.data() || !first) at = write_text(at, layout.between_rows);
+    for (const auto& [before, column] : row) {
+      const Cell& cell = cells[column.cell];
       at = write_text(at, before);
-      at = is_empty(*cell) ? write_text(at, layout.empty)
-           : shortest      ? write_cell(at, kind, *cell)
-                           : write_cell(at, kind, *cell, layout);
-      ++cell;
+      at = is_empty(cell) ? write_text(at, layout.empty)
+           : shortest     ? write_cell(at, column.kind, cell)
+                          : write_cell(at, column.kind, cell, layout);
     }
     at = write_text(at, layout.row_end);
   }
   out.resize(static_cast<std::size_t>(at - out.data()));
 }
 
-void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
-                 const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first) {
-  if (texts.empty()) return append_numbers(out, layout, columns, cells, first);
+void append_rows(std::string& out, const Layout& layout, std::span<const PrintedColumn> columns, const RowCells& rows,
+                 const ShownTimes& times, bool first) {
+  if (rows.texts.empty() && times.are_as_they_are()) return append_numbers(out, layout, columns, rows, first);
+  ShownTimes::Texts shown(times);
   std::string number(longest_number_in(layout.notation) + spare_room, '\0');
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::size_t column = i % columns.size();
-    if (column == 0 && (i > 0 || !first)) out += layout.between_rows;
-    out += layout.before[column];
-    if (!texts[i].empty() || is_empty(cells[i])) {
-      out += is_empty(cells[i]) ? layout.empty : texts[i];
-    } else {
-      out.append(number.data(), write_cell(number.data(), columns[column].kind, cells[i], layout));
+  for (std::size_t begin = 0; begin < rows.cells.size(); begin += rows.width) {
+    if (begin > 0 || !first) out += layout.between_rows;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const auto [kind, cell] = columns[i];
+      const Cell& value = rows.cells[begin + cell];
+      out += layout.before[i];
+      if (is_empty(value)) {
+        out += layout.empty;
+      } else if (kind == CellKind::time && !times.are_as_they_are()) {
+        shown.append(out, value);
+      } else if (!rows.texts.empty() && !rows.texts[begin + cell].empty()) {
+        const auto text = static_cast<std::ptrdiff_t>(out.size());
+        out += rows.texts[begin + cell];
+        if (layout.decimal != '.') std::replace(out.begin() + text, out.end(), '.', layout.decimal);
+      } else {
+        out.append(number.data(), write_cell(number.data(), kind, value, layout));
+      }
     }
-    if (column + 1 == columns.size()) out += layout.row_end;
+    out += layout.row_end;
   }
 }
 

@@ -1,6 +1,8 @@
 // Layouts: the texts around cells and rows of each format, and the loop that prints rows.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "numbers/print_number.hpp"
 #include "sample/table.hpp"
 #include "schema/schema.hpp"
+#include "write/shown_times.hpp"
 
 namespace tcb {
 
@@ -26,10 +29,33 @@ struct Layout {
   char decimal = '.';      ///< their decimal mark
 };
 
-/// Appends rows to text. Shapes: cells holds a whole number of rows, columns.size() cells each. texts[i] is printed in
-/// place of the number of cell i, unless it is empty; texts may be empty. `first`: there is no row before these.
-void append_rows(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
-                 const std::vector<Cell>& cells, const std::vector<std::string>& texts, bool first);
+/// A column of numbers, and the place of its cell in the rows of a table.
+struct PrintedColumn {
+  CellKind kind = CellKind::real;
+  std::size_t cell = 0;
+};
+
+/// Rows of a table. A text is printed in place of the number of its cell, unless it is empty; there may be no texts.
+struct RowCells {
+  std::span<const Cell> cells;
+  std::span<const std::string> texts;
+  std::size_t width;  ///< the number of cells in a row, of which columns show some
+
+  RowCells(const Table& table, std::size_t cells_per_row)
+      : cells(table.cells), texts(table.texts), width(cells_per_row) {}
+
+  /// One of them. Requires: first is the place of its first cell.
+  RowCells row(std::size_t first) const {
+    RowCells one = *this;
+    one.cells = cells.subspan(first, width);
+    if (!texts.empty()) one.texts = texts.subspan(first, width);
+    return one;
+  }
+};
+
+/// Appends rows to text, with times as they are shown. `first`: there is no row before these.
+void append_rows(std::string& out, const Layout& layout, std::span<const PrintedColumn> columns, const RowCells& rows,
+                 const ShownTimes& times, bool first);
 
 std::string json_text(std::string_view text);
 /// JSON of a library, whose texts are those of json_text() where they could end a script in a page.

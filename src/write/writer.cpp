@@ -38,21 +38,6 @@ void add_file_column(OutputColumns& columns, const std::string& name, const std:
   columns.groups.insert(columns.groups.begin(), name);
 }
 
-/// A text with another decimal mark, which is after the last colon.
-std::string with_decimal(std::string text, char mark) {
-  const std::size_t colon = text.rfind(':'), point = text.find('.', colon == std::string::npos ? 0 : colon);
-  if (point != std::string::npos) text[point] = mark;
-  return text;
-}
-
-/// The first `count` cells from `begin` on; none if there are none at all.
-template <class T>
-std::vector<T> range(const std::vector<T>& cells, std::size_t begin, std::size_t count) {
-  if (cells.empty()) return {};
-  const auto first = cells.begin() + static_cast<std::ptrdiff_t>(begin);
-  return {first, first + static_cast<std::ptrdiff_t>(count)};
-}
-
 }  // namespace
 
 std::vector<std::string> OutputColumns::names() const {
@@ -75,16 +60,22 @@ void Writer::begin(const Schema& schema, bool live, Facts rules, const std::stri
   if (output.gathers_rows) columns.groups.clear();
   const bool is_pose = format.poses != nullptr;
   cells_ = columns.numbers.size();
+  printed_.clear();
+  for (std::size_t i = 0; i < cells_; ++i) printed_.push_back({columns.numbers[i].kind, i});
   if (is_pose) {
-    order_ = pose_cells(format, schema);
+    const std::vector<std::size_t> order = pose_cells(format, schema);
     std::vector<OutputColumn> numbers;
-    for (const std::size_t cell : order_) numbers.push_back(columns.numbers[cell]);
+    printed_.clear();
+    for (const std::size_t cell : order) {
+      numbers.push_back(columns.numbers[cell]);
+      printed_.push_back({numbers.back().kind, cell});
+    }
     columns.numbers = std::move(numbers);
   }
   if (columns_.numbers.empty()) {
     columns_ = std::move(columns);
     marks_ = {options_.delimiter.value_or(format.delimiter), options_.decimal};
-    set_times(schema);
+    times_ = ShownTimes(options_, schema.time, keeper_ != nullptr);
     const std::string head = set_layouts(!is_pose && options_.header.value_or(schema.named));
     recorder_.set_rules(std::move(rules));
     const std::string provenance = recorder_.before_rows(format);
@@ -172,109 +163,10 @@ void Writer::begin_curve(std::vector<std::string> group, const std::optional<Eul
   group_ = std::move(group);
 }
 
-TimeNotation notation_of_times(const WriterOptions& options, const TimeSchema& time) {
-  const auto given = options.time_notation;
-  if (!options.format->offers(offer::words_of_time)) return TimeNotation::seconds;
-  if (!given) return options.time_zero && is_date(time.notation) ? TimeNotation::seconds : time.notation;
-  const bool drops = given == TimeNotation::smpte && time.notation == TimeNotation::drop_frame;
-  return drops ? TimeNotation::drop_frame : *given;
-}
-
-void Writer::set_times(const Schema& schema) {
-  if (options_.format->poses != nullptr) return set_times_of_poses(schema.time);
-  if (options_.time_zero && options_.time_notation && is_date(*options_.time_notation)) {
-    throw usage_error(
-        "times that count from --time-zero are not dates; expected another notation; give --time-format seconds, or "
-        "neither");
-  }
-  notation_ = notation_of_times(options_, schema.time);
-  if (!options_.time_notation) {
-    dates_ = schema.time.dates;
-    return;
-  }
-  if (schema.time.unit == TimeUnit::frames) throw times_without_rate(schema.time.name);
-  if (schema.time.unit) unit_ = Rational(1) / units_per_second(*schema.time.unit);
-}
-
-/// The times of poses are numbers in the unit of their format. Those without a known unit are taken as seconds.
-void Writer::set_times_of_poses(const TimeSchema& time) {
-  const PoseFormat& format = *options_.format->poses;
-  if (!format.unit && keeper_ == nullptr) return;
-  if (time.unit == TimeUnit::frames) throw times_without_rate(time.name);
-  whole_times_ = format.unit == TimeUnit::ns;
-  if (!time.unit && time.notation == TimeNotation::seconds && whole_times_) {
-    throw data_error(
-        "the times in column {} have no known unit, but those of {} are in nanoseconds; expected a unit; give "
-        "--time-unit s if they are seconds",
-        in_quotes(time.name), options_.format->name);
-  }
-  unit_ = units_per_second(format.unit.value_or(TimeUnit::s)) / units_per_second(time.unit.value_or(TimeUnit::s));
-}
-
-std::vector<std::string> Writer::texts(const Table& table) const {
-  const bool is_number = notation_ == TimeNotation::seconds || notation_ == TimeNotation::frames;
-  std::vector<std::string> texts = table.texts;
-  if (marks_.decimal != '.') {
-    for (std::string& text : texts) text = with_decimal(std::move(text), marks_.decimal);
-  }
-  if ((notation_ == TimeNotation::seconds && unit_ == 1) || keeper_ != nullptr) return texts;
-  texts.resize(table.cells.size());
-  const bool is_fixed = options_.notation.kind == Notation::Kind::fixed;
-  const auto decimals = is_fixed ? std::optional(options_.notation.count) : std::nullopt;
-  const bool in_quotes = options_.format->is_json;
-  for (std::size_t i = 0; i < table.cells.size(); ++i) {
-    if (columns_.numbers[i % columns_.numbers.size()].kind != CellKind::time) continue;
-    const Rational seconds = exact_time(table.cells[i]) * unit_, rate = options_.frame_rate.value_or(1);
-    if (is_number) {
-      const Rational frames = Rational(table.cells[i].hi) * unit_ * rate;  // of the double, whose error is the smaller
-      const bool counts = notation_ == TimeNotation::frames;
-      Rational number = counts ? whole_frame(seconds, rate).value_or(frames) : seconds;
-      if (whole_times_) number = floor(number + Rational(1, 2));
-      Time time = nearest_time(number);
-      if (const Time nanoseconds = nearest_time(number, 9); !order_.empty() && exact_time(nanoseconds) == number) {
-        time = nanoseconds;  // poses have them in seconds
-      }
-      texts[i] = with_decimal(time_text(time), marks_.decimal);
-      continue;
-    }
-    const auto text = time_in_words(seconds, notation_, rate, decimals, dates_);
-    if (!text) {
-      const char* const name = notation_ == TimeNotation::clock ? "clock" : is_date(notation_) ? "a date" : "timecode";
-      throw data_error(
-          "the time {} of a row cannot be written as {}; expected a time that is not before 0 and is at a frame for "
-          "timecode, and a year from 0 to 9999 for a date; give --time-format seconds",
-          time_text(table.cells[i]), name);
-    }
-    const bool has_clock = text->find(':') != std::string::npos;
-    texts[i] = in_quotes ? json_text(*text) : has_clock ? with_decimal(*text, marks_.decimal) : *text;
-  }
-  return texts;
-}
-
-Table Writer::ordered(const Table& table) const {
-  Table result;
-  for (std::size_t first = 0; first < table.cells.size(); first += cells_) {
-    for (const std::size_t cell : order_) {
-      result.cells.push_back(table.cells[first + cell]);
-      if (!table.texts.empty()) result.texts.push_back(table.texts[first + cell]);
-    }
-  }
-  return result;
-}
-
-void Writer::append(std::string& out, const Layout& layout, const Table& table, bool first) const {
-  std::optional<Table> changed;
-  if (!order_.empty()) {
-    if (keeper_ != nullptr) keeper_->observe(table, cells_);
-    changed = ordered(table);
-  }
-  const Table& rows = changed ? *changed : table;
-  append_rows(out, layout, columns_.numbers, rows.cells, texts(rows), first && !any_rows_);
-}
-
 std::string Writer::print(const Table& table, bool first) const {
+  if (keeper_ != nullptr) keeper_->observe(table, cells_);
   std::string text;
-  append(text, rows_, table, first);
+  append_rows(text, rows_, printed_, {table, cells_}, times_, first && !any_rows_);
   return text;
 }
 
@@ -283,17 +175,17 @@ std::string Writer::print(const LabelledBlock& block, const Evaluate& evaluate) 
   fields.push_back(field_of("key"));
   Layout layout = rows_;
   std::string text;
-  bool first = block.samples.first;
+  bool first = block.samples.first && !any_rows_;
   for (std::size_t i = 0; i < block.samples.parts.size(); ++i) {
     const SampleBlock::Part& part = block.samples.parts[i];
     const Table table = evaluate({block.samples.owner, {part}, false}, fields);
-    const std::size_t width = table.cells.size() / (part.last - part.first);
-    for (std::size_t row = 0; row < table.cells.size(); row += width) {
-      const Cell& key = table.cells[row + width - 1];
+    const RowCells rows(table, cells_ + 1);
+    for (std::size_t row = 0; row < table.cells.size(); row += rows.width) {
+      const Cell& key = table.cells[row + cells_];
       const bool is_at_end = !is_empty(key) && key.hi == static_cast<double>(part.segment.end_key) &&
                              key.hi != static_cast<double>(part.segment.number);
       layout.row_end = is_at_end ? block.ends[i].second : block.ends[i].first;
-      append(text, layout, {range(table.cells, row, width - 1), range(table.texts, row, width - 1)}, first);
+      append_rows(text, layout, printed_, rows.row(row), times_, first);
       first = false;
     }
   }
@@ -318,7 +210,8 @@ void Writer::write(const Source<std::string>& rows) {
 void Writer::commit() {
   const std::string provenance = recorder_.after_rows(*options_.format);
   const bool is_member = options_.format->nests;
-  output_.write(is_member ? tail(provenance) : tail() + (keeper_ == nullptr ? "" : keeper_->tail(unit_)) + provenance);
+  output_.write(is_member ? tail(provenance)
+                          : tail() + (keeper_ == nullptr ? "" : keeper_->tail(times_.unit())) + provenance);
   if (const auto counted_head = options_.format->output->counted_head) {
     const std::size_t columns = columns_.numbers.size();
     output_.write_beginning(counted_head(columns, bytes_ / (columns * sizeof(double))));

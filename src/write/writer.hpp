@@ -17,6 +17,7 @@
 #include "write/layout.hpp"
 #include "write/output_format.hpp"
 #include "write/provenance.hpp"
+#include "write/shown_times.hpp"
 #include "write/writer_options.hpp"
 
 namespace tcb {
@@ -32,9 +33,6 @@ struct OutputColumns {
   /// The names of all of them, in order.
   std::vector<std::string> names() const;
 };
-
-/// The notation in which rows show times.
-TimeNotation notation_of_times(const WriterOptions& options, const TimeSchema& time);
 
 /// One output of the rows of one file or of several. The group of a curve is in cells of each of its rows, or in JSON
 /// in an object around its rows. Curves of the same group are divided by a line without a row: empty, or null in JSON.
@@ -80,37 +78,18 @@ class Writer {
   /// The text after all rows. `member`: another member of an object around them, if there is one.
   std::string tail(std::string_view member = {}) const;
 
-  /// The marks of delimited text. Throws: Error (usage) for those of an input that has none.
-
-  /// The notation and the unit of the times. Throws: Error (data) for frames without a rate.
-  void set_times(const Schema& schema);
-  void set_times_of_poses(const TimeSchema& time);
-
-  /// The texts that replace cells, with the decimal mark of the output: times in its notation; other entries are those
-  /// of the table.
-  /// Throws: Error (data) for a time that the notation does not have.
-  std::vector<std::string> texts(const Table& table) const;
-
-  /// The table with the cells of each row in the order of the columns.
-  Table ordered(const Table& table) const;
-  /// Appends the text of the rows of a table.
-  void append(std::string& out, const Layout& layout, const Table& table, bool first) const;
-
   const WriterOptions& options_;
   Output output_;
   OutputColumns columns_;
-  std::size_t cells_ = 0;              ///< of a row, before they are ordered
-  std::vector<std::size_t> order_;     ///< of the cells of rows, by the columns of poses; empty: as they are
-  std::unique_ptr<RowKeeper> keeper_;  ///< of the format; null: rows are only printed
-  TimeNotation notation_ = TimeNotation::seconds;
-  DateFormat dates_;
+  std::size_t cells_ = 0;               ///< of a row
+  std::vector<PrintedColumn> printed_;  ///< the columns of numbers
+  std::unique_ptr<RowKeeper> keeper_;   ///< of the format; null: rows are only printed
+  ShownTimes times_;
   TextMarks marks_;
-  Rational unit_ = 1;         ///< of the times, in seconds, where they are printed in another one
-  bool whole_times_ = false;  ///< they are rounded to whole numbers
-  bool nested_ = false;       ///< each curve is an object with its rows
-  Layout all_;                ///< with the texts of all columns before their cells
-  Layout rows_;               ///< of rows of the current curve, without their labels
-  bool any_rows_ = false;     ///< in the current list
+  bool nested_ = false;    ///< each curve is an object with its rows
+  Layout all_;             ///< with the texts of all columns before their cells
+  Layout rows_;            ///< of rows of the current curve, without their labels
+  bool any_rows_ = false;  ///< in the current list
   ProvenanceRecorder recorder_;
   std::optional<std::vector<std::string>> group_;  ///< of the curve before
   std::string file_;                               ///< the current one, as a text of a key

@@ -19,6 +19,13 @@ namespace tcb {
 
 namespace {
 
+void append(std::string& out, const Layout& layout, const std::vector<OutputColumn>& columns,
+            const std::vector<Cell>& cells, bool first = true) {
+  std::vector<PrintedColumn> printed;
+  for (const OutputColumn& column : columns) printed.push_back({column.kind, printed.size()});
+  append_rows(out, layout, printed, {{cells}, columns.size()}, {}, first);
+}
+
 TEST(OutputFormat, each_layout_writes_what_its_format_reads) {
   const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"the x", CellKind::real}};
   for (const Format& format : formats()) {
@@ -26,7 +33,7 @@ TEST(OutputFormat, each_layout_writes_what_its_format_reads) {
     if (!format.can_read() || !format.can_write() || !has_names) continue;
     const Layout layout = format.output->layout(columns, {format.delimiter}, true);
     std::string text = layout.head;
-    append_rows(text, layout, columns, {Cell(0), Cell(0.1), Cell(1), Cell(-2)}, {}, true);
+    append(text, layout, columns, {Cell(0), Cell(0.1), Cell(1), Cell(-2)});
     text += layout.tail + layout.end;
     InputOptions options;
     options.format = &format;
@@ -58,8 +65,8 @@ TEST(Npy, the_head_has_the_same_size_for_any_number_of_rows) {
 
 TEST(Npy, cells_are_the_bytes_of_doubles_and_nan_where_not_defined) {
   std::string bytes;
-  append_rows(bytes, npy_layout(npy_columns), npy_columns,
-              {Cell(0.1), Cell(-0.0), Cell(7), Cell(1), empty_cell, empty_cell}, {}, true);
+  append(bytes, npy_layout(npy_columns), npy_columns,
+         {Cell(0.1), Cell(-0.0), Cell(7), Cell(1), empty_cell, empty_cell});
   ASSERT_EQ(bytes.size(), 48U);
   EXPECT_EQ(number_at(bytes, 0), 0.1);
   EXPECT_TRUE(std::signbit(number_at(bytes, 1)));
@@ -71,7 +78,7 @@ TEST(Npy, cells_are_the_bytes_of_doubles_and_nan_where_not_defined) {
 TEST(Npy, a_time_beyond_doubles_is_refused) {
   std::string bytes;
   const auto append = [&](const Cell& time) {
-    append_rows(bytes, npy_layout(npy_columns), npy_columns, {time, Cell(0), Cell(0)}, {}, true);
+    append(bytes, npy_layout(npy_columns), npy_columns, {time, Cell(0), Cell(0)});
   };
   append({9007199254740992.0, 0});
   EXPECT_EQ(number_at(bytes, 0), 9007199254740992.0);
@@ -88,7 +95,7 @@ Layout layout_of(std::string_view format, const std::vector<OutputColumn>& of) {
 /// All of an output: head, the rows in one go or one after another, tail.
 std::string output(const Layout& layout, const std::vector<OutputColumn>& of, const std::vector<Cell>& cells) {
   std::string text = layout.head;
-  append_rows(text, layout, of, cells, {}, true);
+  append(text, layout, of, cells);
   return text + (cells.empty() ? layout.no_rows : layout.tail) + layout.end;
 }
 
@@ -116,9 +123,9 @@ TEST(Layout, rows_in_several_calls_are_the_rows_in_one) {
   for (const Layout& layout :
        {delimited_layout(columns, {';'}, true), layout_of("json", columns), layout_of("jsonl", columns)}) {
     std::string in_one, in_two;
-    append_rows(in_one, layout, columns, two_rows, {}, true);
-    append_rows(in_two, layout, columns, {two_rows.begin(), two_rows.begin() + 3}, {}, true);
-    append_rows(in_two, layout, columns, {two_rows.begin() + 3, two_rows.end()}, {}, false);
+    append(in_one, layout, columns, two_rows);
+    append(in_two, layout, columns, {two_rows.begin(), two_rows.begin() + 3});
+    append(in_two, layout, columns, {two_rows.begin() + 3, two_rows.end()}, false);
     EXPECT_EQ(in_two, in_one);
   }
 }
