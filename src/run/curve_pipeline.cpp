@@ -408,10 +408,10 @@ CurveSamples CurvePipeline::samples(Source<KeyBlock> blocks) {
   if (spec_.closed && time_exponent() != 0 && !spec_.period && curve.keys.size() == exact.size()) {
     curve.extent.last = exact.time_back(time_exponent(), spec_.rules.metric);
   }
-  return samples(std::move(curve), &exact);
+  return samples(curve, &exact);
 }
 
-CurveSamples CurvePipeline::samples(StreamedCurve curve, const ExactKeys* exact) {
+CurveSamples CurvePipeline::samples(const StreamedCurve& curve, const ExactKeys* exact) {
   if (part_ && request_.mode == Mode::at && !take_places_of_part(curve.extent)) {
     return CurveSamples::none();
   }
@@ -420,12 +420,11 @@ CurveSamples CurvePipeline::samples(StreamedCurve curve, const ExactKeys* exact)
     request_.reaches_after = spec_.extrapolations.after != Extrapolation::error && !part_->next();
   }
   if (exact != nullptr && golden_->decimal && time_exponent() == 0) set_key_times(curve, *exact);
-  const std::vector<spline::ChannelGap> gaps = curve.options.gaps;
-  CurveSamples samples =
-      needs_.random_access ? samples_at_places(curve, exact) : samples_on_grid(std::move(curve), exact);
-  if (gaps.empty()) return samples;
-  samples.evaluate = without_gaps(std::move(samples.evaluate), samples.locator, gaps);
-  samples.gaps = gaps;
+  CurveSamples samples = needs_.random_access ? samples_at_places(curve) : samples_on_grid(curve);
+  if (exact != nullptr) samples.evaluate = exact_rows(*exact, curve, samples);
+  if (curve.options.gaps.empty()) return samples;
+  samples.evaluate = without_gaps(std::move(samples.evaluate), samples.locator, curve.options.gaps);
+  samples.gaps = curve.options.gaps;
   return samples;
 }
 
@@ -477,8 +476,8 @@ CurveSamples CurvePipeline::samples_as_read(Source<KeyBlock> blocks) {
 }
 
 /// Samples on a grid that depends on the whole curve. By arc length, the curve is measured first.
-CurveSamples CurvePipeline::samples_on_grid(StreamedCurve curve, const ExactKeys* exact) const {
-  Extent& extent = curve.extent;
+CurveSamples CurvePipeline::samples_on_grid(const StreamedCurve& curve) const {
+  Extent extent = curve.extent;
   SampleFacts facts{extent.first, extent.last, {}, {}};
   Source<SegmentBlock> segments;
   if (needs_.whole_length) {
@@ -489,11 +488,9 @@ CurveSamples CurvePipeline::samples_on_grid(StreamedCurve curve, const ExactKeys
   }
   const RowEstimate estimate(request_, extent, curve.keys.size() - (spec_.closed ? 0 : 1));
   facts.step = estimate.step();
-  const std::shared_ptr<Sampler> sampler = make_sampler(request_, extent);
-  CurveSamples samples = samples_in_order(std::move(segments), sampler);
+  CurveSamples samples = samples_in_order(std::move(segments), make_sampler(request_, extent));
   samples.expected_rows = [rows = estimate.rows()] { return rows; };
   samples.facts = facts;
-  if (exact != nullptr) samples.evaluate = exact_rows(*exact, curve, sampler);
   return samples;
 }
 
@@ -522,7 +519,7 @@ CurveSamples CurvePipeline::samples_in_order(Source<SegmentBlock> segments, std:
 }
 
 /// Samples in any order, also outside the curve.
-CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const ExactKeys* exact) const {
+CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve) const {
   const Extent& extent = curve.extent;
   if (spec_.extrapolations.extend_curve() && may_leave_curve(request_) && !request_.origin) {
     const Rational& zero = request_.zero;
@@ -533,7 +530,7 @@ CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const 
   }
   const auto kept =
       std::make_shared<const KeptCurve>(curve.kept(spec_.channels(), spec_.extrapolations, needs_.lengths));
-  RowPlaces places = row_places(request_, *kept, exact != nullptr && golden_->decimal);
+  RowPlaces places = row_places(request_, *kept, golden_ && golden_->decimal);
   SampleFacts facts{extent.first, extent.last, {}, {}};
   const std::size_t rows = places.places.size();
   facts.least_rows = places.least_rows;
@@ -550,7 +547,7 @@ CurveSamples CurvePipeline::samples_at_places(const StreamedCurve& curve, const 
     gap_rows->end_steps();
   }
   return {.blocks = with_gap_rows(std::move(found.blocks), gap_rows),
-          .evaluate = exact == nullptr ? fast_rows(found.locator) : exact_rows(*exact, curve, found.locator),
+          .evaluate = fast_rows(found.locator),
           .facts = facts,
           .expected_rows = [rows] { return static_cast<double>(rows); },
           .limited_tangents = [kept] { return kept->curve().limited_tangents(); },
@@ -602,9 +599,11 @@ ExactCurve CurvePipeline::exact_curve(const ExactKeys& exact, const StreamedCurv
 
 /// Evaluates rows exactly, and rounds each number once.
 Evaluate CurvePipeline::exact_rows(const ExactKeys& exact, const StreamedCurve& curve,
-                                   std::shared_ptr<const Locator> locator) const {
-  const auto rows = std::make_shared<ExactRows>(exact_curve(exact, curve), request_, curve.extent, golden_->notation);
-  return [rows, locator = std::move(locator)](const SampleBlock& block, std::span<const std::size_t> chosen) {
+                                   const CurveSamples& samples) const {
+  Extent extent = curve.extent;
+  extent.length = samples.facts.length;
+  const auto rows = std::make_shared<ExactRows>(exact_curve(exact, curve), request_, extent, golden_->notation);
+  return [rows, locator = samples.locator](const SampleBlock& block, std::span<const std::size_t> chosen) {
     return rows->evaluate(block, *locator, chosen);
   };
 }

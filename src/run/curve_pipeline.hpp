@@ -110,7 +110,7 @@ class CurvePipeline {
   std::shared_ptr<const KeptCurve> kept(Source<KeyBlock> blocks);
 
   /// The samples of the request on a curve of this pipeline. `exact`: its keys, if rows are exact.
-  CurveSamples samples(StreamedCurve curve, const ExactKeys* exact = nullptr);
+  CurveSamples samples(const StreamedCurve& curve, const ExactKeys* exact = nullptr);
 
   /// A curve of this pipeline without any rounding; the numbers of rotations are rounded.
   ExactCurve exact(const StreamedCurve& curve) const;
@@ -130,16 +130,16 @@ class CurvePipeline {
   Source<KeyBlock> with_placeholders(const Source<KeyBlock>& blocks);
   StreamedCurve read(Source<KeyBlock> blocks);
   CurveSamples samples_as_read(Source<KeyBlock> blocks);
-  CurveSamples samples_on_grid(StreamedCurve curve, const ExactKeys* exact) const;
+  CurveSamples samples_on_grid(const StreamedCurve& curve) const;
   CurveSamples samples_in_order(Source<SegmentBlock> segments, std::shared_ptr<Sampler> sampler) const;
   std::shared_ptr<GapRows> new_gap_rows(std::shared_ptr<const Locator> locator, bool in_order) const;
-  CurveSamples samples_at_places(const StreamedCurve& curve, const ExactKeys* exact) const;
+  CurveSamples samples_at_places(const StreamedCurve& curve) const;
   void count_from(const CountedFrom& zero, const TimeSchema& time);
   bool take_places_of_part(const Extent& extent);
   void set_key_times(const StreamedCurve& curve, const ExactKeys& exact);
   Rational exact_end(const ExactKeys& exact, const StreamedCurve& curve) const;
   ExactCurve exact_curve(const ExactKeys& exact, const StreamedCurve& curve) const;
-  Evaluate exact_rows(const ExactKeys& exact, const StreamedCurve& curve, std::shared_ptr<const Locator> locator) const;
+  Evaluate exact_rows(const ExactKeys& exact, const StreamedCurve& curve, const CurveSamples& samples) const;
 
   SamplingRequest request_;
   CurveSpec spec_;

@@ -77,12 +77,12 @@ TEST(Npy, cells_are_the_bytes_of_doubles_and_nan_where_not_defined) {
 
 TEST(Npy, a_time_beyond_doubles_is_refused) {
   std::string bytes;
-  const auto append = [&](const Cell& time) {
+  const auto append_time = [&](const Cell& time) {
     append(bytes, npy_layout(npy_columns), npy_columns, {time, Cell(0), Cell(0)});
   };
-  append({9007199254740992.0, 0});
+  append_time({9007199254740992.0, 0});
   EXPECT_EQ(number_at(bytes, 0), 9007199254740992.0);
-  EXPECT_THROW(append({9007199254740992.0, 1}), Error);
+  EXPECT_THROW(append_time({9007199254740992.0, 1}), Error);
 }
 
 const std::vector<OutputColumn> columns{{"t", CellKind::time}, {"x", CellKind::real}, {"n", CellKind::whole}};
