@@ -101,8 +101,12 @@ Rational exactly(const spline::DoubleDouble& number) { return Rational(number.hi
 /// What all rows of a request need, on any thread.
 struct ExactRows::Request {
   Request(ExactCurve curve, const SamplingRequest& request, const Extent& extent, const Notation& rounded)
-      : rows{std::move(curve), {}, {}, arc_lengths(request, extent), request.side()}, notation(rounded) {
+      : rows{std::move(curve), {}, {}, {}, arc_lengths(request, extent), request.side()}, notation(rounded) {
     rows.facts = channel_facts(rows.exact);
+    rows.metric = rows.exact.rules.metric;
+    if (rows.metric.empty()) {
+      for (std::size_t i = 0; i < rows.exact.keys.channels; ++i) rows.metric.push_back(i);
+    }
     rows.times = rows.exact.keys.times;
     if (rows.exact.end) rows.times.push_back(*rows.exact.end);
     if (rows.times.size() == 1) rows.times.push_back(rows.times.front());
@@ -161,7 +165,7 @@ class ExactRows::Evaluation {
     std::vector<std::optional<Printed>> cells;  ///< that are the same all along; none until they are needed
   };
   struct Placed {
-    bool bounded = false, exact = false, double_doubles = false, floats = false;
+    bool bounded = false, exact = false, double_doubles = false, short_floats = false, long_floats = false;
   };
 
   /// The exact times of a row on a curve whose keys are decimals.
@@ -267,8 +271,8 @@ class ExactRows::Evaluation {
       place_double_doubles(row);
       if (is_placed_.double_doubles) place = double_doubles_->place_of_row();
     }
-    try_to([&] { return short_floats().place(row); });
-    try_to([&] { return long_floats().place(row); });
+    try_to([&] { return in_short(row).place_of_row(); });
+    try_to([&] { return in_long(row).place_of_row(); });
     if (!place) refuse_digits(row);
     segment_ = place->segment;
     if (place->key_at_end) row.at_key = place;
@@ -418,9 +422,7 @@ class ExactRows::Evaluation {
       }
     }
     try {
-      if (!is_placed_.floats) (void)short_floats().place(row);
-      is_placed_.floats = true;
-      second = short_floats().numbers(index);
+      second = in_short(row).numbers(index);
     } catch (const Undecided&) {
     }
     const auto part_of = [](const Rational& value, const std::optional<Rational>& before, const Rational& part) {
@@ -434,9 +436,8 @@ class ExactRows::Evaluation {
     }
     if (std::ranges::all_of(cells, is_set)) return;
     try {
-      (void)long_floats().place(row);
-      third = long_floats().numbers(index);
-      const Rational noise = long_floats().noise(index);
+      third = in_long(row).numbers(index);
+      const Rational noise = in_long(row).noise(index);
       for (auto& number : third) {
         if (number && abs(*number) <= noise) number = 0;
       }
@@ -450,9 +451,10 @@ class ExactRows::Evaluation {
       } else if (keeps_digits_ && second[i] == Rational(0)) {  // what is left in more digits are their errors
         cells[i] = rounding.exactly({0});
       } else {
-        const Known known{*third[i],
-                          std::max({part_of(*third[i], first[i], long_part), part_of(*third[i], second[i], between),
-                                    Rational(abs(*third[i]) * of_long)})};
+        const bool has_second = second[i] && *second[i] != 0;
+        const Rational error =
+            has_second ? part_of(*third[i], second[i], between) : part_of(*third[i], first[i], long_part);
+        const Known known{*third[i], std::max(error, Rational(abs(*third[i]) * of_long))};
         cells[i] = rounding.within(known);
         if (!cells[i]) cells[i] = rounding.snapped(known);
       }
@@ -562,13 +564,20 @@ class ExactRows::Evaluation {
     return may_be && *is_symmetric_;
   }
 
-  FloatRows& short_floats() {
-    if (short_floats_ == nullptr) short_floats_ = FloatRows::in_short(rows_);
-    return *short_floats_;
-  }
   FloatRows& long_floats() {
     if (long_floats_ == nullptr) long_floats_ = FloatRows::in_long(rows_);
     return *long_floats_;
+  }
+  /// The floats, at the current row. Throws: Undecided.
+  FloatRows& in_short(const FastRow& row) {
+    if (short_floats_ == nullptr) short_floats_ = FloatRows::in_short(rows_);
+    return placed(*short_floats_, row, is_placed_.short_floats);
+  }
+  FloatRows& in_long(const FastRow& row) { return placed(long_floats(), row, is_placed_.long_floats); }
+  static FloatRows& placed(FloatRows& floats, const FastRow& row, bool& is_placed) {
+    if (!is_placed) floats.place(row);
+    is_placed = true;
+    return floats;
   }
 
   const RowsOfCurve& rows_;

@@ -21,10 +21,8 @@ class Rows final : public FloatRows {
  public:
   explicit Rows(const RowsOfCurve& rows) : point_(rows) {}
 
-  PlaceByLength place(const FastRow& row) override {
-    point_.place(row);
-    return point_.place_of_row();
-  }
+  void place(const FastRow& row) override { point_.place(row); }
+  PlaceByLength place_of_row() const override { return point_.place_of_row(); }
   std::vector<std::optional<Rational>> numbers(std::size_t field) override {
     std::vector<Written<Float<bits>>> row;
     point_.write(field, row);

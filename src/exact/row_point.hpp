@@ -64,8 +64,9 @@ struct ExactPlaces {
 struct RowsOfCurve {
   ExactCurve exact;
   ChannelFacts facts;
-  std::vector<Rational> times;     ///< of the keys, and of the end of a closed curve, unless distances make them
-  std::optional<ExactPlaces> arc;  ///< of rows that are placed by length
+  std::vector<std::size_t> metric;  ///< the channels that lengths measure
+  std::vector<Rational> times;      ///< of the keys, and of the end of a closed curve, unless distances make them
+  std::optional<ExactPlaces> arc;   ///< of rows that are placed by length
   spline::Side side;
 };
 
@@ -192,10 +193,8 @@ class RowPoint {
     const auto square_of_speed = [&](std::size_t number, double place) {
       const spline::Segments<S>& one = known(number).segments;
       const spline::LocalParameter<S> at{S(place), S(place) - S(1)};
-      const std::vector<std::size_t>& metric = rows_.exact.rules.metric;
       S square(0);
-      for (std::size_t i = 0; i < one.channels; ++i) {
-        if (!metric.empty() && std::ranges::find(metric, i) == metric.end()) continue;
+      for (const std::size_t i : rows_.metric) {
         const S rate = spline::first_derivative(one[0][i], at);
         square = square + rate * rate;
       }
@@ -291,7 +290,14 @@ class RowPoint {
       using std::ldexp;
       return S(ldexp(S(1), -halvings));
     };
-    const auto is_beyond = [&](int halvings) { return start_of_segment(size_of(halvings)).total().value >= length; };
+    const auto is_beyond = [&](int halvings) {  // a channel goes as far, and so does the curve
+      using std::abs;
+      const S u = size_of(halvings);
+      const auto goes_as_far = [&](const spline::Cubic<S>& x) {
+        return abs(u * (x.out + u * (x.c + u * x.d))) >= length;
+      };
+      return std::ranges::any_of(rows_.metric, [&](std::size_t i) { return goes_as_far(segment_.cubics[i]); });
+    };
     int beyond = 0, before = 1;
     for (; is_beyond(before); before *= 2) beyond = before;
     while (before - beyond > 1) {
