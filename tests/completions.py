@@ -25,7 +25,7 @@ class Shell:
             os.execvpe(command[0], command, environment)
         self.read_until(lambda text: "%" in text or "#" in text or "$" in text or self.prompt in text)
         self.send(start + "\n")
-        self.read_until(lambda text: text.rstrip().endswith(self.prompt) and text.count(self.prompt) > 1)
+        self.read_until(lambda text: re.sub(r"\x1b\S*|\s", "", text).endswith(self.prompt))
 
     def send(self, text):
         os.write(self.terminal, text.encode())
@@ -39,9 +39,7 @@ class Shell:
 
     def completed(self, typed):
         """The line after a tab, with what Ctrl-A and "echo" make of it: the words that the shell would run."""
-        self.send(typed + "\t")
-        self.read_until(lambda text: False, limit=0.3)
-        self.send("\x01print_words \x05\n")
+        self.send(typed + "\t\x01print_words \x05\n")
         text = self.read_until(lambda text: re.search(r"<begin>.*<end>.*" + self.prompt, text, re.DOTALL), limit=5)
         found = re.search(r"<begin>(.*?)<end>", text, re.DOTALL)
         return found.group(1).replace("\r", "") if found else text

@@ -40,6 +40,7 @@ awk -v cases="$scratch/cases/" '
   END { if (!failed && inside) { print FILENAME ": a console block without an end"; exit 1 } }
 ' "$file" || exit 1
 
+[ ! -d "${TCBSAMPLE_CALLS-}" ] || PATH=$TCBSAMPLE_CALLS # see called_programs.py
 PATH=$program_folder:$PATH
 export PATH
 cd "$scratch/folder" || exit 2

@@ -3,13 +3,15 @@
 #
 # FOLDER has cmd (a shell command, run in a scratch copy of the folder) and its expected results:
 # expected (standard output, default none), errors (standard error, default none), status (exit code,
-# default 0). A case that ends with 77 is skipped, and says why. The numbers in `expected` are computed
+# default 0). Besides PROGRAM it may call those of the folder TCBSAMPLE_CALLS, if there is one; see
+# called_programs.py. A case that ends with 77 is skipped, and says why. The numbers in `expected` are computed
 # by hand or with fractions, never by the program.
 set -u
 program=$1 folder=$2
 scratch=$(mktemp -d) || exit 1
 trap 'rm -rf "$scratch"' EXIT
 cp -R "$folder/." "$scratch" && cd "$scratch" || exit 1
+[ ! -d "${TCBSAMPLE_CALLS-}" ] || PATH=$TCBSAMPLE_CALLS
 PATH=$(dirname "$program"):$PATH
 
 sh ./cmd >"$scratch.out" 2>"$scratch.err" </dev/null

@@ -4,9 +4,7 @@
 Runs every program on the same inputs with the same options, every second one on eight threads instead of one, and
 compares standard output and the exit code; one program alone is compared with itself:
   - every file of samples/ in several modes;
-  - N random command lines on random keys (default 200), as CSV, TSV, JSON, JSON Lines or blank-separated text: rows,
-    pieces, pictures, fits and comparisons; keys with rotations, angles, velocities, labels, parameters of single
-    channels, and missing numbers;
+  - N random command lines on random keys of laws/keys.py (default 200): rows, pieces, pictures, fits and comparisons;
   - with --golden, the commands of every case of golden/, without the lines that are messages.
 Standard error is not compared: the words of messages may differ. Prints each difference with the command line and
 leaves its input in the folder same_bytes.failed. Exit 1: something differs.
@@ -22,7 +20,6 @@ For an old and a new build of the program:
 import argparse
 import concurrent.futures
 import itertools
-import json
 import os
 import pathlib
 import random
@@ -33,139 +30,26 @@ import sys
 import tempfile
 
 TESTS = pathlib.Path(__file__).resolve().parent
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(TESTS / "laws"))
+from keys import FINE_TIMES, TIMES, Keys  # noqa: E402
+
 SAMPLES = TESTS.parent / "samples"
 NEEDS = re.compile(rb'^needs: .*\n|,"needs":"[^"]*"', re.MULTILINE)  # of --explain; version 0.2 has none
 MESSAGE = re.compile(rb"error:|note:|^tcbsample: ")
 
 PRESETS = "gte wildmagic vtk fbx nel 3dsmax cryengine lightwave".split()
-TANGENTS = "uniform interval interval-c finite-difference velocity kb1984 synfig".split()
-ENDS = "half zero natural one-sided natural,half zero,natural".split()
 FIELDS = ("time position s velocity acceleration jerk speed tangent curvature torsion segment u key").split()
-
-
-def number(rng, scale=10):
-    kind = rng.random()
-    if kind < 0.2:
-        return str(rng.randint(-scale, scale))
-    if kind < 0.9:
-        return f"{rng.uniform(-scale, scale):.{rng.randint(1, 6)}f}"
-    return repr(rng.uniform(-scale, scale) * 10.0 ** rng.randint(-12, 12))
-
-
-def parameter(rng):
-    return rng.choice(["0", "0", "0", "1", "-1", f"{rng.uniform(-1, 1):.2f}"])
-
-
-ROTATIONS = {
-    "quaternion": ["qx", "qy", "qz", "qw"],
-    "axis-angle": ["ax", "ay", "az", "turn"],
-    "euler": ["rx", "ry", "rz"],
-}
-
-
-def unit_quaternion(rng):
-    numbers = [rng.gauss(0, 1) for _ in range(4)]
-    size = sum(number * number for number in numbers) ** 0.5
-    return [repr(number / size) for number in numbers]
-
-
-class Keys:
-    """A table of random keys: names, rows of texts, and what the columns are."""
-
-    def __init__(self, rng):
-        channels = rng.randint(1, 4)
-        self.channels = ["x", "y", "z", "w"][:channels]
-        self.times = [rng.choice(["t", "t", "t", "time_ms", "frame"])]
-        self.tcb = rng.random() < 0.5
-        self.ease = rng.random() < 0.15
-        self.own_tension = rng.random() < 0.1
-        self.velocity = not self.own_tension and rng.random() < 0.1
-        self.label = rng.random() < 0.1
-        self.groups = rng.random() < 0.2
-        self.rotation = rng.choice(list(ROTATIONS)) if rng.random() < 0.2 else None
-        self.angle = rng.random() < 0.1
-        self.names = (["id"] if self.groups else []) + self.times + self.channels
-        if self.angle:
-            self.names.append("heading")
-        if self.rotation:
-            self.names += ROTATIONS[self.rotation]
-        if self.tcb:
-            self.names += ["tension", "continuity", "bias"]
-        if self.own_tension:
-            self.names.append("tension_x")
-        if self.velocity:
-            self.names.append("x_v")
-        if self.ease:
-            self.names += ["ease_in", "ease_out"]
-        if self.label:
-            self.names.append("label")
-        self.rows = []
-        for group in range(rng.randint(2, 3) if self.groups else 1):
-            time = rng.choice([0.0, 0.0, -3.5, 1e6, 1403636579.25])
-            for _ in range(rng.choice([1 if rng.random() < 0.1 else 2, 2, 3, 4, 5, 8, 13, 60])):
-                self.rows.append(self.row(rng, time, "abc"[group]))
-                time += rng.choice([1, 1, 0.5, 0.25, 2, rng.randint(1, 9000) / 1000])
-                if rng.random() < 0.01:
-                    time -= 3
-        if self.groups:
-            rng.shuffle(self.rows)
-            if rng.random() < 0.8:
-                self.rows.sort(key=lambda row: float(row[1]))
-        if rng.random() < 0.1:
-            rng.choice(self.rows)[-1] = rng.choice(["", "NA", "nan", "o.5"])
-        self.missing = rng.random() < 0.1
-        if self.missing:
-            for row in self.rows:
-                for channel in range(1 + self.groups, 1 + self.groups + len(self.channels)):
-                    if rng.random() < 0.3:
-                        row[channel] = ""
-
-    def row(self, rng, time, group):
-        row = ([group] if self.groups else []) + [repr(round(time, 4))]
-        row += [number(rng) for _ in self.channels]
-        if self.angle:
-            row.append(f"{rng.uniform(0, 80):.1f}")
-        if self.rotation == "quaternion":
-            row += unit_quaternion(rng)
-        elif self.rotation:
-            row += [f"{rng.uniform(-1, 1):.3f}" for _ in ROTATIONS[self.rotation]]
-        if self.tcb:
-            row += [parameter(rng) for _ in range(3)]
-        if self.own_tension:
-            row.append(parameter(rng))
-        if self.velocity:
-            row.append(number(rng))
-        if self.ease:
-            row += [rng.choice(["0", "0.25", "0.5"]) for _ in range(2)]
-        if self.label:
-            row.append(rng.choice(["a", "b", "7"]))
-        return row
 
 
 def write_keys(rng, folder):
     """Writes random keys as a file; returns its name and the keys."""
-    keys = Keys(rng)
-    names, rows = keys.names, keys.rows
-    kind = rng.choice(["csv", "csv", "csv", "tsv", "ssv", "json", "jsonl"])
-    path = folder / f"keys.{kind}"
-    if kind in ("csv", "tsv", "ssv"):
-        delimiter = {"csv": ",", "tsv": "\t", "ssv": " "}[kind]
-        header = [names] if rng.random() < 0.85 else []
-        path.write_text("".join(delimiter.join(row) + "\n" for row in header + rows))
-    else:
-
-        def member(name, text):
-            literal = text if re.fullmatch(r"-?\d+(\.\d+)?(e-?\d+)?", text) else json.dumps(text)
-            return f"{json.dumps(name)}:{literal}"
-
-        objects = ["{" + ",".join(member(*cell) for cell in zip(names, row)) + "}" for row in rows]
-        if kind == "jsonl":
-            path.write_text("\n".join(objects) + "\n")
-        elif rng.random() < 0.5:
-            path.write_text("[" + ",\n".join(objects) + "]\n")
-        else:
-            settings = rng.choice(["", '"preset":"vtk",', '"closed":true,', '"ends":"natural",'])
-            path.write_text("{" + settings + '"keys":[' + ",\n".join(objects) + "]}\n")
+    keys = Keys(rng, times=rng.choice([TIMES, TIMES, FINE_TIMES]), shortest=rng.choice([1, 2]))
+    form = rng.choice(["csv", "csv", "tsv", "json", "jsonl", *["ssv"] * (not keys.sparse)])
+    path, text = folder / f"keys.{form}", keys.text(form, column=rng.choice(["t", "t", "time_ms"]))
+    if rng.random() < 0.1:  # a cell that is no number
+        text = text.replace("1", rng.choice(["NA", "nan", "o.5"]), 1)
+    path.write_text(text)
     return path.name, keys
 
 
@@ -230,13 +114,13 @@ def random_options(rng, keys):
     by_step = mode[0] in ("--step", "--fps", "--arc-step")
     by_place = mode[0] in ("--at", "--arc-at")
     fields = rng.sample(FIELDS, rng.randint(1, 6)) if rng.random() < 0.4 else []
-    maybe(0.9 if keys.groups else 0, "--group", "id")
-    maybe(0.25, "--preset", rng.choice(PRESETS), needs=not (keys.velocity and keys.tcb))
-    maybe(0.15, "--tangents", rng.choice(TANGENTS))
-    maybe(0.08, "--period", rng.choice(["20", "100", "3"]))
-    maybe(0.05, "--closed")
-    maybe(0.2, "--ends", rng.choice(ENDS), needs=not given & {"--period", "--closed"})
-    maybe(0.08, "--equal-speed", needs=not keys.missing and not keys.velocity)
+    options = keys.options()
+    if rng.random() < 0.3:
+        options = ["--preset", rng.choice(PRESETS), *options[4 if "--ends" in options else 2:]]
+    while options:
+        words = options[:1 if options[0] in ("--closed", "--equal-speed") else 2]
+        options = options[len(words):]
+        maybe(1, *words)
     maybe(0.1, "--no-ease")
     rules = rng.choices("hold linear repeat offset oscillate error".split(), k=rng.randint(1, 2))
     maybe(0.5 if by_place else 0, "--extrapolate", ",".join(rules))
@@ -246,12 +130,11 @@ def random_options(rng, keys):
     maybe(0.15, "--keys")
     measured = mode[0].startswith("--arc") or mode[0] == "--tolerance" or {"s", "speed", "tangent"} & set(fields)
     maybe(0.2, "--metric", rng.choice(["x", "1"]), needs=measured)
-    maybe(0.5 if keys.groups else 0.1, "--sort")
+    maybe(0.1, "--sort")
     maybe(0.1, "--duplicates", rng.choice("first last break spread".split()))
-    maybe(0.1, "--max-gap", rng.choice(["1.5", "3"]), needs=not given & {"--period", "--closed"})
     maybe(0.1, "--no-overshoot")
     maybe(0.1, "--time-zero", rng.choice(["first", "-1.5"]))
-    maybe(0.9 if keys.missing else 0.1, "--missing", rng.choice("skip-row skip-cell break".split()))
+    maybe(0.1, "--missing", rng.choice("skip-row skip-cell break".split()), needs="--missing" not in given)
     maybe(0.15, "--tcb", rng.choice(["0.5,0,0", "0,-1,0", "0.1,0.2,-0.3"]))
     maybe(0.02, "--parameter", rng.choice("uniform chordal centripetal 0.3".split()))
     if mode[0] in ("--check", "--identify", "--limits=all"):
@@ -270,14 +153,8 @@ def random_options(rng, keys):
     maybe(0.1, "--explain", needs="--meta" not in given)
     maybe(0.08, "--golden")
     maybe(0.3, "--exact-input", needs="--golden" in given)
-    maybe(0.8 if keys.label else 0, "--columns", "carry=label")
-    if keys.rotation and keys.rotation != "quaternion":
-        columns = ":".join(ROTATIONS[keys.rotation])
-        maybe(0.9, "--rotation", f"{keys.rotation}={columns}" + (",order=XYZ" if keys.rotation == "euler" else ""))
-    if keys.rotation:
+    if keys.rotations:
         maybe(0.3, "--rotation-output", rng.choice(["quaternion", "axis-angle", "matrix", "euler=ZYX"]))
-        maybe(0.3, "--rotation-curve", rng.choice("squad casteljau components slerp".split()))
-    maybe(0.8 if keys.angle else 0, "--angle", "heading=degrees")
     maybe(0.05, "--rename", "x=px")
     maybe(0.05, "--scale", "x=0.01")
     maybe(0.3, "--fit-keys", "hermite", needs=mode[0] == "--fit")
@@ -322,7 +199,7 @@ def run_all(programs, options, folder, ends_of_old=None):
 
 def write_samples(rng, folder, program, keys, name):
     """Samples of the keys by the first program, for --check and --identify; in some of them a number is changed."""
-    group = ["--group", "id"] if keys.groups else []
+    group = ["--group", "id"] if len(keys.labels) > 1 else []
     _, rows, _ = run(program, ["--count", "9", *group, name], folder)
     if rng.random() < 0.3:
         rows = rows.replace(b"1", b"2", rng.randint(1, 3))

@@ -1,6 +1,6 @@
-"""The published test vectors against arithmetic of 60 digits, or DIGITS: exact.py FOLDER [--digits DIGITS] FILE.json...
+"""The published test vectors against arithmetic of 45 digits: exact.py FOLDER FILE.json...
 
-Every number is computed again by the independent implementation of golden/referee.py, from the decimals of the keys,
+Every number is computed again by the independent implementation of laws/curves.py, from the decimals of the keys,
 and has to be correctly rounded. The decimals are the shortest, the hexadecimal numbers and the CSV file beside the
 JSON file say the same, and the keys are those of keys.csv. Exit 77: there is no mpmath.
 """
@@ -10,9 +10,16 @@ import sys
 from fractions import Fraction
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent.parent / "golden"))
+sys.path.insert(0, str(Path(__file__).parent.parent / "laws"))
+try:
+    from mpmath import mp, mpf
+except ImportError:
+    print("skipped: there is no python3-mpmath")
+    sys.exit(77)
 import quaternions  # noqa: E402
-from referee import Curve, mp, mpf  # noqa: E402
+from curves import MeasuredCurve  # noqa: E402
+
+mp.dps = 45
 
 RULES = {  # of the presets, by the products
     "tcb": ("velocity", "one-sided"), "gte": ("velocity", "half"), "fbx": ("velocity", "one-sided"),
@@ -67,8 +74,8 @@ def curve_of(given):
     if given["closed"]:
         expect(keys[0][1:] == keys[-1][1:], given["id"], "does not return to its first key")
         period = keys.pop()[0] - keys[0][0]
-    return Curve(keys, tangents, (ends, ends), period, given.get("equal_speed", False),
-                 [number(v) for v in velocity.split(":") if v])
+    return MeasuredCurve(keys, tangents, (ends, ends), period, [number(v) for v in velocity.split(":") if v],
+                         equal=given.get("equal_speed", False))
 
 
 def rotations_of(given):
@@ -94,14 +101,14 @@ def computed(curve, quantity, at):
     if quantity.startswith("arc_"):
         i, warped = curve.place_at(at)
         t = curve.times[i] + curve.unwarp(i, warped) * (curve.times[i + 1] - curve.times[i])
-        return list(curve.row([quantity.removeprefix("arc_")], i, curve.unwarp(i, warped), warped, t, at))
+        return list(curve.row([quantity.removeprefix("arc_")], i, curve.unwarp(i, warped), t, warped, at))
     if quantity == "incoming":
         i = max(k for k in segments if curve.times[k] < at)
     else:
         i = max(k for k in segments if curve.times[k] <= at)
     u = (at - curve.times[i]) / (curve.times[i + 1] - curve.times[i])
     field = {"position": "position", "length": "s"}.get(quantity, "velocity")
-    return list(curve.row([field], i, u, curve.warp(i, u)[0], at))
+    return list(curve.row([field], i, u, at))
 
 
 def rounded(value):
@@ -132,8 +139,6 @@ def check(path, keys):
 
 
 folder, names = Path(sys.argv[1]), sys.argv[2:]
-if names[0] == "--digits":
-    mp.dps, names = int(names[1]), names[2:]
 keys = keys_of_csv(folder)
 total = sum(check(folder / name, keys) for name in names)
 print(f"{total} values, {len(problems)} problems", *problems[:20], sep="\n")

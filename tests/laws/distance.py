@@ -7,17 +7,18 @@ others the table of that draw is printed. A class is a way to draw six keys in t
 import math
 import random
 import re
-import subprocess
 import sys
 
-program, manual = sys.argv[1:3]
+from keys import RULES
+from law import numbers
+
+manual = sys.argv[2]
 own_draw = len(sys.argv) > 3
 curves = int(sys.argv[3]) if own_draw else 20
 seed = int(sys.argv[4]) if len(sys.argv) > 4 else 7
 fields = ["position", "s", "velocity", "acceleration", "jerk", "speed", "tangent", "curvature", "torsion", "u"]
 by_length = ["time", "position", "velocity", "speed", "u"]
 per_channel = ["position", "velocity", "acceleration", "jerk", "tangent"]
-tangents = ["velocity", "uniform", "interval", "interval-c", "finite-difference", "kb1984", "synfig"]
 
 even = lambda rng: rng.uniform(0.5, 1.5)
 none = lambda rng: [0.0] * 3
@@ -33,15 +34,10 @@ def keys(rng, kind):
     step, tcb, offset = classes[kind]
     t, lines = rng.uniform(-9, 9), ["t,x,y,z,tension,continuity,bias"]
     for _ in range(6):
-        numbers = [t] + [offset + rng.uniform(-10, 10) for _ in range(3)] + tcb(rng)
-        lines.append(",".join(map(repr, numbers)))
+        cells = [t] + [offset + rng.uniform(-10, 10) for _ in range(3)] + tcb(rng)
+        lines.append(",".join(map(repr, cells)))
         t += step(rng)
     return "\n".join(lines) + "\n"
-
-
-def table(text, options):
-    out = subprocess.run([program, *options], input=text, text=True, capture_output=True, check=True).stdout
-    return [[float(cell) if cell else None for cell in line.split(",")] for line in out.splitlines()[1:]]
 
 
 def rounded_up(value):
@@ -57,11 +53,11 @@ for kind in classes:
     rng = random.Random(f"{seed} {kind}")
     for _ in range(curves):
         text = keys(rng, kind)
-        rule = rng.choice(tangents)
+        rule = rng.choice(RULES)
         for group, names, mode in (("", fields, ["--count", "41"]), ("by length: ", by_length, ["--arc-count", "11"])):
             options = ["--tangents", rule, *mode, "--fields", ",".join(names)]
             columns = [name for name in names for _ in range(3 if name in per_channel else 1)]
-            fast, exact = table(text, options), table(text, [*options, "--golden"])
+            fast, exact = numbers(text, *options), numbers(text, *options, "--golden")
             for column, name in enumerate(columns):
                 pairs = [(f[column], e[column]) for f, e in zip(fast, exact, strict=True)]
                 pairs = [(f, e) for f, e in pairs if f is not None and e is not None]

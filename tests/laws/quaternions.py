@@ -6,7 +6,7 @@ are differences of values of 50 digits.
 import mpmath
 from mpmath import mpf
 
-from cubics import end_tangent, factors, tangents
+from curves import end_tangent, factors, tangents, to_mpf, warp  # noqa: F401
 
 step = mpf(10) ** -16  # of central differences: what they leave out is about its square
 
@@ -38,6 +38,13 @@ def conjugate(q):
     return [q[0], -q[1], -q[2], -q[3]]
 
 
+def matrix(q):
+    w, x, y, z = q
+    return [w * w + x * x - y * y - z * z, 2 * (x * y - z * w), 2 * (x * z + y * w),
+            2 * (x * y + z * w), w * w - x * x + y * y - z * z, 2 * (y * z - x * w),
+            2 * (x * z - y * w), 2 * (y * z + x * w), w * w - x * x - y * y + z * z]
+
+
 def log(q):
     length = norm(q[1:])
     return [mpf(0)] * 3 if length == 0 else scaled(q[1:], mpmath.atan2(length, q[0]) / length)
@@ -58,20 +65,6 @@ def slerp(p, q, u):
 
 def nearest(q, to):
     return scaled(q, -1) if dot(q, to) < 0 else list(q)
-
-
-def warp(f, e, u):
-    """The eased u, and its derivative."""
-    if f + e > 1:
-        f, e = f / (f + e), e / (f + e)
-    if f + e == 0:
-        return u, mpf(1)
-    k = 1 / (2 - f - e)
-    if u < f or f == 1:
-        return k / f * u * u, 2 * k / f * u
-    if u < 1 - e or e == 0:
-        return k * (2 * u - f), 2 * k
-    return 1 - k / e * (1 - u) ** 2, 2 * k / e * (1 - u)
 
 
 class Rotations:
@@ -120,12 +113,12 @@ class Rotations:
         for i in range(self.count):
             h = self.times[i + 1] - self.times[i]
             self.outs[i] = scaled(self.rate(i, velocities[i][1]), h)
-            self.ins[i] = scaled(self.rate(i + 1, velocities[i + 1][0]), h)
+            self.ins[i] = scaled(self.rate(i + 1, velocities[(i + 1) % len(velocities)][0]), h)
         self.ends = None
 
     def rate(self, i, velocity):
         """A velocity of the four numbers as that of chords."""
-        given = self.keys[i][1]
+        given = self.keys[i % len(self.keys)][1]
         if self.curve == "components":
             return scaled(velocity, 1 / dot(given, self.quaternions[i]))
         return scaled(product(conjugate(given), velocity)[1:], 1 / dot(given, given))
@@ -187,7 +180,10 @@ class Rotations:
         """The quaternion, and the angular velocity in the world frame."""
         i = self.segment_at(t) if i is None else i
         h = self.times[i + 1] - self.times[i]
-        w, rate = warp(self.keys[i][3][1], self.keys[(i + 1) % len(self.keys)][3][0], (t - self.times[i]) / h)
+        f, e = self.keys[i][3][1], self.keys[(i + 1) % len(self.keys)][3][0]
+        if f + e > 1:
+            f, e = f / (f + e), e / (f + e)
+        w, rate, _ = warp(f, e, (t - self.times[i]) / h)
         q = self.value(i, w)
         slope = [(y - x) / (2 * step) for x, y in zip(self.value(i, w - step), self.value(i, w + step))]
         return q, scaled(product(slope, conjugate(q))[1:], 2 * rate / h)

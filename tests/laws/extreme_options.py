@@ -1,17 +1,7 @@
-"""Options of numbers with extreme values: extreme_options.py PROGRAM [COMMANDS] [SEED].
-
-Random commands with rates, factors, counts, times and digits from 1e-400 to 1e309 end within ten seconds, with an exit
-code of 0, 1 or 2, and without a fault of the program's own. Exit 1: one does not, and its command is printed.
-"""
-import random
-import subprocess
-import sys
-import tempfile
-
-program = sys.argv[1]
-commands = int(sys.argv[2]) if len(sys.argv) > 2 else 40
-rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
-folder = tempfile.TemporaryDirectory()
+"""Commands with rates, factors, counts, times and digits from 1e-400 to 1e309 end within ten seconds, with an exit code of
+0, 1 or 2, and without a fault of the program's own."""
+from keys import Keys
+from law import check, require, run
 
 values = """0 1 -1 2 3 24 0.5 -0 1/3 30000/1001 1e-18 1e-100 1e-309 5e-324 1e-400 1e18 1e20 1e308 1.7e308 1e309 2147483648
     4294967296 9223372036854775807 9223372036854775808 18446744073709551615 18446744073709551616 1/1e300 1e-300/1e300
@@ -36,24 +26,19 @@ inputs = [
 ]
 
 
-def json_keys():
-    member = rng.choice(["fps", "period", "framerate", "rate", "seconds"])
-    last = rng.choice(["3", "1e308", "1e-320"])
-    return (f'{{"{member}":{rng.choice(values[:21])},"closed":{rng.choice(["true", "false"])},"keys":['
-            f'{{"time":0,"position":[0,1]}},{{"time":1,"position":[2,{last}]}}]}}')
+def json_keys(rng):
+    member, closed = rng.choice(["fps", "period", "framerate", "rate", "seconds"]), rng.choice(["true", "false"])
+    return (f'{{"{member}":{rng.choice(values[:21])},"closed":{closed},"keys":[{{"time":0,"position":[0,1]}},'
+            f'{{"time":1,"position":[2,{rng.choice(["3", "1e308", "1e-320"])}]}}]}}')
 
 
-for number in range(commands):
-    text = rng.choice([*inputs, json_keys()])
+def law(rng):
+    keys = Keys(rng)
+    text, of_keys = rng.choice([*[(text, []) for text in inputs], (json_keys(rng), []), (keys.text(), keys.options())])
     options = [f"{rng.choice(numbers)}={rng.choice(values)}" for _ in range(rng.randrange(1, 4))]
     options += rng.sample(others, rng.randrange(0, 3)) + rng.choice([[], ["-n", "7"]])
-    with open(folder.name + "/rows", "w+b") as rows:
-        command = [program, "--max-rows", "20000", *options]
-        try:
-            done = subprocess.run(command, input=text.encode(), stdout=rows, stderr=subprocess.PIPE, timeout=10)
-        except subprocess.TimeoutExpired:
-            sys.exit(f"no end after 10 seconds: {' '.join(options)}\n{text}")
-    errors = done.stderr.decode(errors="replace")
-    if done.returncode not in (0, 1, 2) or "of its own" in errors:
-        sys.exit(f"exit code {done.returncode}: {' '.join(options)}\n{text}\n{errors}")
-print(f"{commands} commands")
+    done = run(text, "--max-rows", "20000", *of_keys, *options, codes=(0, 1, 2), timeout=10, errors="replace")
+    require("of its own" not in done.stderr, done.stderr)
+
+
+check(law, 40)
