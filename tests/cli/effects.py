@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import nullcontext
 from functools import cache
 from itertools import product as product_of
 
@@ -25,13 +26,15 @@ def output(*words):
 
 @cache
 def run(*words):
-    """The exit code, whether rows were printed without an error, and a hash of what was printed and written."""
-    with tempfile.TemporaryDirectory(dir=".") as made:
-        words = [word.replace("MADE", made) for word in words]
-        done = subprocess.run([program, *words], capture_output=True, stdin=subprocess.DEVNULL, timeout=300)
-        written = [(name, open(f"{made}/{name}", "rb").read()) for name in sorted(os.listdir(made))]
+    """The exit code, whether rows were printed without an error, a hash of what was printed and written, and whether the
+    command was refused before its keys were read."""
+    with tempfile.TemporaryDirectory(dir=".") if any("MADE" in word for word in words) else nullcontext() as made:
+        words = [word.replace("MADE", made or "") for word in words]
+        done = subprocess.run([program, *words], capture_output=True, stdin=subprocess.DEVNULL, timeout=300, close_fds=False)
+        written = [(name, open(f"{made}/{name}", "rb").read()) for name in sorted(os.listdir(made))] if made else []
     is_done = bool(done.stdout) and b": error: " not in done.stderr
-    return done.returncode, is_done, hash((done.stdout, done.stderr, tuple(written)))
+    is_refused = done.returncode == 2 and done.stderr.startswith(b"tcbsample: error: ")
+    return done.returncode, is_done, hash((done.stdout, done.stderr, tuple(written))), is_refused
 
 
 def write(name, *lines):
@@ -64,7 +67,7 @@ write("above.csv", "% text", "t,x,y,z", *xyz)
 with open("lists.json", "w") as file:
     lists = [[dict(t=t, x=t * t % 7, y=1) for t in times[:n]] for n in (9, 5)]
     json.dump({"a": {"b": lists[0]}, "c": {"d": lists[1]}}, file)
-usual = ["keys.csv", "tcb.csv", "eased.csv", "groups.csv", "poses.csv"]
+usual = ["keys.csv", "poses.csv", "tcb.csv", "eased.csv", "groups.csv"]
 
 # Options with a value, after a + what they need besides; and the keys for options of which the usual ones show nothing.
 texts = """--step 0.3; --rate 3; --fps 3; --count 7; --per-segment 2; --at 1; --arc-step 0.7; --arc-count 5; --arc-at 1;
@@ -119,6 +122,8 @@ def effects(given, besides, product):
         rows = f"{keys}.{rows}" if os.path.exists(f"{keys}.{rows}") else rows
         words = product.replace("ROWS", rows).split() + besides
         before, after = run(*words, keys), run(*given, *words, keys)
+        if after[3]:
+            return found | {"refused"}
         if after[0] == 2:
             found.add("refused")
         elif after != before:

@@ -2,7 +2,7 @@
 of the pace: constant, ease with random ramps, and profiles of keys with tension 1, which are s0 + (s1 - s0) (3 w^2 - 2 w^3).
 Golden rows are rounded once."""
 from curves import MeasuredCurve, norm, tiny
-from keys import ENDS, Keys
+from keys import Keys
 from law import blocks, check, require, same, write
 from mpmath import mp, mpf
 

@@ -4,7 +4,7 @@ import math
 from fractions import Fraction
 
 from keys import FINE_TIMES, TIMES, Keys, double
-from law import blocks, check, near, require, same
+from law import blocks, check, near, same
 
 FORMS = {"hermite": ["_p0", "_v0", "_p1", "_v1"], "bezier": ["_b0", "_b1", "_b2", "_b3"], "poly": ["^0", "^1", "^2", "^3"]}
 

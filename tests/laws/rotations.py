@@ -1,11 +1,10 @@
 """Rotations are those of the formulas in 50 digits, by every curve, rule and form of keys, also beyond the keys; rows are
 unit and their signs do not jump; and what a curve of rotations must not depend on, it does not."""
-import math
 from fractions import Fraction
 
 import mpmath
 import quaternions as q4
-from keys import ENDS, ROTATION_CURVES, RULES, Keys, turned, unit
+from keys import ENDS, Keys, turned, unit
 from law import blocks, check, near, require, same
 from mpmath import mp, mpf
 

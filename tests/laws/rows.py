@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from curves import MeasuredCurve, shape, tiny
 from keys import FINE_TIMES, TIMES, Keys, double
-from law import blocks, check, near, run, same
+from law import blocks, check, near, same
 from mpmath import mp, mpf
 
 mp.dps = 45
