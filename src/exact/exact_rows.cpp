@@ -323,16 +323,37 @@ class ExactRows::Evaluation {
       if (std::ranges::all_of(cells, is_set)) return;
       if (field_may_be_none(index) && may_rest(row)) return;
       const auto written = numbers(*double_doubles_, index);
-      constexpr std::array<std::string_view, 4> derivatives{"position", "velocity", "acceleration", "jerk"};
-      const auto* const order = std::ranges::find(derivatives, tcb::fields()[index].name);
-      const bool has_scale = order != derivatives.end() && rows_.exact.rules.rotations.empty();
-      double unit = 1;  // of time, to the power of the order
-      for (const auto* lower = derivatives.begin(); lower != order; ++lower) unit *= row.segment.duration().hi;
+      const double moved = place_part(index, row, double_doubles_->place_error()).hi;
       for (std::size_t i = 0; i < cells.size(); ++i) {
-        const double scale = has_scale && unit > 0 ? double_doubles_->scale(i) / unit : 0;
-        cells[i] = estimated(written[i], given[i], scale, rounding(index, row));
+        cells[i] = estimated(written[i], given[i], scale_of(index, i, row), moved, rounding(index, row));
       }
     });
+  }
+
+  /// How large the terms of a number are that double-doubles have placed; 0 where that is not known.
+  double scale_of(std::size_t field, std::size_t channel, const FastRow& row) const {
+    const double duration = row.segment.duration().hi;
+    if (fields()[field].kind == CellKind::time) return duration;
+    constexpr std::array<std::string_view, 4> derivatives{"position", "velocity", "acceleration", "jerk"};
+    const auto* const order = std::ranges::find(derivatives, fields()[field].name);
+    if (order == derivatives.end() || !rows_.exact.rules.rotations.empty()) return 0;
+    double unit = 1;  // of time, to the power of the order
+    for (const auto* lower = derivatives.begin(); lower != order; ++lower) unit *= duration;
+    return unit > 0 ? double_doubles_->scale(channel) / unit : 0;
+  }
+
+  /// By which part of its scale a number of a field may move with the place of its row.
+  template <class S>
+  S place_part(std::size_t field, const FastRow& row, const PlaceError<S>& error) const {
+    const std::string_view name = fields()[field].name;
+    if (name == "s") return S(0);
+    if (name == "position" && is_as_smooth_as_place(field)) return error.place;
+    return is_as_smooth_as_place(field) ? row.segment.warp.is_identity() ? error.place : error.eased : error.part;
+  }
+  /// Times, and positions that are no rotations.
+  bool is_as_smooth_as_place(std::size_t field) const {
+    const std::string_view name = fields()[field].name;
+    return name == "time" || name == "u" || (name == "position" && rows_.exact.rules.rotations.empty());
   }
 
   static bool field_may_be_none(std::size_t field) {
@@ -360,10 +381,10 @@ class ExactRows::Evaluation {
     }
   }
 
-  /// What double-doubles and doubles decide of a number, where its terms are as large as `scale`. Where they disagree
-  /// on 0, or on whether there is a number, that is open.
+  /// What double-doubles and doubles decide of a number, where its terms are as large as `scale`, and `moved` is its
+  /// place_part(). Where they disagree on 0, or on whether there is a number, that is open.
   std::optional<Printed> estimated(const Written<spline::DoubleDouble>& written, const Cell& in_double, double scale,
-                                   const Rounding& rounding) const {
+                                   double moved, const Rounding& rounding) const {
     const auto& [number, is_zero] = written;
     if (is_zero) return rounding.exactly({0});
     const bool is_none = is_empty(in_double);
@@ -374,8 +395,9 @@ class ExactRows::Evaluation {
     if (!std::isfinite(value.hi) || !std::isfinite(in_double.hi)) return std::nullopt;
     if (value.hi == 0 && in_double.hi == 0 && keeps_digits_) return rounding.exactly({0});
     if (value.hi == 0 || in_double.hi == 0 || std::abs(value.hi) < 0x1p-900) return std::nullopt;
-    return rounding.within(Bounded(
-        value, std::max({0x1p-34 * std::abs((in_double - value).hi), 0x1p-84 * std::abs(value.hi), 0x1p-92 * scale})));
+    const double size = std::abs(value.hi);
+    return rounding.within(Bounded(value, std::max({0x1p-34 * std::abs((in_double - value).hi), 0x1p-84 * size,
+                                                    0x1p-92 * scale, moved * std::max(size, scale)})));
   }
 
   /// Sets the cells that are open: rational ones exactly, and others by floats.
@@ -421,22 +443,30 @@ class ExactRows::Evaluation {
         if (!is_empty(written[i]) && std::isfinite(written[i].hi) && written[i].hi != 0) first[i] = exactly(written[i]);
       }
     }
+    Rational moved;
     try {
       second = in_short(row).numbers(index);
+      moved = place_part(index, row, in_short(row).place_error());
     } catch (const Undecided&) {
     }
+    const auto scale_at = [&](std::size_t i) {
+      return is_placed_.double_doubles ? Rational(scale_of(index, i, row)) : Rational(0);
+    };
     const auto part_of = [](const Rational& value, const std::optional<Rational>& before, const Rational& part) {
       return before ? Rational(abs(value - *before) * part) : Rational(0);
     };
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (cells[i] || !first[i] || !second[i]) continue;
       if (*first[i] == 0 && (*second[i] != 0 || !keeps_digits_)) continue;  // which may be the error of a 0
-      const Rational error = std::max(part_of(*second[i], first[i], short_part), Rational(abs(*second[i]) * of_short));
+      const Rational size = abs(*second[i]), scale = scale_at(i);
+      const Rational error = std::max({part_of(*second[i], first[i], short_part), Rational(size * of_short),
+                                       Rational(moved * std::max(size, scale))});
       cells[i] = rounding.within(Known{*second[i], error});
     }
     if (std::ranges::all_of(cells, is_set)) return;
     try {
       third = in_long(row).numbers(index);
+      moved = is_as_smooth_as_place(index) ? place_part(index, row, in_long(row).place_error()) : Rational(0);
       const Rational noise = in_long(row).noise(index);
       for (auto& number : third) {
         if (number && abs(*number) <= noise) number = 0;
@@ -454,7 +484,9 @@ class ExactRows::Evaluation {
         const bool has_second = second[i] && *second[i] != 0;
         const Rational error =
             has_second ? part_of(*third[i], second[i], between) : part_of(*third[i], first[i], long_part);
-        const Known known{*third[i], std::max(error, Rational(abs(*third[i]) * of_long))};
+        const Rational size = abs(*third[i]), scale = scale_at(i);
+        const Known known{*third[i],
+                          std::max({error, Rational(size * of_long), Rational(moved * std::max(size, scale))})};
         cells[i] = rounding.within(known);
         if (!cells[i]) cells[i] = rounding.snapped(known);
       }

@@ -5,7 +5,8 @@
 //     the same all along the segment, or as a rational;
 //   - others, such as lengths, numbers at a length and rotations: as a double-double, then as floats of 192 and of 448
 //     bits, by the templates that compute the fast rows. The error of each is estimated by its distance from the result
-//     in fewer digits. What the floats do not tell from 0, or from a simple fraction (simple_fraction()), is that.
+//     in fewer digits, and by how far the error of a length moves the place (PlaceError). What the floats do not tell
+//     from 0, or from a simple fraction (simple_fraction()), is that.
 #pragma once
 
 #include <memory>

@@ -23,6 +23,10 @@ class Rows final : public FloatRows {
 
   void place(const FastRow& row) override { point_.place(row); }
   PlaceByLength place_of_row() const override { return point_.place_of_row(); }
+  PlaceError<Rational> place_error() const override {
+    const auto& [place, eased, part] = point_.place_error();
+    return {rational_of<bits>(place), rational_of<bits>(eased), rational_of<bits>(part)};
+  }
   std::vector<std::optional<Rational>> numbers(std::size_t field) override {
     std::vector<Written<Float<bits>>> row;
     point_.write(field, row);

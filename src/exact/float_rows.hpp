@@ -20,6 +20,7 @@ class FloatRows {
   /// Places a row. Throws: Undecided.
   virtual void place(const FastRow& row) = 0;
   virtual PlaceByLength place_of_row() const = 0;
+  virtual PlaceError<Rational> place_error() const = 0;
   /// The numbers of a field of the row that was placed last; nothing for one that is not defined.
   virtual std::vector<std::optional<Rational>> numbers(std::size_t field) = 0;
   /// As RowPoint has it.

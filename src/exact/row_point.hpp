@@ -60,6 +60,14 @@ struct ExactPlaces {
   }
 };
 
+/// Bounds on the error of the place of a row by length.
+template <class S>
+struct PlaceError {
+  S place = S(0);  ///< in parts of the segment
+  S eased = S(0);  ///< of its time, in parts of the duration, where the segment has an ease
+  S part = S(0);   ///< in parts of the distance to a key or to a place where the curve nearly rests; at most 1
+};
+
 /// What the rows of a curve have in common at all scalars.
 struct RowsOfCurve {
   ExactCurve exact;
@@ -126,6 +134,7 @@ class RowPoint {
     outside_.reset();
     motion_.reset();
     key_at_end_.reset();
+    place_error_ = {};
     if (row.at_key) {
       place_at_key(*row.at_key);
     } else if (!rows_.arc) {
@@ -150,6 +159,8 @@ class RowPoint {
 
   /// The place of a row by length.
   PlaceByLength place_of_row() const { return {segment_.number, key_at_end_}; }
+
+  const PlaceError<S>& place_error() const { return place_error_; }
 
   /// Sets the point at a place between the keys of the segment of a row.
   void place_inside(std::size_t segment, double u) {
@@ -427,7 +438,28 @@ class RowPoint {
       sample_.at = arc(number).place(start, end, s);
     }
     set_time_of_place();
+    set_place_error(S(rounding) * s + errors_[number]);
     sample_.s = s;
+  }
+
+  /// Where lengths have an error, the place has that over the speed; less, where the curve nearly rests.
+  void set_place_error(const S& error) {
+    using std::abs, std::sqrt;
+    S speed(0), change(0), distance = std::min<S>(sample_.at.u, -sample_.at.w);
+    for (const std::size_t i : rows_.metric) {
+      const auto x = spline::local_derivatives(segment_.cubics[i], sample_.at);
+      speed = std::max<S>(speed, abs(x.d1));
+      change = std::max<S>(change, abs(x.d2));
+    }
+    auto& [place, eased, part] = place_error_;
+    if (speed > S(0)) place = error / speed;
+    if (change > S(0)) {
+      const S at_rest = sqrt(error / change);
+      place = speed > S(0) ? std::min<S>(place, at_rest) : at_rest;
+    }
+    eased = place / std::max<S>(distance, sqrt(place));
+    if (change > S(0)) distance = std::min<S>(distance, speed / change);
+    part = place < distance ? S(place / distance) : S(1);
   }
 
   /// Double-doubles lose digits of numbers far below 1, such as places next to a key.
@@ -551,7 +583,8 @@ class RowPoint {
   SampleOf<S> sample_, end_, measured_;
   std::optional<OutsideOf<S>> outside_;
   std::optional<MotionOf<S>> motion_;  ///< of a row at a pace
-  std::optional<bool> key_at_end_;     ///< of a row that is placed by length, where it is at a key
+  PlaceError<S> place_error_;
+  std::optional<bool> key_at_end_;  ///< of a row that is placed by length, where it is at a key
   Point<S> point_;
 };
 

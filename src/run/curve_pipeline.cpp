@@ -481,8 +481,10 @@ CurveSamples CurvePipeline::samples_on_grid(const StreamedCurve& curve) const {
   SampleFacts facts{extent.first, extent.last, {}, {}};
   Source<SegmentBlock> segments;
   if (needs_.whole_length) {
-    std::tie(segments, facts.length) = curve.measured();
-    extent.length = facts.length;
+    auto measured = curve.measured();
+    segments = std::move(measured.segments);
+    facts.length = extent.length = measured.length;
+    extent.last_moving = measured.last_moving;
   } else {
     segments = curve.segments(needs_.lengths);
   }

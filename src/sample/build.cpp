@@ -270,13 +270,15 @@ void require_length(const DoubleDouble& length, const Time& end) {
       time_text(end));
 }
 
-std::pair<Source<SegmentBlock>, double> StreamedCurve::measured() const {
+StreamedCurve::Measured StreamedCurve::measured() const {
   std::deque<spline::Length<double>> lengths;  // which grows without a copy
   DoubleDouble sum;
+  std::size_t last_moving = 0;
   const Source<SegmentBlock> blocks = segments(true);
   while (const std::optional<SegmentBlock> block = blocks()) {
     for (std::size_t i = 0; i < block->lengths.size(); ++i) {
       lengths.push_back(block->lengths[i]);
+      if (lengths.back().value > 0) last_moving = lengths.size() - 1;
       sum = sum + DoubleDouble(lengths.back().value);
       require_length(sum, block->segments.times[i + 1]);
     }
@@ -287,7 +289,7 @@ std::pair<Source<SegmentBlock>, double> StreamedCurve::measured() const {
     block.lengths.assign(begin, lengths.begin() + next);
     return block;
   };
-  return {mapped(segments(), add_lengths), sum.hi};
+  return {mapped(segments(), add_lengths), sum.hi, last_moving};
 }
 
 }  // namespace tcb

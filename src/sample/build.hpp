@@ -94,8 +94,13 @@ struct StreamedCurve {
   /// Where keys lack positions, each channel runs through those that have one in it. Requires: a position in every
   /// channel.
   Source<SegmentBlock> segments(bool measured = false) const;
-  /// The segments with their lengths, which are all measured before the first one, and the length of the curve.
-  std::pair<Source<SegmentBlock>, double> measured() const;
+  struct Measured {
+    Source<SegmentBlock> segments;
+    double length;            ///< of the curve
+    std::size_t last_moving;  ///< as Extent has it
+  };
+  /// The segments with their lengths, which are all measured before the first one.
+  Measured measured() const;
   /// The curve with random access. `measured`: with the lengths of its segments.
   KeptCurve kept(const CurveChannels& channels, const Extrapolations& extrapolation, bool measured) const;
 };

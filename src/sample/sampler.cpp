@@ -20,13 +20,17 @@ struct Range {
 /// length.
 class OnGrid : public Sampler {
  public:
-  OnGrid(const SamplingRequest& request, Spacing spacing)
+  OnGrid(const SamplingRequest& request, const Extent& extent)
       : request_(request),
         by_length_(by_length(request.mode)),
-        spacing_(std::move(spacing)),
+        spacing_(spacing(request, extent)),
         first_(spacing_.grid.time(0)),
         end_(spacing_.end ? std::optional(nearest_time(*spacing_.end)) : std::nullopt),
-        near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)) {}
+        near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)) {
+    const Grid& grid = spacing_.grid;
+    const bool has_last = by_length_ && extent.length && !request.to && spacing_.rows != Spacing::unlimited;
+    if (has_last && grid.start() + grid.step() * (spacing_.rows - 1) == *spacing_.end) end_row_on_ = extent.last_moving;
+  }
 
   SegmentRows place(const CurveSegment& segment) override {
     const Range on = range(segment);
@@ -54,7 +58,8 @@ class OnGrid : public Sampler {
       // A row that is there for a key is at its time, also at the end of a hold.
       const bool is_key =
           first == SpecialRow::at_end && request_.keys && located.coordinates[0] >= Time(segment.s_end.hi);
-      if (is_key) located.samples[0] = {segment.end, {1, 0}, located.coordinates[0].hi};
+      const bool is_end = last == spacing_.rows && segment.number == end_row_on_;
+      if (is_key || is_end) located.samples.back() = {segment.end, {1, 0}, located.coordinates.back().hi};
       return;
     }
     const spline::TimeMap<double> locate = segment.time_map();
@@ -110,7 +115,8 @@ class OnGrid : public Sampler {
     const Grid& grid = spacing_.grid;
     const int digits = decimals(segment);
     const Time start = first(digits);
-    const bool with_end = final || request_.from_left || on.start == on.end;
+    const bool has_end_row = segment.number == end_row_on_;
+    const bool with_end = final || request_.from_left || on.start == on.end || has_end_row;
     if (grid.is_single()) {
       const bool here = with_end ? start <= stop : start < stop;
       return here ? spacing_.rows : 0;
@@ -121,8 +127,8 @@ class OnGrid : public Sampler {
       require_rows((request_.exact(stop) - grid.start()) / grid.step(), request_.max_rows, !final);
     }
     if (is_unlimited || segment.last) require_resolution(grid, stop, digits);
-    return std::min(
-        {spacing_.rows, spacing_.most, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits)});
+    const std::uint64_t rows = segment.number < end_row_on_ ? spacing_.rows - 1 : spacing_.rows;
+    return std::min({rows, spacing_.most, with_end ? grid.rows_through(stop, digits) : grid.rows_before(stop, digits)});
   }
 
   /// Every key in the range becomes a row, on the segment that rows at keys belong to, and no other row is left near
@@ -166,6 +172,7 @@ class OnGrid : public Sampler {
   std::uint64_t next_ = 0;
   bool done_ = false;
   std::optional<Rational> remainder_;
+  std::optional<std::size_t> end_row_on_;  ///< the segment at whose end the last row is, if it is at the whole length
 };
 
 /// Samples at equal intervals within every segment: the inbetweens of the paper.
@@ -300,7 +307,7 @@ void locate_lengths(const CurveSegment& segment, Located& located) {
 std::unique_ptr<Sampler> make_sampler(const SamplingRequest& request, const Extent& extent) {
   if (request.mode == Mode::per_segment) return std::make_unique<PerSegment>(request);
   if (request.mode == Mode::emit) return std::make_unique<PieceSampler>(request);
-  return std::make_unique<OnGrid>(request, spacing(request, extent));
+  return std::make_unique<OnGrid>(request, extent);
 }
 
 }  // namespace tcb

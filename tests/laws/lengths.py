@@ -1,22 +1,13 @@
-"""Golden rows by arc length against arithmetic of 70 digits: lengths.py PROGRAM [CURVES] [SEED].
-
-Times, lengths and positions of rows at --arc-at, --arc-count and --arc-step are computed by a quadrature of its own, over
-the segments of cubics.py: all rules and ends, closed curves, ease, equal speeds, rests, cusps, tension 1 and next to it,
-sizes from 1e-200 to 1e200, lengths at keys, next to them and next to 0, digits from 1 to 40. Each number is rounded
-once. Exit 1: a number differs, and its command is printed. Exit 77: there is no mpmath.
-"""
+"""Golden rows by arc length are those of a quadrature of its own, in 70 digits: times, lengths and positions at --arc-at,
+--arc-count and --arc-step. All rules and ends, closed curves, ease, equal speeds, rests, cusps, tension 1 and next to it,
+sizes from 1e-200 to 1e200, lengths at keys, next to them and next to 0, and 1 to 40 digits; each number is rounded once."""
 import math
-import random
-import subprocess
-import sys
 from fractions import Fraction
 
-sys.dont_write_bytecode = True
-program = sys.argv[1]
-curves = int(sys.argv[2]) if len(sys.argv) > 2 else 20
-rng = random.Random(int(sys.argv[3]) if len(sys.argv) > 3 else 1)
-
-from referee import Curve, end_rules, mp, mpf, norm, rules
+from curves import MeasuredCurve, norm
+from keys import ENDS, RULES
+from law import check, lines, require, same
+from mpmath import mp, mpf
 
 mp.dps = 70
 BITS, POINTS = 240, 40
@@ -140,7 +131,7 @@ def rounded(value, digits):
     return round(value / unit) * unit
 
 
-def random_keys():
+def random_keys(rng):
     channels, n = rng.choice([1, 2, 2, 3]), rng.choice([2, 3, 3, 4, 5])
     shape = rng.choice(["plain", "whole", "wide", "line", "rests", "tense"])
     size, pace = (10.0 ** rng.choice([0, 0, 0, rng.randint(-200, 200)]) for _ in range(2))
@@ -165,39 +156,37 @@ def random_keys():
     return keys, t
 
 
-def near(s):
+def near(rng, s):
     """The text of a length, or of one next to it."""
     digits = rng.choice([17, 17, 25, 45])
     text = mp.nstr(s, digits, min_fixed=0, max_fixed=0)
     return repr(math.nextafter(float(text), rng.choice([0, math.inf]))) if rng.random() < 0.2 else text
 
 
-compared = refused = differ = 0
-for number in range(curves):
-    keys, back = random_keys()
+def by_length(rng):
+    keys, back = random_keys(rng)
     channels = len(keys[0][1])
     eased, closed = rng.random() < 0.2, rng.random() < 0.25 and len(keys) > 2
     equal, decimal = rng.random() < 0.2, rng.random() < 0.3
-    rule, ends = rng.choice(rules), [rng.choice(end_rules), rng.choice(end_rules)]
+    rule, ends = rng.choice(RULES), [rng.choice(ENDS), rng.choice(ENDS)]
     velocity = [rng.uniform(-3, 3) for _ in range(channels)]
     eases = [[rng.choice([0.0, 0.5, rng.random()]) for _ in range(2)] if eased else [0.0, 0.0] for _ in keys]
-    if closed:
-        if keys[0][1] == keys[-1][1]:
-            continue
+    if closed and keys[0][1] == keys[-1][1]:
+        return
     number_of = (lambda x: mpf(repr(x))) if decimal else mpf
     exact = [(number_of(t), [*map(number_of, p)], [*map(number_of, tcb)], [*map(number_of, ease)])
              for (t, p, tcb), ease in zip(keys, eases)]
     period = number_of(back) - exact[0][0] if closed else None
-    curve = Curve(exact, rule, ends, period, equal and rule != "linear", [*map(number_of, velocity)])
+    curve = MeasuredCurve(exact, rule, ends, period, [*map(number_of, velocity)], equal=equal)
     options = ["--tangents", rule]
     if closed:
         keys.append((back, *keys[0][1:]))
         eases.append(eases[0])
         options.append("--closed")
-    elif rule != "linear":
+    else:
         spelled = [e + ("=" + ":".join(map(repr, velocity)) if e == "velocity" else "") for e in ends]
         options += ["--ends", ",".join(spelled)]
-    options += ["--equal-speed"] * (equal and rule != "linear") + ["--exact-input"] * decimal
+    options += ["--equal-speed"] * equal + ["--exact-input"] * decimal
     digits = rng.choice([None, None, None, 1, 5, 15, 17, 20, 30, 40])
     options += ["--digits", str(digits)] if digits else []
     text = ",".join(["t", *"xyz"[:channels], "tension", "continuity", "bias"] + ["ease_in", "ease_out"] * eased) + "\n"
@@ -210,7 +199,7 @@ for number in range(curves):
         starts.append(starts[-1] + one.total)
     total = starts[-1]
     if total == 0 or float(total) == 0 or math.isinf(float(total)):
-        continue
+        return
     mode = rng.choice(["at", "at", "count", "step"])
     if mode == "count":
         count = rng.choice([2, 3, 5, 8, len(keys)])
@@ -221,47 +210,39 @@ for number in range(curves):
         arguments = ["--arc-step", step]
         places = [mpf(step) * j for j in range(int(total / mpf(step)) + 1)]
     else:
-        texts = [rng.choice([repr(rng.random() * float(total)), near(rng.choice(starts)), "0", "5e-324",
+        texts = [rng.choice([repr(rng.random() * float(total)), near(rng, rng.choice(starts)), "0", "5e-324",
                              repr(float(total) * 10.0 ** rng.randint(-40, -1))]) for _ in range(10)]
         longest = fraction(total * (1 - mpf(2) ** -50))  # the length of plain rows has an error
-        arguments = ["--arc-at", ",".join(x for x in texts if Fraction(x) <= longest)]
-        places = [mpf(Fraction(x).numerator) / Fraction(x).denominator for x in arguments[1].split(",")]
-        if not places:
-            continue
-    command = [program, "--golden", "-q", "--no-output-header", *options, *arguments, "--fields", "time,s,position", "-"]
-    done = subprocess.run(command, input=text, text=True, capture_output=True, timeout=60)
-    if "computed to the requested digits" in done.stderr:
-        refused += 1
-        continue
-    rows = [line.split(",") for line in done.stdout.splitlines()]
-    problems = [done.stderr] if done.returncode else []
-    if len(rows) != len(places):
-        problems.append(f"{len(rows)} rows, expected {len(places)}")
+        texts = [x for x in texts if Fraction(x) <= longest] or ["0"]
+        arguments = ["--arc-at", ",".join(texts)]
+        places = [mpf(Fraction(x).numerator) / Fraction(x).denominator for x in texts]
+    rows = lines(text, "--golden", *options, *arguments, "--fields", "time,s,position")
+    same(len(rows), len(places), "rows")
     for row, s in zip(rows, places):
         i = 0  # at a key, the earliest time of its length
         while i + 1 < len(lengths) and s > starts[i + 1] * (1 + SMALL):
             i += 1
-        if s == 0 or lengths[i].total == 0:
+        is_last = mode == "count" and not closed and s is places[-1] and s != 0
+        if is_last:  # the last of a count is at the last key, or at the earliest one of the same length
+            i, w = max(k for k, one in enumerate(lengths) if one.total != 0), mpf(1)
+        elif s == 0 or lengths[i].total == 0:
             w = mpf(0)
         else:
             w = mpf(1) if s >= starts[i + 1] * (1 - SMALL) else lengths[i].place(s - starts[i])
-        error = SMALL * s
         passed, h = curve.unwarp(i, w), curve.times[i + 1] - curve.times[i]
-        speed = lengths[i].speed(w)
-        off = error / speed if w not in (0, 1) and speed and i else SMALL * w  # of the place
+        off = mpf(0)  # of the place: the error of the length over the speed, or less where the curve nearly rests
+        if w not in (0, 1):
+            speed, change = lengths[i].speed(w), norm([2 * (c + 3 * d * w) for _, _, c, d in curve.cubics[i]])
+            off = min(SMALL * s / speed if speed else mpf(1), mp.sqrt(2 * SMALL * s / change) if change else mpf(1))
         off_time = max(off, abs(curve.unwarp(i, min(w + off, 1)) - passed))
         wanted = [(curve.times[i] + passed * h, SMALL * (abs(curve.times[i]) + passed * h) + off_time * h), (s, SMALL * s)]
         for p, b, c, d in curve.cubics[i]:
             terms = abs(b) + w * (abs(c) + w * abs(d))
             wanted.append((p + w * (b + w * (c + w * d)), SMALL * (abs(p) + w * terms) + off * (terms + abs(d))))
         for cell, (value, doubt) in zip(row, wanted, strict=True):
-            compared += 1
             low, high = (rounded(fraction(value + x), digits) for x in (-doubt, doubt))
-            if not low <= (Fraction(cell) if digits else Fraction(float(cell))) <= high:
-                problems.append(f"{','.join(row)} at {mp.nstr(s, 20)}: {cell}, expected {mp.nstr(value, 45)}")
-    if problems:
-        differ += 1
-        if differ <= 10:
-            print(f"curve {number}:", *problems[:6], " ".join(command[1:]), text, sep="\n", file=sys.stderr)
-print(f"{compared} numbers of {curves} curves, {refused} refused, {differ} curves differ")
-sys.exit(1 if differ or refused > 1 + curves // 20 else 0)
+            shown = Fraction(cell) if digits else Fraction(float(cell))
+            require(low <= shown <= high, f"{','.join(row)}: {cell}, expected {mp.nstr(value, 45)}")
+
+
+check(by_length, 10, least=10)
