@@ -102,7 +102,7 @@ struct Extent {
   std::optional<double> length;  ///< needed where needs_end(request) and by_length(mode)
   bool closed = false;           ///< counted rows do not repeat the first
   int decimals = 0;              ///< of the times, if they have more digits than doubles; else 0
-  std::size_t last_moving = 0;   ///< the last segment that is longer than 0, where the length is known
+  std::size_t last_moving = 0;   ///< the last segment that is longer than 0, if that is known, and not the first
 };
 
 /// Samples are placed by arc length, so every segment has to be measured.

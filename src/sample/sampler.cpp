@@ -28,7 +28,7 @@ class OnGrid : public Sampler {
         end_(spacing_.end ? std::optional(nearest_time(*spacing_.end)) : std::nullopt),
         near_(Time(nearest_double(spacing_.grid.step())) * Time(1e-9)) {
     const Grid& grid = spacing_.grid;
-    const bool has_last = by_length_ && extent.length && !request.to && spacing_.rows != Spacing::unlimited;
+    const bool has_last = by_length_ && extent.last_moving != 0 && !request.to && spacing_.rows != Spacing::unlimited;
     if (has_last && grid.start() + grid.step() * (spacing_.rows - 1) == *spacing_.end) end_row_on_ = extent.last_moving;
   }
 

@@ -39,11 +39,12 @@ TEST(SegmentBlocks, measured_at_once_or_with_known_lengths_are_the_same) {
     }
     return lengths;
   };
-  const auto [segments, length] = curve.measured();
+  const auto [segments, length, last_moving] = curve.measured();
   const std::vector<double> lengths = lengths_of(segments);
   ASSERT_EQ(lengths.size(), 3U);
   EXPECT_EQ(lengths, lengths_of(curve.segments(true)));
   EXPECT_GE(length, 3 + 4 + 6);
+  EXPECT_EQ(last_moving, 2U);
 }
 
 KeyStore kept(std::vector<spline::Time<double>> times, std::vector<double> positions) {
