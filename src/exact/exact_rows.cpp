@@ -339,7 +339,8 @@ class ExactRows::Evaluation {
     if (order == derivatives.end() || !rows_.exact.rules.rotations.empty()) return 0;
     double unit = 1;  // of time, to the power of the order
     for (const auto* lower = derivatives.begin(); lower != order; ++lower) unit *= duration;
-    return unit > 0 ? double_doubles_->scale(channel) / unit : 0;
+    const double scale = double_doubles_->scale(channel) / unit;
+    return std::isfinite(scale) ? scale : 0;
   }
 
   /// By which part of its scale a number of a field may move with the place of its row.
