@@ -173,8 +173,9 @@ Input open_input(const std::string& path, Source<std::string> bytes, const Input
   traits.has_tcb_scale = options.keys.tcb_scale != TcbScale::unknown;
   traits.label = columns.label;
   if (input.schema.time.counts_rows) {
-    input.keys.blocks = with_row_times(std::move(input.keys.blocks), input.schema.time,
-                                       traits.own_curves ? 0 : input.schema.groups.size(), options.keys.counts_rows);
+    input.keys.blocks =
+        with_row_times(std::move(input.keys.blocks), input.schema.time,
+                       traits.own_curves ? 0 : input.schema.groups.size(), options.keys.missing == Missing::skip_row);
   }
   return input;
 }

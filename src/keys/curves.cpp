@@ -213,17 +213,36 @@ void ObservedChannels::add_ends(const KeyBlock& block) {
   }
 }
 
+namespace {
+
+/// Whether a number is one that others write in the place of a missing one: nines such as -999 and 99.9, the least
+/// integer of 16 bits, and numbers of 20 digits and more.
+bool may_be_sign(double value) {
+  constexpr double least_integer = -32768, huge = 1e20, close = 0.99;
+  const double size = std::abs(value);
+  double power = 100;
+  while (size >= power && power < huge) power *= 10;
+  if (size >= huge || value == least_integer) return true;
+  if (size < close * power) return false;
+  const std::string digits = fmt::format("{}", size);
+  return digits.find_first_not_of("9.") == std::string::npos;
+}
+
+}  // namespace
+
 void ObservedChannels::add(const KeyBlock& block) {
   if (may_miss_) add_ends(block);
-  constexpr std::array signs{-999., -9999., -99999., -999999., -32768.};
   const Keys& keys = block.keys;
   for (Channel& channel : channels_) {
     for (std::size_t i = channel.source; i < keys.positions.size(); i += keys.channels) {
       const double value = keys.positions[i];
-      if (value <= -999 && std::ranges::count(signs, value) > 0) {
+      if (!(value < channel.least || value > channel.most)) continue;
+      if (may_be_sign(value)) {
+        channel.signs = value == channel.sign ? channel.signs + 1 : 1;
         channel.sign = value;
-      } else if (value < channel.least) {
-        channel.least = value;
+      } else {
+        channel.least = std::min(channel.least, value);
+        channel.most = std::max(channel.most, value);
       }
     }
     const bool counts = channel.may_be_angle || (channel.is_unknown && is_beginning_);
@@ -276,12 +295,26 @@ std::vector<NamedAngle> ObservedChannels::likely_angles() const {
   return angles;
 }
 
+/// Once, a number may also be a wrong one; those that are not far below zero are some in several places, and 99 beside
+/// others alone.
 std::vector<LikelySign> ObservedChannels::likely_signs() const {
+  const auto count_of = [&](double sign) {
+    std::size_t count = 0;
+    for (const Channel& channel : channels_) count += channel.sign == sign ? channel.signs : 0;
+    return count;
+  };
   std::vector<LikelySign> signs;
+  bool is_clear = false;
   for (const Channel& channel : channels_) {
-    if (channel.sign != 0 && channel.sign < channel.least / 2 - 500) signs.push_back({channel.name, channel.sign});
+    if (channel.signs == 0 || channel.least > channel.most) continue;
+    const double size = std::abs(channel.sign), others = std::max(std::abs(channel.least), std::abs(channel.most));
+    const bool is_far_below = channel.sign <= -999 && size < 1e20 && channel.sign < channel.least / 2 - 500;
+    const bool is_far = others > 0 && size > 3 * others && count_of(channel.sign) > 1;
+    if (!is_far_below && !is_far) continue;
+    signs.push_back({channel.name, channel.sign});
+    is_clear = is_clear || size > 99;
   }
-  return signs;
+  return is_clear ? signs : std::vector<LikelySign>();
 }
 
 std::vector<std::string> ObservedChannels::without_ends() const {

@@ -40,7 +40,7 @@ class ObservedChannels {
   /// beginning that are all within a turn and jump from near its end to near its beginning. Angles that are all within
   /// a turn of radians are in radians.
   std::vector<NamedAngle> likely_angles() const;
-  /// Channels with a number such as -9999 far below all others.
+  /// Channels with a number such as -9999 or 99.9 that is far from all others.
   std::vector<LikelySign> likely_signs() const;
   /// Channels that have no number at the first or the last key of a curve.
   std::vector<std::string> without_ends() const;
@@ -49,12 +49,13 @@ class ObservedChannels {
   struct Channel {
     std::size_t source = 0;  ///< of keys as they are read
     std::string name;
-    double least = std::numeric_limits<double>::infinity();  ///< of the numbers that are no sign
-    double sign = 0;                                         ///< the last one that is; 0: there is none
-    bool is_unknown = false;                                 ///< by its numbers alone it may be an angle,
-    bool is_coordinate = false;                              ///< or by numbers that are no small coordinates
-    bool may_be_angle = false, is_named_angle = false;       ///< the latter by a name that is one of angles alone
-    bool is_positive = true;                                 ///< no number is below 0
+    double least = std::numeric_limits<double>::infinity(), most = -least;  ///< of the numbers that are no sign
+    double sign = 0;                                                        ///< the last one that is,
+    std::size_t signs = 0;                                                  ///< and how often it follows itself
+    bool is_unknown = false;                            ///< by its numbers alone it may be an angle,
+    bool is_coordinate = false;                         ///< or by numbers that are no small coordinates
+    bool may_be_angle = false, is_named_angle = false;  ///< the latter by a name that is one of angles alone
+    bool is_positive = true;                            ///< no number is below 0
     double largest = 0, jump = 0;
     double from = 0, to = 0;                     ///< of the largest jump
     bool lacks_end = false, lacks_last = false;  ///< it has no number at an end of a curve; at the last key so far

@@ -93,7 +93,7 @@ Error not_a_number(std::string_view column, std::string_view type) {
 
 Error not_plain(std::string_view column) {
   return data_error(
-      "the array has column {}, which has several numbers; expected one number in each column; convert it, as with "
+      "the array has column {}, which has columns of its own; expected numbers; convert it, as with "
       "numpy.lib.recfunctions.structured_to_unstructured(array)",
       in_quotes(column));
 }
@@ -213,9 +213,18 @@ class NpyHeader {
       expect(',');
       blanks();
       if (text_.substr(at_).starts_with('[')) throw not_plain(name);
-      array.columns.push_back(column(name, string()));
-      if (skip(',')) throw not_plain(name);
+      const NpyColumn one = column(name, string());
+      std::uint64_t count = 1;
+      const bool has_several = skip(',');
+      for (const std::uint64_t size : has_several ? numbers() : std::vector<std::uint64_t>()) {
+        count = size == 0 || count > most_columns / size ? 0 : count * size;
+      }
+      if (count == 0 || count + array.columns.size() > most_columns) refuse(at_);
       expect(')');
+      for (std::uint64_t i = 0; i < count; ++i) {
+        array.columns.push_back(one);
+        if (has_several) array.columns.back().name += fmt::format("[{}]", i);
+      }
     });
   }
 

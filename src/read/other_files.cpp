@@ -25,24 +25,6 @@ bool is_yaml(std::string_view text) {
   return line.size() > 1 && line.ends_with(':') && line.find_first_of(" ,;\t\"") == std::string_view::npos && is_inside;
 }
 
-/// Whether the first line is a count, and the third one a word and three numbers, as in a geometry of atoms.
-bool is_xyz(std::string_view text) {
-  constexpr std::string_view digits = "0123456789";
-  const std::size_t count = text.find_first_not_of(digits), first = text.find('\n');
-  const std::size_t second = first == std::string_view::npos ? first : text.find('\n', first + 1);
-  if (count == 0 || second == std::string_view::npos || text.find_first_not_of(" \r", count) != first) return false;
-  const std::string_view row = text.substr(second + 1, text.find('\n', second + 1) - second - 1);
-  std::size_t words = 0, numbers = 0;
-  for (std::size_t at = row.find_first_not_of(" \t\r"); at < row.size(); at = row.find_first_not_of(" \t\r", at)) {
-    const std::string_view word = row.substr(at, row.find_first_of(" \t\r", at) - at);
-    if (word.find_first_of(digits) <= 1 && word.find_first_not_of("0123456789.+-eE") == std::string_view::npos)
-      ++numbers;
-    ++words;
-    at += word.size();
-  }
-  return words == 4 && numbers == 3;
-}
-
 /// Whether the names in a ZIP archive are those of a workbook.
 bool is_workbook(std::string_view text) {
   constexpr std::array names{"[Content_Types].xml"sv, "_rels/"sv, "xl/"sv, "mimetype"sv};
@@ -55,8 +37,6 @@ bool is_geojson(std::string_view type) {
                              "Polygon"sv,           "MultiPolygon"sv, "GeometryCollection"sv};
   return std::ranges::count(types, type) > 0;
 }
-
-bool is_topojson(std::string_view type) { return type == "Topology"; }
 
 /// How a kind of files is recognized: it begins with one of some bytes, maybe behind others, has texts somewhere in the
 /// first ones, and passes a test.
@@ -101,7 +81,6 @@ constexpr OtherFile other_files[] = {
     {"a file of arrays (HDF5, NetCDF, MATLAB, TDMS)",
      export_arrays,
      {{"\x89HDF", "CDF\x01", "CDF\x02", "MATLAB 5.0", "TDSm"}}},
-    {"a listing of ncdump", export_arrays, {{"netcdf "}, 0, {"dimensions:"}}},
     // Scenes, motions and recordings.
     {"an object of LightWave, which has no keys", "give the scene (.lws) or a motion (.mot)", {{"LWO"}, 8}},
     {scene,
@@ -135,11 +114,6 @@ constexpr OtherFile other_files[] = {
     {recording, export_track, {{"A"}, 0, {"\nHFDTE"}}},
     {recording, export_track, {{"$G"}, 0, {"GGA,"}}},
     {recording, export_track, {{"$G"}, 0, {"RMC,"}}},
-    {"a list of images of COLMAP",
-     "take the lines of the poses alone",
-     {{"# Image list with two lines of data per image"}}},
-    {"a list of atoms", export_keys, {{"ITEM: TIMESTEP"}}},
-    {"a list of atoms", export_keys, {{""}, 0, {}, is_xyz}},
     {"a text of subtitles (.srt)", export_keys, {{"1"}, 0, {"\n00:", " --> "}}},
     // Others.
     {"a document, a picture, a video or a MIDI file",
@@ -199,10 +173,6 @@ constexpr OtherJson other_jsons[] = {
      is_geojson},
     {"GeoJSON, whose places are not as many as its times", places_without_times, {"coordinates", "times"}, is_geojson},
     {"GeoJSON, whose places have no times", "give WORD--parameter uniform", {"coordinates"}, is_geojson},
-    {"TopoJSON, whose places are differences without times",
-     "convert an object of it to GeoJSON",
-     {"arcs"},
-     is_topojson},
 };
 
 /// A signature at the beginning may follow blanks, and a byte order mark.

@@ -47,7 +47,13 @@ constexpr std::string_view spline_names =
 constexpr std::string_view interpolation_names =
     "curvetype splinetype interpolation interpolationtype interpolationmode interp";
 
-constexpr std::string_view rate_names = "fps framerate framespersecond framepersecond samplerate samplingrate";
+constexpr std::string_view rate_names =
+    "fps framerate framespersecond framepersecond samplerate samplingrate samplefrequency samplingfrequency frequency "
+    "samplespersecond";
+/// Of the time from one key to the next. A unit may follow.
+constexpr std::string_view step_names =
+    "dt deltat timestep timedelta sampleinterval samplinginterval sampleperiod samplingperiod sampletime frametime "
+    "frameduration";
 
 /// Names of settings in the program's own layout.
 constexpr std::array<std::string_view, 9> own_names{"preset",   "tangents", "ends",   "closed", "period",
@@ -102,11 +108,38 @@ bool names_tcb(std::string_view name) {
          std::ranges::all_of(words, [](const std::string& word) { return lists_word(inner_words, word); });
 }
 
+/// A name without the unit at its end, and what one second is in this unit.
+std::pair<std::string, Rational> word_and_unit(std::string_view name) {
+  std::vector<std::string> words = words_of(name);
+  const auto unit =
+      words.size() < 2 ? time_units.end() : std::ranges::find(time_units, words.back(), &TimeUnitRow::name);
+  const bool has_unit = unit != time_units.end() && unit->unit != TimeUnit::frames;
+  if (has_unit || (words.size() > 1 && words.back() == "hz")) words.pop_back();
+  return {fmt::format("{}", fmt::join(words, "")), has_unit ? units_per_second(unit->unit) : Rational(1)};
+}
+
+bool names_rate(std::string_view name) {
+  const std::string word = word_and_unit(name).first;
+  return lists_word(rate_names, word) || lists_word(step_names, word);
+}
+
+/// The frame rate, as --input-fps takes it, that a name and a number say; empty: none.
+std::string rate_in(std::string_view name, std::string_view number) {
+  const auto [word, unit] = word_and_unit(name);
+  const std::optional<Rational> value = parse_rational(number);
+  if (!value || *value <= 0) return "";
+  std::string rate = lists_word(rate_names, word)   ? std::string(number)
+                     : lists_word(step_names, word) ? ratio_text(unit / *value)
+                                                    : "";
+  if (rate.ends_with("/1")) rate.resize(rate.size() - 2);
+  return frame_rate_in(rate) ? rate : "";
+}
+
 bool is_parameter(std::string_view word) { return lists_word("tension continuity bias tcb tbc", word); }
 
 bool has_meaning(std::string_view name) {
   const std::string word = compact(name);
-  return is_setting_name(name) || lists_word(rate_names, word) || is_parameter(word) || names_tcb(name);
+  return is_setting_name(name) || names_rate(name) || is_parameter(word) || names_tcb(name);
 }
 
 /// What replaces the preset, and the rules for tangents and ends, of the file.
@@ -387,16 +420,12 @@ class SettingsReader {
     found.curve_info.id = id.kind == Kind::text ? '"' + id.text : id.text;
   }
 
-  /// Whether a member is a number that may be a frame rate, as --input-fps takes it.
-  static bool is_rate(const FileMember& member) {
-    return is_one(member, Kind::number) && frame_rate_in(member.values[0].text);
-  }
-
   /// Numbers of no setting are not used, except those about the rows of an earlier output.
   void read_other(const FileMember& member, std::string_view word) {
-    if (lists_word(rate_names, word) && is_rate(member)) {
-      found.frame_rate = member.values[0].text;
-      found.rate_name = path(member.name);
+    const std::string rate = is_one(member, Kind::number) ? rate_in(member.name, member.values[0].text) : "";
+    if (!rate.empty()) {
+      found.frame_rate = rate;
+      found.shown_rate = fmt::format("{} to {}", path(member.name), member.values[0].text);
       return;
     }
     object_->is_own ? require_no_own_setting(member) : require_no_near_setting(member, word);
@@ -507,7 +536,10 @@ SettingsInText settings_in(std::string_view lines, const InputOptions& options, 
   for (const std::string_view line : split(lines, '\n')) {
     for (const auto& [name, value] : pairs_in(line)) {
       const std::string word = compact(name);
-      if (lists_word(rate_names, word) && frame_rate_in(value)) found.frame_rate = value;
+      if (const std::string rate = rate_in(name, value); !rate.empty()) {
+        found.frame_rate = rate;
+        found.shown_rate = fmt::format("{} {}", name, value);
+      }
       const bool closes = lists_word(closing_names, word) && lists_word("true yes on 1", in_lower_case(value));
       if (closes && !options.given.closed) {
         found.shown.push_back(fmt::format("{} {}", name, value));

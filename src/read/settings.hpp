@@ -57,8 +57,8 @@ struct FileSettings {
   CurveInfo curve_info = {};
   std::optional<spline::Tcb<double>> tcb = {};  ///< of keys that have none
   std::vector<std::string> channels = {};       ///< names of the numbers of "position"
-  std::string frame_rate = {};                  ///< as it is written; empty: none
-  std::string rate_name = {};                   ///< the path of its member
+  std::string frame_rate = {};                  ///< as --input-fps takes it; empty: none
+  std::string shown_rate = {};                  ///< the path of its member, and the value
   std::vector<std::string> notes = {};
   std::vector<std::string> unused = {};  ///< members with numbers that are no settings
 };
@@ -67,7 +67,8 @@ struct FileSettings {
 struct SettingsInText {
   std::vector<std::string> shown = {};    ///< names and values
   std::vector<std::string> options = {};  ///< that apply them
-  std::string frame_rate = {};            ///< empty: none
+  std::string frame_rate = {};            ///< as --input-fps takes it; empty: none
+  std::string shown_rate = {};            ///< its name and value
 };
 
 /// The settings among lines, each a name with a value behind ":" or "=", or both alone in a line, but not what

@@ -284,10 +284,14 @@ void FileNotes::end(const Curves& curves) {
   }
   if (const auto angles = curves.channels().likely_angles(); !angles.empty()) add(angles_note(angles));
   if (const auto signs = curves.channels().likely_signs(); !signs.empty()) {
-    std::vector<std::string> names;
-    for (const LikelySign& sign : signs) names.push_back(sign.channel);
-    add(important("{} in {} may stand for a missing number; --na={} --missing skip-cell leaves it out", signs[0].number,
-                  listed(names), signs[0].number));
+    std::vector<std::string> names, numbers;
+    for (const LikelySign& sign : signs) {
+      names.push_back(sign.channel);
+      const std::string number = fmt::format("{}", sign.number);
+      if (std::ranges::count(numbers, number) == 0) numbers.push_back(number);
+    }
+    add(important("{} in {} may stand for a missing number; --na={} --missing skip-cell leaves it out", listed(numbers),
+                  listed(names), fmt::join(numbers, ",")));
   }
 }
 

@@ -347,6 +347,27 @@ std::string likely_time(const Columns& columns, std::span<const std::string> hea
   return is_likely ? requested_as(columns.channels[0], static_cast<std::size_t>(first - columns.cells.begin())) : "";
 }
 
+/// The columns of a header in which names are repeated, by their numbers, as a request: parameters that follow each
+/// channel are those of this channel.
+std::string request_by_numbers(const Columns& columns, std::span<const std::string> header,
+                               const std::vector<bool>& numeric, const std::vector<bool>& usual) {
+  std::string roles, positions, channel;
+  for (std::size_t cell = 0; cell < header.size(); ++cell) {
+    const Role role = usual[cell] ? Role::time : role_of_name(header[cell]);
+    const std::string number = fmt::format("{}", cell + 1);
+    const bool is_tcb = role == Role::tension || role == Role::continuity || role == Role::bias;
+    if (!numeric[cell] || columns.cells[cell].role == Role::unused || is_usual_counter(header[cell])) continue;
+    if (role == Role::position) {
+      channel = header[cell];
+      positions += (positions.empty() ? "position=" : ":") + number;
+    } else if (!channel.empty() || !is_tcb) {
+      const std::string name(role_name(role));
+      roles += fmt::format(",{}={}", is_tcb ? fmt::format("{}_{}", name, channel) : name, number);
+    }
+  }
+  return in_shell(positions + roles);
+}
+
 /// Roles by name, or without a header time first; positions only where none were requested. `times_only`: no other one.
 void assign_the_rest(Columns& columns, std::span<const std::string> header, const std::vector<bool>& numeric,
                      const std::vector<bool>& usual, bool timeless, bool times_only = false) {
@@ -384,8 +405,11 @@ void assign_the_rest(Columns& columns, std::span<const std::string> header, cons
                       request_of("time", header, static_cast<std::size_t>(other - columns.cells.begin())),
                       request_of("time", header, cell));
     }
-    if (role == Role::position && !header.empty() && !names.insert(header[cell]).second) {
-      throw same_column_names(header[cell]);
+    const bool is_second = role != Role::time && !header.empty() && !names.insert(header[cell]).second;
+    if (is_second && !times_only) {
+      throw data_error(
+          "two columns are called {}; expected different names; rename one, or give --columns {} for columns by number",
+          in_quotes(header[cell]), request_by_numbers(columns, header, numeric, usual));
     }
     assign(columns, cell, role, header.empty() ? fmt::format("{}", cell + 1) : header[cell]);
   }
@@ -585,23 +609,8 @@ std::optional<TimesInWords> only_times_in_words(std::span<const std::string_view
   return times.size() == 1 ? std::optional(TimesInWords{times[0], !dates.empty()}) : std::nullopt;
 }
 
-bool counts_records(std::string_view name, std::span<const std::vector<std::string_view>> rows, std::size_t cell) {
-  if (rows.size() < 3 || !names_record(name)) return false;
-  double before = -1;
-  return std::ranges::all_of(rows, [&](const auto& row) {
-    const double number = cell < row.size() ? parse_number(row[cell]).value_or(-1) : -1;
-    const double last = std::exchange(before, number);
-    return number > last && number == std::floor(number);
-  });
-}
-
 std::string times_in_words_are_taken(const TimesInWords& times, std::string_view shown) {
   return fmt::format("the {} in column {} are taken as the times", times.are_dates ? "dates" : "texts", shown);
-}
-
-std::string counters_are_left(std::span<const std::string> shown) {
-  return shown.size() == 1 ? fmt::format("column {} counts the records, and is not taken as a position", shown[0])
-                           : fmt::format("columns {} count the records, and are not taken as positions", listed(shown));
 }
 
 std::string only_time_is_taken(std::string_view shown) {

@@ -124,12 +124,8 @@ struct TimesInWords {
 /// The only cell of a record with a date, or else with another time in words; nothing where there are several.
 std::optional<TimesInWords> only_times_in_words(std::span<const std::string_view> record);
 
-/// Whether a column counts records by its name, and its cells are whole numbers that rise.
-bool counts_records(std::string_view name, std::span<const std::vector<std::string_view>> rows, std::size_t cell);
-
 // Notes about such columns, `shown` as messages show them.
 std::string times_in_words_are_taken(const TimesInWords& times, std::string_view shown);
-std::string counters_are_left(std::span<const std::string> shown);
 std::string only_time_is_taken(std::string_view shown);
 
 // Errors about names of columns. `columns`: the names that exist.

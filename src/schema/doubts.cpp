@@ -266,6 +266,25 @@ Found pieces_of_curve(const FoundColumns& found) {
       "of, or --columns position=NAME:NAME for keys with these channels");
 }
 
+/// The time t beside c and b, which may be tension, unless it comes first and rises, or the names are other letters.
+Found letter_of_time(const FoundColumns& found) {
+  const auto cell_of = [&](std::string_view name) {
+    return std::ranges::find(found.names, name) - found.names.begin();
+  };
+  const auto is_there = [&](std::string_view name) { return cell_of(name) < std::ssize(found.names); };
+  const auto t = static_cast<std::size_t>(cell_of("t"));
+  const bool has_letters = is_there("t") && is_there("c") && is_there("b") && !is_there("a") && !is_there("g");
+  const bool is_given = found.requested.timeless || is_requested(found, Role::time);
+  if (!has_letters || is_given || found.columns.cells[t].role != Role::time) return std::nullopt;
+  const auto falls = [&](const auto& one, const auto& next) {
+    return !(number_in(found, one, t) < number_in(found, next, t));
+  };
+  if (t == 0 && std::ranges::adjacent_find(found.rows, falls) == found.rows.end()) return std::nullopt;
+  return error(
+      "column t may be the time, or the tension beside continuity c and bias b; expected one of the two; give "
+      "--parameter uniform for the tension of keys without times, or --columns time=t");
+}
+
 Found letters_that_are_data(const FoundColumns& found) {
   if (is_requested(found, Role::position) || found.names.empty()) return std::nullopt;
   constexpr std::array<std::string_view, 3> known{"T", "C", "B"};
@@ -512,10 +531,7 @@ Found labels_of_curves(const FoundColumns& found) {
       if (runs.empty() || runs.back() != text) runs.push_back(text);
     }
     const std::string first(runs[0]), column = requested_as(found.names, cell);
-    if (runs.size() == 1) {
-      return note("column {} is {} in the first rows; --group {} makes a curve of each value", shown(found, cell),
-                  in_quotes(first), in_shell(column));
-    }
+    if (runs.size() == 1) continue;
     const std::string second(runs[1]);
     std::ranges::sort(runs);
     if (runs.size() == found.rows.size() || std::ranges::adjacent_find(runs) != runs.end()) continue;
@@ -610,6 +626,35 @@ std::vector<std::size_t> possible_poses(const FoundColumns& found) {
   std::vector<std::size_t> cells = cells_with(found, Role::position);
   if (found.columns.has_time_by_place) cells.insert(cells.begin(), cells_with(found, Role::time)[0]);
   return cells;
+}
+
+/// The options that take neighbours, from a cell on, as poses: a matrix of three rows of four, or of four rows or
+/// columns whose last one is 0, 0, 0, 1, in all rows. Empty for others.
+std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::size_t size) {
+  for (const bool by_rows : {true, false}) {
+    const auto at = [&](std::size_t row, std::size_t column) {
+      return begin + (by_rows ? 4 * row + column : 4 * column + row);
+    };
+    const bool ends = size == 12 ? by_rows : std::ranges::all_of(found.rows, [&](const auto& row) {
+      return number_in(found, row, at(3, 0)) == 0 && number_in(found, row, at(3, 1)) == 0 &&
+             number_in(found, row, at(3, 2)) == 0 && number_in(found, row, at(3, 3)) == 1;
+    });
+    std::array<std::size_t, 9> matrix{};
+    for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = at(i / 3, i % 3);
+    if (!ends || !are_rotation_matrix(found, matrix)) continue;
+    std::vector<std::string> names(found.names.begin(), found.names.end());
+    for (std::size_t i = 0; i < size && !found.array.empty(); ++i) {
+      names[begin + i] = fmt::format("{}[{}]", found.array, i);
+    }
+    if (found.columns.has_time_by_place) names.clear();
+    std::string columns = requested_as("position", names, std::array{at(0, 3), at(1, 3), at(2, 3)});
+    for (const RoleRequest& request : found.requested.roles) {
+      if (request.role == Role::time) columns.insert(0, fmt::format("time={},", fmt::join(request.columns, ":")));
+    }
+    return fmt::format("--rotation {} --columns {}", in_shell(requested_as("matrix", names, matrix)),
+                       in_shell(columns));
+  }
+  return "";
 }
 
 /// The first columns that are a matrix.
@@ -753,12 +798,25 @@ Found other_interpolation_of_keys(const FoundColumns& found) {
 }
 
 /// The list. The first error is the one that is shown.
-constexpr std::array about_columns{ease_in_other_words,   parameters_as_text,        pieces_of_curve,
-                                   labels_of_curves,      parameters_in_short,       near_miss_of_role,
-                                   letters_that_are_data, parameters_by_other_names, parameters_that_are_data,
-                                   times_without_role,    durations_without_times,   time_in_second_number,
-                                   dates_as_numbers,      rotation_vector_by_name,   poses_as_matrices,
-                                   quaternion_by_norm,    minutes_and_seconds,       other_interpolation_of_keys};
+constexpr std::array about_columns{letter_of_time,
+                                   ease_in_other_words,
+                                   parameters_as_text,
+                                   pieces_of_curve,
+                                   labels_of_curves,
+                                   parameters_in_short,
+                                   near_miss_of_role,
+                                   letters_that_are_data,
+                                   parameters_by_other_names,
+                                   parameters_that_are_data,
+                                   times_without_role,
+                                   durations_without_times,
+                                   time_in_second_number,
+                                   dates_as_numbers,
+                                   rotation_vector_by_name,
+                                   poses_as_matrices,
+                                   quaternion_by_norm,
+                                   minutes_and_seconds,
+                                   other_interpolation_of_keys};
 
 // The rows about a request.
 
@@ -942,33 +1000,6 @@ std::vector<std::string> doubts_of_columns(const FoundColumns& found) {
   std::vector<std::string> notes;
   for (const auto doubt : about_columns) take(notes, doubt(found));
   return notes;
-}
-
-std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::size_t size) {
-  for (const bool by_rows : {true, false}) {
-    const auto at = [&](std::size_t row, std::size_t column) {
-      return begin + (by_rows ? 4 * row + column : 4 * column + row);
-    };
-    const bool ends = size == 12 ? by_rows : std::ranges::all_of(found.rows, [&](const auto& row) {
-      return number_in(found, row, at(3, 0)) == 0 && number_in(found, row, at(3, 1)) == 0 &&
-             number_in(found, row, at(3, 2)) == 0 && number_in(found, row, at(3, 3)) == 1;
-    });
-    std::array<std::size_t, 9> matrix{};
-    for (std::size_t i = 0; i < matrix.size(); ++i) matrix[i] = at(i / 3, i % 3);
-    if (!ends || !are_rotation_matrix(found, matrix)) continue;
-    std::vector<std::string> names(found.names.begin(), found.names.end());
-    for (std::size_t i = 0; i < size && !found.array.empty(); ++i) {
-      names[begin + i] = fmt::format("{}[{}]", found.array, i);
-    }
-    if (found.columns.has_time_by_place) names.clear();
-    std::string columns = requested_as("position", names, std::array{at(0, 3), at(1, 3), at(2, 3)});
-    for (const RoleRequest& request : found.requested.roles) {
-      if (request.role == Role::time) columns.insert(0, fmt::format("time={},", fmt::join(request.columns, ":")));
-    }
-    return fmt::format("--rotation {} --columns {}", in_shell(requested_as("matrix", names, matrix)),
-                       in_shell(columns));
-  }
-  return "";
 }
 
 std::string label_of_curves(const Columns& columns, std::span<const std::string> names,

@@ -39,10 +39,6 @@ struct FoundColumns {
 /// The notes of the doubts about columns. Throws: Error (data) for a doubt that the request has to decide.
 std::vector<std::string> doubts_of_columns(const FoundColumns& found);
 
-/// The options that take neighbours, from a cell on, as poses: a matrix of three rows of four, or of four rows or
-/// columns whose last one is 0, 0, 0, 1, in all rows. Empty for others.
-std::string options_of_poses(const FoundColumns& found, std::size_t begin, std::size_t size);
-
 /// The column of texts without a role for each of which the times of the first records increase, though they do not
 /// over all records; empty where there is none.
 std::string label_of_curves(const Columns& columns, std::span<const std::string> names,

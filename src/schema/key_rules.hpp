@@ -34,10 +34,18 @@ inline constexpr std::array<std::string_view, 46> common_signs{
     "\xE2\x80\x94",
 };
 
+/// Whether a cell is one of these texts, or the number that one of them is.
+inline bool is_one_of(std::string_view cell, const std::vector<std::string>& texts) {
+  if (texts.empty()) return false;
+  const std::optional<double> number = parse_number(cell);
+  return std::ranges::any_of(
+      texts, [&](const std::string& text) { return cell == text || (number && number == parse_number(text)); });
+}
+
 /// Whether a cell is a sign of a missing one: an empty cell, NA, nan, null, a common sign such as
-/// N/A, None or "-" in upper or lower case, or one of `more`, exactly.
+/// N/A, None or "-" in upper or lower case, or one of `more`.
 inline bool is_missing_sign(std::string_view cell, const std::vector<std::string>& more) {
-  return is_missing(cell) || std::ranges::count(more, cell) > 0 ||
+  return is_missing(cell) || is_one_of(cell, more) ||
          std::ranges::any_of(common_signs, [&](std::string_view sign) { return same_in_any_case(cell, sign); });
 }
 

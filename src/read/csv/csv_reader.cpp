@@ -126,7 +126,7 @@ class RecordReader {
   void read_number(std::string_view cell, const Columns::Column& column) {
     const std::string_view text = bare(cell);
     if (cell.empty() && head_.is_plain && shapes_curve(column.role)) return;  // it is that of the curve
-    if (is_given_sign(text)) return read_no_number(cell, column);
+    if (is_one_of(decimals_.text(text), head_.rules.signs)) return read_no_number(cell, column);
     if (column.role == Role::time) {
       const auto time = decimals_.time(text);
       if (!time) return read_no_number(cell, column);
@@ -166,10 +166,10 @@ class RecordReader {
                       column, in_quotes(text));
   }
 
-  /// A number such as -999 may be a sign of a missing one.
-  bool is_given_sign(std::string_view number) const {
+  /// A number such as -999 may be a sign of a missing one, also with a decimal comma.
+  bool is_sign(std::string_view cell) {
     const auto& signs = head_.rules.signs;
-    return !signs.empty() && std::ranges::count(signs, number) > 0;
+    return is_missing_sign(bare(cell), signs) || is_one_of(decimals_.text(bare(cell)), signs);
   }
 
   /// A number in a column of text is a fault: that is a column of numbers with other texts in it, or without the first.
@@ -185,11 +185,12 @@ class RecordReader {
   }
 
   void read_no_number(std::string_view cell, const Columns::Column& column) {
-    if (is_missing_sign(bare(cell), head_.rules.signs) && keys_.miss(column)) return;
+    const bool is_missing = is_sign(cell);
+    if (is_missing && keys_.miss(column)) return;
     const std::string text = unquoted(cell);
     const std::string name = head_.columns.name_of(column);
     const bool is_time = column.role == Role::time;
-    if (is_missing_sign(text, head_.rules.signs)) {
+    if (is_missing) {
       const bool is_of_time = is_time || column.role == Role::nanoseconds;
       add_fault(
           cell,
@@ -381,8 +382,13 @@ std::string_view first_lines(std::string_view text, std::uint64_t count) {
 void tell_settings(std::string_view lines, const InputOptions& options, DelimitedHead& head) {
   const bool is_output = lines.substr(0, lines.find('\n')).find("tcbsample ") != std::string_view::npos;
   if (is_output) return;
-  const SettingsInText found = settings_in(lines, options, !head.columns.shape_roles().empty());
+  SettingsInText found = settings_in(lines, options, !head.columns.shape_roles().empty());
   head.facts.shown_rate = found.frame_rate;
+  const bool are_rows = !found.frame_rate.empty() && !options.units.frame_rate && !head.columns.has(Role::time);
+  if (are_rows) {
+    found.shown.push_back(found.shown_rate);
+    found.options.push_back("--input-fps " + found.frame_rate);
+  }
   if (found.options.empty()) return;
   head.columns.doubts.push_back(fmt::format("a line above the keys says {}, which is not applied; {} applies it",
                                             listed(found.shown), fmt::join(found.options, " ")));
@@ -393,8 +399,8 @@ std::string options_of_lines(std::string_view lines, const InputOptions& options
   const SettingsInText found = settings_in(lines, options, table.has_tcb);
   std::string text;
   for (const std::string& option : found.options) text += " " + option;
-  const bool counts_frames = table.has_frames && !options.units.frame_rate && !found.frame_rate.empty();
-  return counts_frames ? text + " --input-fps " + found.frame_rate : text;
+  const bool takes_rate = table.takes_rate && !options.units.frame_rate && !found.frame_rate.empty();
+  return takes_rate ? text + " --input-fps " + found.frame_rate : text;
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ struct LaterTable {
   std::string options;  ///< that its columns need, as " --no-header"; may be empty
   bool follows_text;    ///< a line above it, below the first one, has no number
   bool has_tcb;         ///< one of its names is that of a parameter
-  bool has_frames;      ///< one of its names is that of a time in frames
+  bool takes_rate;      ///< by its names it has times in frames, or none
   std::string comment;  ///< the mark with which all lines above it begin, of which the last one has its names; or empty
 };
 

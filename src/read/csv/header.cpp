@@ -38,15 +38,6 @@ std::vector<std::string> texts(const HeadCells& cells) {
   return result;
 }
 
-/// A line without the word in front of names, as in "columns: time, x".
-std::string_view without_title(std::string_view line) {
-  constexpr std::string_view titles = "columns column fields names header format order data variables";
-  const std::size_t colon = line.find(':');
-  if (colon == std::string_view::npos || !lists_word(titles, in_lower_case(trimmed(line.substr(0, colon)))))
-    return line;
-  return trimmed(line.substr(colon + 1));
-}
-
 /// Removes the numbers of columns, as in "1:time" and "time[1]", where all names have them.
 void remove_numbers(std::vector<std::string>& names) {
   std::vector<std::string> bare_names;
@@ -66,10 +57,15 @@ void remove_numbers(std::vector<std::string>& names) {
 }
 
 /// The names in a comment line such as "# timestamp tx ty tz", between the delimiter, or between others if it has as
-/// many parts as there are columns.
+/// many parts as there are columns, or behind a title as in "columns: time, x".
 std::vector<std::string> comment_names(std::string_view comment, const Dialect& dialect, std::size_t columns) {
   while (comment.starts_with(dialect.comment)) comment.remove_prefix(dialect.comment.size());
-  comment = without_title(comment);
+  if (const std::size_t colon = comment.find(':'); colon != std::string_view::npos) {
+    const std::string_view title = trimmed(comment.substr(0, colon));
+    const bool is_name = is_usual_time(title) || role_of_name(title) != Role::position || is_coordinate(title);
+    auto names = comment_names(comment.substr(colon + 1), Dialect{dialect.delimiter, "\n"}, columns);
+    if (!is_name && names.size() == columns) return names;
+  }
   const Chunk chunk{std::string(comment), 1, 0};
   const Dialect no_comments{dialect.delimiter, ""};
   HeadCells cells;
@@ -94,22 +90,6 @@ bool begins_like_number(std::string_view cell) {
   }
   const std::size_t digit = cell.find_first_not_of("+-., ");
   return digit < cell.size() && is_digit(cell[digit]);
-}
-
-/// Whether a cell has several numbers in brackets, as (1, 2) and (X=1,Y=2).
-bool has_vector(std::string_view cell) {
-  const bool has_brackets = cell.size() > 2 && std::string_view("([{").find(cell[0]) != std::string_view::npos;
-  return has_brackets && cell.find_first_of(", ;") < cell.find_last_of("0123456789");
-}
-
-/// Whether a comma may be the decimal mark, as another mark divides numbers, too: (0,5, 1,5).
-bool has_comma_in_number(std::string_view cell) {
-  for (std::size_t at = 1; at + 1 < cell.size(); ++at) {
-    if (cell[at] == ',' && is_digit(cell[at - 1]) && is_digit(cell[at + 1])) {
-      return cell.find_first_of("; ") != std::string_view::npos;
-    }
-  }
-  return false;
 }
 
 bool is_text(std::string_view cell) { return !is_missing_sign(cell, {}) && !looks_numeric(cell); }
@@ -241,18 +221,33 @@ std::vector<bool> numeric_columns(const HeadRecords& first, std::size_t data, co
   return numeric;
 }
 
-/// Whether the first keys have numbers with a comma that divides no thousands, and none with a point.
-bool has_decimal_commas(const HeadRecords& first, std::size_t data) {
-  bool has_commas = false;
-  for (std::size_t i = data; i < first.records.size(); ++i) {
-    for (const std::string& cell : first.records[i].cells) {
-      const bool is_of_words = cell.find_first_of(",.") == std::string::npos || find_notation(cell);
-      if (is_of_words) continue;
-      if (parse_number(cell)) return false;
-      has_commas = has_commas || (Decimals({','}).number(cell) && !has_thousands_separators(cell));
+/// The only marks by which all numbers of the first keys are such; nothing where they are numbers without, or where
+/// several marks may be meant, as in 1,234.
+std::optional<NumberMarks> marks_of_numbers(const HeadRows& rows) {
+  std::vector<std::string> numbers;
+  for (const HeadCells& row : rows) {
+    for (const std::string_view cell : row) {
+      if (find_notation(cell)) continue;
+      if (cell.find('.') != std::string_view::npos && parse_number(cell)) return std::nullopt;
+      if (Decimals({','}).number(cell) ? !parse_number(cell) : has_thousands_separators(cell))
+        numbers.emplace_back(cell);
     }
   }
-  return has_commas;
+  const auto fit = [&](const NumberMarks& marks) {
+    Decimals decimals(marks);
+    return !numbers.empty() &&
+           std::ranges::all_of(numbers, [&](const std::string& cell) { return decimals.number(cell).has_value(); });
+  };
+  const auto* const found = std::ranges::find_if(other_marks, fit);
+  const bool is_clear = found != other_marks.end() && !(fit({'.', ','}) && fit({','}));
+  return is_clear ? std::optional(*found) : std::nullopt;
+}
+
+std::string marks_in_words(const NumberMarks& marks) {
+  const std::string_view decimal = marks.decimal == ',' ? "comma" : "point";
+  if (marks.thousands == 0) return fmt::format("the {} in numbers is taken as the decimal mark", decimal);
+  return fmt::format("the {} in numbers is taken as the decimal mark, and {} as the mark between thousands", decimal,
+                     in_quotes({&marks.thousands, 1}));
 }
 
 /// Converts names to UTF-8, as which they can be written to every format. Returns their encoding, if it is another
@@ -305,7 +300,8 @@ bool are_names(const std::vector<std::string>& words, const DelimitedHead& head,
   const auto is_known = [&](const std::string& word) {
     return has_meaning(word, options) || is_usual_time(word) || (head.dialect.delimiter != ' ' && is_coordinate(word));
   };
-  const bool are_known = options.timeless || std::ranges::any_of(words, is_known) || !parts_of_date(words, {}).empty();
+  const bool are_known = options.timeless || std::ranges::any_of(words, is_known) ||
+                         std::ranges::all_of(words, is_coordinate) || !parts_of_date(words, {}).empty();
   return std::ranges::none_of(words, is_number) && are_known;
 }
 
@@ -361,10 +357,6 @@ std::string remedy_for_row(const HeadRecords& first, std::size_t data, const Dia
     const bool agree = std::ranges::all_of(first.records, [&](const auto& one) { return marks_in(one) == marks; });
     if (delimiter != dialect.delimiter && marks > 0 && agree) return fmt::format("give --delimiter {}", name);
   }
-  const std::string& mark = first.records[0].cells[0];  // as in "% time x y"
-  const bool is_comment =
-      data == 1 && first.records[0].cells.size() == row.cells.size() + 1 && std::ranges::count(comment_marks, mark) > 0;
-  if (is_comment) return fmt::format("give --comment {} if it begins a comment with the names", in_shell(mark));
   const std::string lines = fmt::format("correct line {} or line {}", first.records[0].line, row.line);
   const auto is_name = [](const std::string& cell) {
     return role_of_name(cell) != Role::position || is_usual_time(cell);
@@ -418,12 +410,6 @@ void require_numbers(const HeadRecords::Record& record, const std::vector<std::s
   if (std::ranges::count(numeric, true) > 1) return;
   for (std::size_t i = 0; i < record.cells.size(); ++i) {
     const std::string& cell = record.cells[i];
-    if (!numeric[i] && has_vector(cell)) {
-      throw data_error("{}: {} is not a number; expected one number in each cell; {}",
-                       i < names.size() ? names[i] : fmt::format("column {}", i + 1), in_quotes(cell),
-                       has_comma_in_number(cell) ? "write the numbers with a decimal point" : numbers_alone)
-          .at({"", record.line, 0});
-    }
     if (numeric[i] || !begins_like_number(cell) || find_notation(cell)) continue;
     const std::string name = i < names.size() ? names[i] : fmt::format("column {}", i + 1);
     throw why_not_number(name, cell, head.marks).at({"", record.line, 0});
@@ -663,9 +649,8 @@ class RolesByCells {
     if (!is_given && !requested_.has(Role::time)) take_parts_of_date();
     if (!requested_.has(Role::time) && !requested_.timeless && !has_rate_) take_time_beside_frames();
     if (!requested_.has(Role::time) && !requested_.timeless) take_only_time();
-    if (!names_.empty()) take_index();
+    if (!names_.empty()) leave_counters();
     leave_second_times();
-    if (!names_.empty() && !requested_.has(Role::position)) leave_counters();
     if (!requested_.has(Role::time) && !requested_.timeless) names_.empty() ? leave_labels() : take_dates();
     for (std::size_t i = 0; i < names_.size(); ++i) {
       if (names_[i].empty()) names_[i] = fmt::format("column {}", i + 1);
@@ -763,8 +748,10 @@ class RolesByCells {
     }
     const auto times = only_times_in_words(std::span(rows_[0]).first(std::min(rows_[0].size(), names_.size())));
     if (!times || is_requested(times->cell)) return;
+    const std::string column = shown(times->cell);
+    if (names_[times->cell].empty()) names_[times->cell] = "time";
     request(Role::time, times->cell);
-    notes_.push_back(times_in_words_are_taken(*times, shown(times->cell)));
+    notes_.push_back(times_in_words_are_taken(*times, column));
   }
 
   /// Columns of words before the first number or time, where columns have no names, are the names of the rows. A text
@@ -798,94 +785,85 @@ class RolesByCells {
     return is_usual_time(names_[cell]) && !is_usual_counter(names_[cell]);
   }
 
-  /// A first column that counts rows is their index, and so is one without a name that repeats dates.
-  void take_index() {
-    leave_key_numbers();
-    if (is_requested(0) || rows_[0].empty() || !is_index_name(names_[0])) return;
-    const bool has_dates = notation(0) && is_date(*notation(0));
-    if (!has_dates && !counts()) return;
-    bool has_time = requested_.has(Role::time);
-    for (std::size_t cell = 1; cell < names_.size(); ++cell) has_time = has_time || is_time(cell);
-    const bool is_nameless = names_[0].empty();
-    if (!has_time && !requested_.timeless && (has_dates || !has_times_in_words())) {
-      if (!has_dates) {
-        throw data_error(
-            "{} counts the rows, and no other column is the time; expected a column of times; give --columns time=1 if "
-            "it is the time, --columns time=NAME if another one is, or --parameter uniform if the keys have no times",
-            is_nameless ? "column 1 has no name and" : fmt::format("column {}", in_quotes(names_[0])));
+  /// Beside other numbers, columns that count the rows by their names and cells are no positions.
+  void leave_counters() {
+    bool has_time = requested_.has(Role::time) || requested_.timeless || has_times_in_words();
+    bool has_others = requested_.has(Role::position);
+    std::vector<std::size_t> counters;
+    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
+      has_time = has_time || is_time(cell);
+      if (!numeric_[cell] || is_requested(cell) || is_time(cell) || is_usual_counter(names_[cell])) continue;
+      if (role_of_name(names_[cell]) != Role::position) continue;
+      if (!counts(cell)) {
+        has_others = true;
+      } else if (cell == 0 || !requested_.has(Role::position)) {
+        counters.push_back(cell);
       }
-      if (is_nameless) names_[0] = "time";
-      request(Role::time, 0);
-      notes_.push_back(fmt::format("the dates in {} are taken as the times",
-                                   is_nameless ? "the first column, which has no name," : "column " + shown(0)));
-      return;
     }
-    if (has_dates && !is_nameless) return;
-    request(Role::unused, 0);
-    notes_.push_back(fmt::format("column {} is taken as the index of the rows, not as a position", shown(0)));
+    if (counters.empty()) return;
+    if (!has_time && counters[0] == 0 && !names_record(names_[0])) {
+      throw data_error(
+          "{} counts the rows, and no other column is the time; expected a column of times; give --columns time=1 if "
+          "it is the time, --columns time=NAME if another one is, or --parameter uniform if the keys have no times",
+          names_[0].empty() ? "column 1 has no name and" : fmt::format("column {}", in_quotes(names_[0])));
+    }
+    if (!has_others) return;
+    std::vector<std::string> left;
+    const ColumnRequests columns(names_);
+    for (const std::size_t cell : counters) {
+      left.push_back(shown(cell));
+      requested_.roles.push_back({Role::unused, {columns[cell]}});
+      requested_cells_[cell] = true;
+    }
+    const bool is_one = left.size() == 1;
+    notes_.push_back(fmt::format("column{} {} {} the rows, and {} not taken as {}", is_one ? "" : "s", listed(left),
+                                 is_one ? "counts" : "count", is_one ? "is" : "are",
+                                 is_one ? "a position" : "positions"));
   }
 
-  /// Beside a time by its name, times since 1970 that are called so are no position.
+  /// Whether the cells of a column count, as its name says: numbers of records rise; others are one more each in the
+  /// first rows, from 0 or 1, and rise or begin anew in the next ones.
+  bool counts(std::size_t cell) const {
+    constexpr std::size_t enough = 3;
+    const bool are_records = names_record(names_[cell]);
+    if (!are_records && ((names_[cell].empty() && cell > 0) || !is_index_name(names_[cell]))) return false;
+    const auto number = [&](const HeadCells& row) {
+      return cell < row.size() ? in_digits<std::uint64_t>(row[cell]) : std::nullopt;
+    };
+    const auto first = number(rows_[0]);
+    if (!first || rows_.size() < (are_records ? enough : 2) || (!are_records && *first > 1)) return false;
+    for (std::size_t row = 1; row < rows_.size(); ++row) {
+      const auto before = number(rows_[row - 1]), here = number(rows_[row]);
+      const bool is_next = here && (are_records || row >= enough ? *here > *before : *here == *before + 1);
+      const bool is_new = !are_records && row > 1 && here == first;
+      if (!is_next && !is_new) return false;
+    }
+    return true;
+  }
+
+  /// Beside a time by its name, other times that are called so are no position: since 1970, or as they rise.
   void leave_second_times() {
     bool has_time = requested_.has(Role::time);
     for (const std::string& name : names_) has_time = has_time || role_of_name(name) == Role::time;
     for (std::size_t cell = 0; cell < names_.size() && has_time; ++cell) {
-      const bool is_second = numeric_[cell] && !is_requested(cell) && role_of_name(names_[cell]) == Role::position &&
-                             ends_like_time(names_[cell]) && cell < rows_[0].size() && unit_since_1970(rows_[0][cell]);
-      if (!is_second) continue;
+      if (!numeric_[cell] || is_requested(cell) || role_of_name(names_[cell]) != Role::position) continue;
+      const std::vector<std::string> words = words_of(names_[cell]);
+      const bool is_time_by_name = is_time(cell) || ends_like_time(names_[cell]) ||
+                                   (!words.empty() && lists_word("time timestamp stamp", words[0]));
+      const bool is_since_1970 = cell < rows_[0].size() && unit_since_1970(rows_[0][cell]);
+      if (!is_time_by_name || (!is_since_1970 && !rises(cell))) continue;
       request(Role::unused, cell);
       notes_.push_back(fmt::format("column {} has times as well, and is left out", shown(cell)));
     }
   }
 
-  /// Beside a time, a column such as "key" that counts rows, and begins anew with each curve, is no position.
-  void leave_key_numbers() {
-    bool has_time = requested_.has(Role::time);
-    std::size_t others = 0;  // that may be positions
-    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
-      has_time = has_time || is_time(cell);
-      if (numeric_[cell] && !is_requested(cell) && !is_time(cell)) ++others;
-    }
-    for (std::size_t cell = 1; cell < names_.size() && has_time && others > 1; ++cell) {
-      if (is_requested(cell) || is_time(cell) || names_record(names_[cell])) continue;
-      if (names_[cell].empty() || !is_index_name(names_[cell]) || !counts_anew(cell)) continue;
-      request(Role::unused, cell);
-      notes_.push_back(fmt::format("column {} is taken as the index of the rows, not as a position", shown(cell)));
-    }
-  }
-
-  /// Whether all cells are one more than those above, or as the first one.
-  bool counts_anew(std::size_t cell) const {
+  /// Whether each of the numbers of a column is greater than the one above it. Two rows tell little.
+  bool rises(std::size_t cell) const {
     const auto number = [&](const HeadCells& row) {
-      return cell < row.size() ? in_digits<std::uint64_t>(row[cell]) : std::nullopt;
+      return cell < row.size() ? parse_number(row[cell]).value_or(std::nan("")) : std::nan("");
     };
-    const auto first = number(rows_[0]);
-    if (!first || *first > 1 || rows_.size() < 2 || number(rows_[1]) != *first + 1) return false;
-    for (std::size_t row = 2; row < rows_.size(); ++row) {
-      const auto before = number(rows_[row - 1]), here = number(rows_[row]);
-      if (!here || (*here != *before + 1 && *here != *first)) return false;
-    }
-    return true;
-  }
-
-  /// Columns of whole numbers that rise are counters by names such as event_id, unless they are the only numbers.
-  void leave_counters() {
-    if (std::ranges::none_of(names_, names_record)) return;
-    std::vector<std::size_t> counters, others;
-    for (std::size_t cell = 0; cell < names_.size(); ++cell) {
-      if (!numeric_[cell] || is_requested(cell) || is_time(cell)) continue;
-      if (role_of_name(names_[cell]) != Role::position || is_usual_counter(names_[cell])) continue;
-      (counts_records(names_[cell], rows_, cell) ? counters : others).push_back(cell);
-    }
-    if (others.empty() || counters.empty()) return;
-    std::vector<std::string> left;
-    const ColumnRequests columns(names_);
-    for (const std::size_t cell : counters) {
-      requested_.roles.push_back({Role::unused, {columns[cell]}});
-      requested_cells_[cell] = true;
-      left.push_back(shown(cell));
-    }
-    notes_.push_back(counters_are_left(left));
+    const auto falls = [&](const HeadCells& one, const HeadCells& next) { return !(number(one) < number(next)); };
+    return rows_.size() > 2 && std::ranges::adjacent_find(rows_, falls) == rows_.end();
   }
 
   static bool is_index_name(std::string_view name) {
@@ -895,18 +873,6 @@ class RolesByCells {
     constexpr std::array names{"",   "index", "unnamed: 0", "row",   "rownames", "row_names", "no.", "nr.", "no",
                                "nr", "pt",    "point",      "punkt", "ptnum",    "record",    "key", "---"};
     return std::ranges::any_of(names, [&](std::string_view known) { return same_in_any_case(known, name); });
-  }
-
-  /// Whether the first cells of records are 0, 1, 2, ... or 1, 2, 3, ...
-  bool counts() const {
-    constexpr std::size_t enough = 3;
-    for (std::size_t i = 0; i < rows_.size() && i < enough; ++i) {
-      if (rows_[i].empty() || (rows_[i][0] != fmt::format("{}", i) && rows_[i][0] != fmt::format("{}", i + 1))) {
-        return false;
-      }
-      if (i > 0 && (rows_[0][0] == "0") != (rows_[i][0] == fmt::format("{}", i))) return false;
-    }
-    return rows_.size() > 1;
   }
 
   std::string shown(std::size_t cell) const {
@@ -1060,9 +1026,6 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
     if (!names.empty()) position.line -= units.cells.empty() ? 1 : 2;
   }
   const auto& row = first.records[data];
-  const bool has_commas = !head.is_of_format && !columns.samples && !options.delimited.has_decimal &&
-                          head.marks == NumberMarks() && has_decimal_commas(first, data);
-  if (has_commas) head.marks.decimal = ',';
   if (head.is_of_format) {
     position = {};
     names = options.delimited.names;
@@ -1087,9 +1050,12 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
               std::move_iterator(first.chunks.end()));
   rest[0].text.erase(0, row.offset);
   rest[0].line = row.line;
+  const HeadRows rows = cells_of(rest, dialect);
+  const bool may_have_marks = !head.is_of_format && !columns.samples && !options.delimited.has_decimal;
+  const bool has_marks = may_have_marks && head.marks == NumberMarks() && marks_of_numbers(rows);
+  if (has_marks) head.marks = *marks_of_numbers(rows);
   const auto numeric = numeric_columns(first, data, names, columns.samples.has_value(), head);
   require_numbers(row, names, numeric, head);
-  const HeadRows rows = cells_of(rest, dialect);
   at_position(position, [&] {
     if (columns.samples) {
       head.columns = find_sample_columns(names, numeric, *columns.samples, columns.timeless);
@@ -1097,7 +1063,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
       find_key_columns(head, names, numeric, rows, options, unread);
     }
     take_descriptions(head, described, options.units);
-    if (has_commas) head.columns.doubts.emplace_back("the comma in numbers is taken as the decimal mark");
+    if (has_marks) head.columns.doubts.push_back(marks_in_words(head.marks));
     std::vector<std::string> times{first_time(row.cells, head.columns)};
     if (find_date_format(times[0])) {
       for (const HeadCells& cells : rows) times.push_back(first_time(texts(cells), head.columns));

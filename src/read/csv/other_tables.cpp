@@ -72,7 +72,7 @@ class LinesOfCells {
                       !head && has_text(cells(row)) ? " --no-header" : "",
                       std::any_of(at(1), at(row), has_no_number),
                       head && has_name(*head, size, [](auto name) { return is_parameter_word(name); }),
-                      head && counts_frames(names_in(*head, size)),
+                      head && may_take_rate(names_in(*head, size)),
                       comment};
   }
 
@@ -110,7 +110,7 @@ class LinesOfCells {
   bool is_number(std::string_view cell) const {
     const std::string_view text = bare(cell);
     return parse_number(text) || (delimiter_ != ',' && Decimals({','}).number(text)) ||
-           (delimiter_ != ' ' && find_notation(text));
+           has_thousands_separators(text) || (delimiter_ != ' ' && find_notation(text));
   }
 
   bool is_of_numbers(const Cells& cells) const {
@@ -141,11 +141,12 @@ class LinesOfCells {
   bool has_name(std::size_t line, std::size_t size, Test test) const {
     return std::ranges::any_of(names_in(line, size), [&](std::string_view name) { return test(bare(name)); });
   }
-  /// Whether the only time by its name is one in frames.
-  static bool counts_frames(const Cells& names) {
+  /// Whether there is no time by its name, or only one in frames.
+  static bool may_take_rate(const Cells& names) {
     const auto is_time = [](std::string_view name) { return role_of_name(name) == Role::time || is_usual_time(name); };
     const auto time = std::ranges::find_if(names, is_time, bare);
-    return time != names.end() && std::none_of(time + 1, names.end(), [&](auto name) { return is_time(bare(name)); }) &&
+    if (time == names.end()) return true;
+    return std::none_of(time + 1, names.end(), [&](auto name) { return is_time(bare(name)); }) &&
            unit_of_time(bare(*time)) == TimeUnit::frames;
   }
   static bool is_parameter_word(std::string_view name) {
@@ -167,7 +168,8 @@ class LinesOfCells {
     for (const std::string_view mark : comment_marks) {
       const auto has_mark = [&](std::string_view line) { return is_blank(line) || trimmed(line).starts_with(mark); };
       if (!std::all_of(lines_.begin(), at(row), has_mark) || is_blank(lines_[row - 1])) continue;
-      if (has_words(trimmed(trimmed(lines_[row - 1]).substr(mark.size())), size)) return std::string(mark);
+      const std::string_view words = trimmed(trimmed(lines_[row - 1]).substr(mark.size()));
+      if (has_words(words, size) || has_words(words.substr(words.find(':') + 1), size)) return std::string(mark);
     }
     return "";
   }

@@ -59,15 +59,28 @@ std::string with_point(std::string_view text) {
   return changed;
 }
 
-/// Marks of numbers in spreadsheets and in texts for people, besides a decimal point alone.
-constexpr std::array other_marks{NumberMarks{'.', ','},  NumberMarks{',', 0},    NumberMarks{',', '.'},
-                                 NumberMarks{',', ' '},  NumberMarks{'.', '\''}, NumberMarks{'.', ' '},
-                                 NumberMarks{',', '\''}, NumberMarks{'.', '_'},  NumberMarks{',', '_'}};
-
 std::optional<NumberMarks> marks_of(std::string_view text) {
   const auto* const found = std::ranges::find_if(
       other_marks, [&](const NumberMarks& marks) { return Decimals(marks).number(text).has_value(); });
   return found == other_marks.end() ? std::nullopt : std::optional(*found);
+}
+
+/// The command that removes what is beside a number in a cell: a currency or a unit, as in $5, 10s and 5 m. Empty: it
+/// is something else.
+std::string command_without_unit(std::string_view cell) {
+  constexpr std::string_view digits = "0123456789";
+  const std::size_t first = cell.find_first_of("+-.0123456789"), last = cell.find_last_of(digits);
+  if (first == std::string_view::npos || last == std::string_view::npos || last < first) return "";
+  const std::string_view before = cell.substr(0, first), behind = cell.substr(last + 1);
+  const std::string_view number = cell.substr(first, last + 1 - first);
+  const bool is_number = parse_number(number) || marks_of(number);
+  const auto is_plain = [](std::string_view text) {  // so that it stands for itself in a regular expression
+    return text.find_first_of("\\/*[]^()'+?{}|&.") == std::string_view::npos;
+  };
+  const bool is_word = !before.empty() && lower(before[0]) >= 'a' && lower(before[0]) <= 'z';
+  if (!is_number || is_word || before.empty() == behind.empty() || !is_plain(before) || !is_plain(behind)) return "";
+  return before.empty() ? fmt::format(R"(sed -E 's/([0-9]){}([",;[:space:]]|$)/\1\2/g')", behind)
+                        : fmt::format("sed 's/{}{}//g'", before == "$" ? "\\" : "", before);
 }
 
 }  // namespace
@@ -264,6 +277,11 @@ Error why_not_number(std::string_view column, std::string_view cell, const Numbe
   if (parse_number(as_exponent)) {
     return data_error("{}: {} has an exponent as Fortran writes it; expected e or E; change it", column,
                       in_quotes(cell));
+  }
+  if (const std::string command = command_without_unit(cell); !command.empty()) {
+    return data_error(
+        "{}: {} is not a number, but has one; expected it alone; remove the rest, as in {} FILE | tcbsample", column,
+        in_quotes(cell), command);
   }
   const std::string text = with_point(cell);
   const bool several =

@@ -7,6 +7,7 @@
 //   begins with ">" ends a curve.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -91,6 +92,11 @@ std::string unquoted(std::string_view cell);
 
 /// The number of a cell is too large for a double.
 Error number_beyond_doubles(std::string_view column, std::string_view cell);
+
+/// Marks of numbers in spreadsheets and in texts for people, besides a decimal point alone.
+inline constexpr std::array other_marks{NumberMarks{'.', ','},  NumberMarks{',', 0},    NumberMarks{',', '.'},
+                                        NumberMarks{',', ' '},  NumberMarks{'.', '\''}, NumberMarks{'.', ' '},
+                                        NumberMarks{',', '\''}, NumberMarks{'.', '_'},  NumberMarks{',', '_'}};
 
 /// Whether a text is a number with marks between thousands, such as 1,234.5, 1.234,5 or 1 234.
 bool has_thousands_separators(std::string_view text);

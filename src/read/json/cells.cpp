@@ -115,7 +115,6 @@ class LayoutFinder {
     } else {
       find_requested();
       find_parameters();
-      require_no_list_of_parameters();
       require_shapes();
       find_positions();
       chooses ? choose() : take_all();
@@ -244,31 +243,6 @@ class LayoutFinder {
     }
   }
 
-  /// Throws: Error (data) for tension, continuity or bias as a text beside its value, in a list of such.
-  void require_no_list_of_parameters() const {
-    std::unordered_map<std::string_view, const JsonColumn*> numbers;  // by their objects
-    for (const JsonColumn& column : columns_) {
-      if (column.has_number && column.stem.ends_with(']')) numbers.emplace(column.stem, &column);
-    }
-    const JsonColumn* first = nullptr;
-    std::vector<std::string> requests;
-    for (const JsonColumn& column : columns_) {
-      const auto number = numbers.find(column.stem);
-      if (!column.has_text || number == numbers.end() || number->second->is_requested) continue;
-      const Role role = role_of_name(json_.text(column.value));
-      if (role < Role::tension || role > Role::bias || requested_.has(role)) continue;
-      if (first == nullptr) first = &column;
-      requests.push_back(fmt::format("{}={}", role_name(role), number->second->path));
-    }
-    if (first == nullptr) return;
-    const std::string_view list = outer(first->path);
-    throw at(
-        *first, list,
-        data_error("a list of names and values has tension, continuity or bias; expected members of these names; "
-                   "give --columns {} to take them, or --columns {} to leave them out",
-                   in_shell(fmt::format("{}", fmt::join(requests, ","))), in_shell(fmt::format("ignore={}", list))));
-  }
-
   /// Throws: Error (data) for an array or an object where a number was expected, or the reverse.
   void require_shapes() const {
     for (const JsonColumn& column : columns_) {
@@ -350,6 +324,7 @@ class LayoutFinder {
       if (is_usual_position(column.stem) || is_usual_position(one)) usual.push_back(column.stem);
     }
     find_objects(texts);
+    find_object_of_time();
     if (!lacks_positions_) return;
     if (has_any([&](const JsonColumn& column) { return column.stem == position_ && !column.has_text; })) {
       stem_ = position_;
@@ -373,9 +348,21 @@ class LayoutFinder {
     std::erase_if(sizes_, [](const auto& object) { return object.second < 2; });
   }
 
+  /// Finds the object that has the only time and numbers, which are then the positions, as "_source" of a search.
+  void find_object_of_time() {
+    if (std::ranges::count_if(columns_, is_time) != 1 || requested_.has(Role::time)) return;
+    const std::string& stem = std::ranges::find_if(columns_, is_time)->stem;
+    const auto is_beside = [&](const JsonColumn& column) {
+      return column.stem == stem && column.has_number && !column.is_in_array() && is_free_number(column);
+    };
+    const bool has_arrays = has_any([&](const auto& column) { return column.is_in_array() && is_free_number(column); });
+    if (has_plain_ && !has_arrays && has_any(is_beside)) object_of_time_ = stem;
+  }
+
   /// Whether a number is one of the positions that no request names.
   bool is_position(const JsonColumn& column) const {
     if (!lacks_positions_ || !is_free_number(column)) return false;
+    if (!object_of_time_.empty()) return column.stem == object_of_time_ && !column.is_in_array();
     if (!stem_.empty()) return column.stem == stem_;
     const bool is_plain_rotation = options_.rotation.none && is_of_rotation(column) && !column.is_in_array();
     if (column.depth == 0 || is_plain_rotation) return true;
@@ -411,6 +398,13 @@ class LayoutFinder {
       if (column.is_used && (!stem_.empty() && column.stem == stem_)) unnamed_.push_back(&column);
     }
     if (!stem_.empty()) require_array_of_numbers();
+    if (!has_time && lacks_positions_ && table_.index.empty() && !is_point(stem_) && are_keys(stem_)) {
+      const JsonColumn& first = *std::ranges::find(columns_, stem_, &JsonColumn::stem);
+      throw at(first, stem_,
+               data_error("the first number of this array rises from key to key, as times do; expected a time; give "
+                          "--columns {} if that is so, or --columns {} --parameter uniform if not",
+                          in_shell(request_of(stem_)), in_shell("position=" + stem_)));
+    }
     layout_.array = sizes_.contains(stem_) ? stem_ : positions_.size() == 1 ? positions_[0] : "";
     if (!sizes_.contains(layout_.array)) layout_.array.clear();
     require_no_lost_numbers(has_time, has_positions);
@@ -473,6 +467,35 @@ class LayoutFinder {
                         first->path));
   }
 
+  /// Whether an array of this name has coordinates, whatever its numbers are.
+  static bool is_point(std::string_view array) {
+    return is_usual_position(array) && !lists_word("value values", in_lower_case(array));
+  }
+
+  /// Whether an array has two numbers, of which the first one rises from key to key, as that of a time and a value
+  /// does.
+  bool are_keys(const std::string& array) const {
+    const auto found = sizes_.find(array);
+    if (found == sizes_.end() || found->second != 2 || table_.size() < 2 || table_.are_rows()) return false;
+    std::optional<double> before;
+    for (std::size_t row = 0; row < std::min(table_.size(), table_.records.size()); ++row) {
+      const auto member = json_.member(table_.records[row], array);
+      const bool has_number = member && json_.is(*member, Kind::array) && !json_.is_empty(*member);
+      const auto number = has_number ? parse_number(json_.text(json_.first(*member))) : std::nullopt;
+      if (!number || (before && *number <= *before)) return false;
+      before = number;
+    }
+    return before.has_value();
+  }
+
+  /// The roles of an array of positions, or of a time and a value.
+  std::string request_of(const std::string& array) const {
+    const std::string time = request_of_time();
+    const bool has_time = !time.empty() || requested_.has(Role::time) || requested_.timeless || has_any(is_time);
+    return !has_time && are_keys(array) ? fmt::format("time={0}[0],position={0}[1]", array)
+                                        : time + "position=" + array;
+  }
+
   /// Whether a number has a name that is close to that of a role, which is an error of the table.
   bool is_near_miss(const JsonColumn& column) const {
     return column.depth == 0 && lacks_positions_ && near_role(column.path).has_value();
@@ -489,23 +512,20 @@ class LayoutFinder {
       are_alike = are_alike && sizes_.at(array) == sizes_.at(arrays_[0]);
       if (likely.empty() && std::ranges::count(tangents, array) == 0) likely = array;
     }
-    const std::string time = request_of_time();
-    const std::string poses = options_of_poses_in_arrays();
-    if (arrays_.size() == 1 && poses.empty()) {
+    if (arrays_.size() == 1) {
       throw at(column, column.stem,
                data_error("this array is not used; expected \"position\" as the name of an array of positions; rename "
                           "it, or give --columns {}, or position=NAME:NAME for the members to take",
-                          in_shell(time + "position=" + arrays_[0])));
+                          in_shell(request_of(arrays_[0]))));
     }
     throw at(column, column.stem,
              data_error("these arrays are not used: {}; expected \"position\" as the name of an array of positions; "
                         "rename one, or give {}",
                         listed(sizes),
-                        !poses.empty() ? poses
-                        : likely.empty() || !are_alike
+                        likely.empty() || !are_alike
                             ? "--columns position=NAME for the one that has the positions"
                             : fmt::format("--columns {}, or the name of another one that has the positions",
-                                          in_shell(time + "position=" + likely))));
+                                          in_shell(request_of(likely)))));
   }
 
   /// The only number of the records themselves as the time, where there is no time; empty for others.
@@ -516,46 +536,6 @@ class LayoutFinder {
     const auto number = std::ranges::find_if(columns_, is_number);
     const bool is_needed = !requested_.timeless && !requested_.has(Role::time) && !has_any(is_time);
     return is_needed && std::ranges::count_if(columns_, is_number) == 1 ? fmt::format("time={},", number->path) : "";
-  }
-
-  /// The options that take the numbers in the first array of poses as such, with its name; empty if there is none.
-  std::string options_of_poses_in_arrays() const {
-    std::unordered_map<std::string_view, std::vector<std::size_t>> arrays;  // columns in them
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (sizes_.contains(columns_[i].stem)) arrays[columns_[i].stem].push_back(i);
-    }
-    std::erase_if(arrays, [](const auto& array) { return array.second.size() != 12 && array.second.size() != 16; });
-    if (arrays.empty()) return "";
-    JsonRows records(json_, table_, layout_);
-    std::vector<std::vector<std::uint32_t>> rows;
-    std::vector<std::uint32_t> cells;
-    for (std::size_t row = 0; row < first_records(); ++row) {
-      if (records.get(row, cells)) rows.push_back(cells);
-    }
-    for (const std::string& array : arrays_) {
-      const auto numbers = arrays.find(array);
-      const std::string options = numbers == arrays.end() ? "" : options_of_poses_in(numbers->second, rows);
-      if (!options.empty()) return fmt::format("{} for the poses in {}", options, in_quotes(array));
-    }
-    return "";
-  }
-
-  /// The options that take columns as poses, if they are such; empty for others.
-  std::string options_of_poses_in(const std::vector<std::size_t>& numbers,
-                                  const std::vector<std::vector<std::uint32_t>>& records) const {
-    std::vector<std::string> names;
-    for (const std::size_t number : numbers) names.push_back(columns_[number].path);
-    std::vector<std::vector<std::string_view>> rows;
-    for (const std::vector<std::uint32_t>& cells : records) {
-      rows.emplace_back();
-      for (const std::size_t number : numbers) {
-        if (cells[number] == 0) return "";
-        rows.back().push_back(json_.text(cells[number]));
-      }
-    }
-    const Columns none;
-    const FoundColumns found{.names = names, .rows = rows, .numeric = {}, .columns = none, .requested = requested_};
-    return options_of_poses(found, 0, names.size());
   }
 
   /// Throws: Error (data) for "rotation" that is something else than a quaternion and is not requested.
@@ -729,6 +709,7 @@ class LayoutFinder {
   std::vector<std::string> arrays_;                  ///< names of those that may be positions, and their sizes
   std::unordered_map<std::string, std::size_t> sizes_;
   std::string rotation_ = "rotation", position_ = "position";  ///< stems that mean these
+  std::string object_of_time_;                                 ///< with numbers; empty: the records themselves
   std::string stem_;                                           ///< of the positions; empty: they are members of records
   bool has_plain_ = false;                                     ///< a number of records may be a position
   bool has_quaternion_ = false;                                ///< "rotation" has four numbers

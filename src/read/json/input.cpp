@@ -247,6 +247,7 @@ InputOptions with_settings(InputOptions options, const FileSettings& settings) {
   if (settings.frame_rate.empty() || options.units.time || options.units.frame_rate) return options;
   options.units.frame_rate = frame_rate_in(settings.frame_rate);
   options.units.are_optional = true;
+  options.keys.counts_rows = options.keys.missing == Missing::skip_row;
   return options;
 }
 
@@ -302,6 +303,11 @@ Records records_of(const Meaning& meaning, const JsonTable& table) {
   columns.doubts.insert(columns.doubts.begin(), meaning.layout.notes.begin(), meaning.layout.notes.end());
   if (table.are_scattered) {
     columns.doubts.emplace_back("the keys are the arrays that are as long as the one of times, a column each");
+  }
+  if (table.are_lists) {
+    columns.doubts.emplace_back(
+        "each list is taken as a column, the first one as the times, as its numbers rise; --parameter uniform takes "
+        "each list as a key");
   }
   records.keys.traits.may_break = true;  // also at null in place of a key
   return records;
@@ -453,29 +459,37 @@ void add_notes(Records& records, const FileSettings& settings) {
   if (settings.tcb) records.facts.tcb = settings.tcb;
 }
 
-/// Notes the frame rate of the file: the times are frames at it, or it is not used.
-void take_rate(FileSettings& settings, const UnitOptions& units, Records& records) {
+/// Notes the frame rate of the file: the times are frames at it, or rows without times are at it, or it is not used.
+void take_rate(FileSettings& settings, const InputOptions& options, Records& records) {
   const std::string& rate = settings.frame_rate;
-  if (rate.empty() || units.time || units.frame_rate) return;
+  if (rate.empty() || options.units.time || options.units.frame_rate) return;
   Columns& columns = records.columns;
+  const bool has_times = columns.has(Role::time);
   const bool counts = unit_of_time(columns.time) == TimeUnit::frames || counts_frames(records.units.notation);
-  if (records.units.frame_rate && records.columns.has(Role::time) && counts) {
-    records.frame_rate = records.units.frame_rate;
+  const bool are_rows = !has_times && !options.columns.timeless && !options.columns.samples;
+  if (are_rows || (has_times && records.units.frame_rate && counts)) {
+    records.frame_rate = frame_rate_in(rate);
     const std::string exact =
         broadcast_rate(rate) ? fmt::format(", which is {},", ratio_text(*broadcast_rate(rate))) : ",";
-    columns.doubts.push_back(
-        fmt::format("the file sets {} to {}{} by which the times in column {} are frames; --time-unit frames undoes it",
-                    settings.rate_name, rate, exact, in_quotes(columns.time)));
+    const std::string effect = are_rows ? "rows have times; --parameter uniform undoes it"
+                                        : fmt::format("the times in column {} are frames; --time-unit frames undoes it",
+                                                      in_quotes(columns.time));
+    columns.doubts.push_back(fmt::format("the file sets {}{} by which {}", settings.shown_rate, exact, effect));
     return;
   }
   records.facts.shown_rate = rate;
-  if (columns.has(Role::time) && (!columns.time_gap || unit_of_time(columns.time))) {
-    settings.unused.push_back(settings.rate_name);
-  } else {
-    columns.doubts.push_back(fmt::format("{} is {}, and is not used; --input-fps {} takes the {} as frames at it",
-                                         in_quotes(settings.rate_name), rate, rate,
-                                         columns.has(Role::time) ? "times" : "keys"));
+  const bool may_be_frames = !has_times || (columns.time_gap && !unit_of_time(columns.time));
+  if (!may_be_frames && !columns.has_time_by_place) {
+    settings.unused.push_back(settings.shown_rate.substr(0, settings.shown_rate.find(' ')));
+    return;
   }
+  columns.doubts.push_back(fmt::format(
+      "the file sets {}, which is not used; {}{}", settings.shown_rate,
+      may_be_frames ? fmt::format("--input-fps {} takes the {} as frames at it", rate, has_times ? "times" : "keys")
+                    : "",
+      !columns.has_time_by_place ? ""
+                                 : fmt::format("{}--parameter uniform --input-fps {} takes rows without times at it",
+                                               may_be_frames ? ", and " : "", rate)));
 }
 
 /// Throws: Error (data) for settings in the object around curves as the program writes them.
@@ -523,15 +537,28 @@ bool may_be_key(const Json& json, std::size_t object) {
          });
 }
 
+/// The path of the only array of numbers, at least two; empty for several, and for none.
+std::string path_of_numbers(const Json& json) {
+  std::string path;
+  for (std::size_t value = 1; value < json.size(); ++value) {
+    if (!json.is(value, Kind::array) || !json.has_only(value, Kind::number) || json.count(value) < 2) continue;
+    if (!path.empty()) return "";
+    path = json.path(1, value);
+  }
+  return path;
+}
+
 /// One value, whose tables are the keys.
 Records open_value(const SharedJson& json, const InputOptions& options) {
   if (json->next(1) < json->size()) throw unlike_list(*json);
   std::vector<JsonTable> tables = find_tables(*json, options);
   if (tables.empty() && may_be_key(*json, 1)) tables.push_back({.value = 0, .records = {1}});
   if (tables.empty()) {
-    throw data_error(
-        "found no list of keys; expected an array of objects or of rows, or an object of columns; give --records if it "
-        "is there")
+    const std::string numbers = path_of_numbers(*json);
+    throw data_error("found no list of keys; expected an array of objects or of rows, or an object of columns; give {}",
+                     numbers.empty()
+                         ? "--records if it is there"
+                         : fmt::format("--records {} for the numbers there, without times", in_shell(numbers)))
         .at({"", 1, 1});
   }
   const bool are_own = tables[0].is_own;
@@ -546,7 +573,7 @@ Records open_value(const SharedJson& json, const InputOptions& options) {
   records.facts.shape = shape_of(tables[0], are_curves);
   FileSettings& around = first.settings;
   std::ranges::copy(tables[0].others, std::back_inserter(around.unused));
-  take_rate(around, options.units, records);
+  take_rate(around, options, records);
   add_notes(records, around);
   if (!are_own) records.facts.records = are_curves ? options.records : tables[0].path;
   if (!are_curves) {
@@ -620,7 +647,7 @@ Records open_values(JsonBlock block, const std::shared_ptr<JsonBlocks>& blocks, 
   TablePart part{first, table, meaning_of(first, table, options, settings), 0, table->size()};
   part.faults = std::move(faults);
   Records records = records_of(*part.meaning, *table);
-  take_rate(settings, options.units, records);
+  take_rate(settings, options, records);
   add_notes(records, settings);
   records.keys.curve_info = std::move(settings.curve_info);
   records.facts.shape = table->has_names ? JsonShape::lines : JsonShape::table;

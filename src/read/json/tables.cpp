@@ -49,9 +49,9 @@ void require_once(const Json& json, std::size_t object, std::size_t member) {
 /// Finds the layout of tables.
 class Layouts {
  public:
-  Layouts(const Json& json, std::uint64_t max_memory, std::span<const RoleRequest> requests = {})
-      : json_(json), memory_(max_memory) {
-    for (const RoleRequest& request : requests) {
+  Layouts(const Json& json, std::uint64_t max_memory, const ColumnOptions& columns = {})
+      : json_(json), has_time_(columns.timeless || columns.has(Role::time)), memory_(max_memory) {
+    for (const RoleRequest& request : columns.roles) {
       if (request.role == Role::time && request.columns.size() == 1) time_ = request.columns[0];
     }
   }
@@ -73,6 +73,9 @@ class Layouts {
     take_index(table);
     return table;
   }
+  /// Whether a name is that of the time: the requested one, or else a usual one.
+  bool is_time(std::string_view name) const { return time_.empty() ? is_usual_time(name) : name == time_; }
+
   /// Why an object is none: its columns differ in size, or have a row twice.
   const std::optional<Error>& fault() const { return fault_; }
 
@@ -88,6 +91,10 @@ class Layouts {
   /// Whether a value may be in a column.
   bool is_cell(std::size_t value) const { return is_number(value) || is_missing(value) || is_in_words(value); }
 
+  /// Whether an array may have the times by its values: numbers that rise, or times in words.
+  bool may_be_times(std::size_t array) const {
+    return rises(array) || std::ranges::all_of(json_.inside(array), [&](auto value) { return is_in_words(value); });
+  }
   /// Whether an array has numbers alone, of which each is greater than the one before.
   bool rises(std::size_t array) const {
     std::optional<double> before;
@@ -175,10 +182,14 @@ class Layouts {
     table.records.assign(first, records.end());
   }
 
-  bool take_list(JsonTable& table, bool is_wanted) const {
+  bool take_list(JsonTable& table, bool is_wanted) {
     const bool is_root = table.value <= 1;
     take_records(table, table.value);
     if (table.records.empty()) return false;
+    if (is_wanted && json_.has_only(table.value, Kind::number)) {
+      add_column(table, "value", table.records.size()) = table.records;
+      return true;
+    }
     if (is_list_of_objects(table.value) || (is_wanted && json_.is(table.records[0], Kind::object))) {
       table.has_times = has_time(table.records[0]);
       const bool has_enough = table.records.size() > 1 || is_root || (least_records_ == 1 && table.has_times);
@@ -200,7 +211,28 @@ class Layouts {
       table.has_times = table.has_times && (!before || time > *before);
       before = time;
     }
+    if (!table.has_times && are_lists_of_columns(table.records)) return take_lists(table);
     return is_wanted || ((table.records.size() > 1 || is_root) && are_alike(table.records));
+  }
+
+  /// Whether few lists have many cells each, and the numbers of the first one rise: a list of times, and of others.
+  bool are_lists_of_columns(const Values& lists) const {
+    return !has_time_ && lists.size() > 1 && 2 * lists.size() <= json_.count(lists[0]) && rises(lists[0]) &&
+           are_alike(lists) &&
+           std::ranges::all_of(lists, [&](std::size_t list) { return json_.is(list, Kind::array) && are_cells(list); });
+  }
+
+  /// Takes each list as a column.
+  bool take_lists(JsonTable& table) {
+    const Values lists = std::move(table.records);
+    table.records.clear();
+    std::vector<std::string> names = default_channel_names(lists.size() - 1);
+    names.insert(names.begin(), "time");
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      add_column(table, names[i], json_.count(lists[i])) = json_.values(lists[i]);
+    }
+    table.number = 0;
+    return table.has_names = table.has_times = table.are_lists = true;
   }
 
   bool take_object(JsonTable& table, bool is_wanted) {
@@ -334,8 +366,7 @@ class Layouts {
     bool are_coordinates = true;  // which need no times
     for (const std::size_t member : members) {
       if (!json_.is(member, Kind::array) || json_.has_only(member, Kind::object)) continue;
-      const bool is_time = json_.name(member) == time_ || (time_.empty() && is_usual_time(json_.name(member)));
-      const bool are_times = is_time && !json_.has_only(member, Kind::array);
+      const bool are_times = is_time(json_.name(member)) && !json_.has_only(member, Kind::array);
       if (are_times && !times) times = member;
       arrays.push_back(static_cast<std::uint32_t>(member));
       are_coordinates = are_coordinates && is_axis(json_.name(member)) && json_.count(member) > 1 &&
@@ -409,7 +440,8 @@ class Layouts {
   }
 
   const Json& json_;
-  std::string time_;               ///< the name of the time, if it is requested
+  const bool has_time_;            ///< it is requested, or none is
+  std::string time_ = {};          ///< the name of the time, if it is requested
   std::size_t least_records_ = 2;  ///< of a list of objects that no path leads to
   std::optional<Error> fault_;
   MemoryUse memory_;  ///< of the index of rows, and of columns
@@ -500,7 +532,7 @@ class TableSearch {
   TableSearch(const Json& json, const InputOptions& options)
       : json_(json),
         options_(options),
-        layouts_(json, options.max_memory, options.columns.roles),
+        layouts_(json, options.max_memory, options.columns),
         paths_(options.max_memory) {}
 
   std::vector<JsonTable> find() {
@@ -527,6 +559,7 @@ class TableSearch {
         std::ranges::count_if(tables_, is_named) == 1 && !table->columns.empty() && has_vectors_beside(*table);
     if (may_be_scattered || std::ranges::none_of(tables_, is_named)) {
       if (auto scattered = scattered_arrays()) return {*std::move(scattered)};
+      if (!has_times && !is_at_path) require_no_unnamed_times();
     }
     if (!is_one || are_columns) refuse_other_files(root);
     if (tables_.empty() && layouts_.fault()) throw Error(*layouts_.fault());
@@ -676,6 +709,8 @@ class TableSearch {
   struct Array {
     std::size_t value;
     std::string_view name;
+    std::size_t object;  ///< that it is in
+    bool is_of_object;   ///< it is called data or values, and its name is that of the object
   };
 
   /// Whether a value is an array of cells, or of vectors of one size.
@@ -697,11 +732,11 @@ class TableSearch {
         if (!may_be_column(member)) continue;
         const std::string_view name = json_.name(member);
         if (name != "data" && name != "values") {
-          arrays.push_back({member, name});
+          arrays.push_back({member, name, value, false});
           continue;
         }
         if (!label) label = label_of(value);
-        arrays.push_back({member, label->empty() ? name : *label});
+        arrays.push_back({member, label->empty() ? name : *label, value, !label->empty()});
       }
     }
     return arrays;
@@ -709,7 +744,7 @@ class TableSearch {
 
   /// The text that says what the values of an object are.
   std::string_view label_of(std::size_t object) const {
-    for (const std::string_view name : {"type", "name", "id", "key", "label"}) {
+    for (const std::string_view name : {"name", "label", "type", "id", "key"}) {
       const auto member = json_.member(object, name);
       if (member && json_.is(*member, Kind::string)) return json_.text(*member);
     }
@@ -719,12 +754,12 @@ class TableSearch {
   /// Arrays as long as the only one of times, wherever they are: a column each.
   std::optional<JsonTable> scattered_arrays() const {
     const std::vector<Array> arrays = arrays_by_name();
-    const auto is_time = [](const Array& array) { return is_usual_time(array.name); };
+    const auto is_time = [&](const Array& array) { return layouts_.is_time(array.name); };
     if (std::ranges::count_if(arrays, is_time) != 1) return std::nullopt;
     JsonTable table{.value = 1, .has_times = true, .are_scattered = true};
     const std::size_t rows = json_.count(std::ranges::find_if(arrays, is_time)->value);
     std::unordered_set<std::string_view> names;
-    for (const auto& [value, name] : arrays) {
+    for (const auto& [value, name, object, is_of_object] : arrays) {
       Values cells = json_.values(value);
       const bool are_places = name == "coordinates";  // of GeoJSON, each with its numbers
       const bool are_columns =
@@ -746,6 +781,37 @@ class TableSearch {
       }
     }
     return table.columns.size() > 1 ? std::optional(std::move(table)) : std::nullopt;
+  }
+
+  /// Throws: Error (data) for an array that may have the times of others by its values: of those beside it, or of those
+  /// that are called data or values, as charts have them.
+  void require_no_unnamed_times() const {
+    if (options_.columns.timeless || !options_.columns.roles.empty()) return;
+    std::vector<Array> arrays = arrays_by_name();
+    std::erase_if(arrays, [&](const Array& array) {  // as vectors of records are no columns
+      return !array.is_of_object && std::ranges::any_of(tables_, [&](const JsonTable& table) {
+        return array.value > table.value && array.value < json_.next(table.value) && table.columns.empty();
+      });
+    });
+    const auto is_of = [&](const Array& times, const Array& other) {
+      const bool is_near = other.object == times.object || other.is_of_object;
+      return is_near && other.value != times.value && json_.count(other.value) == json_.count(times.value);
+    };
+    const Array *found = nullptr, *first = nullptr;
+    for (const Array& times : arrays) {
+      const auto other = std::ranges::find_if(arrays, [&](const Array& one) { return is_of(times, one); });
+      const bool may_be = other != arrays.end() && layouts_.may_be_times(times.value);
+      if (!may_be || (found != nullptr && !(found->is_of_object && !times.is_of_object))) continue;
+      found = &times;
+      first = &*other;
+    }
+    if (found == nullptr) return;
+    throw data_error(
+        "no array is called time, but {} rises, and {} has as many values; expected one called time; give --columns {} "
+        "if it has the times, or --records {} --parameter uniform for keys without times",
+        in_quotes(found->name), in_quotes(first->name), in_shell(fmt::format("time={}", found->name)),
+        in_shell(json_.path(1, first->value)))
+        .at(json_.position(found->value - 1));
   }
 
   /// Whether an array outside of a table has a vector for each of its rows.

@@ -28,6 +28,7 @@ struct JsonTable {
   std::vector<std::uint32_t> members = {};  ///< of an object that is the table, which has settings beside these
   bool is_own = false;                      ///< keys or rows as the program writes them
   bool are_scattered = false;               ///< its columns are in several objects
+  bool are_lists = false;                   ///< its columns are lists without names
   bool has_names = true;                    ///< the text names its columns
   std::vector<std::string> names = {};      ///< of the cells of records that are arrays, or of columns
   /// Of columns that are numbers of an array of their name, which number it is; of_member for others.

@@ -24,6 +24,12 @@ constexpr std::string_view number_characters = "+-.0123456789eE";
 constexpr std::uint32_t largest_extent = (1U << 29) - 1;
 constexpr std::size_t node_size = 8, distance_of_marks = std::size_t{1} << 20, size_of_nan = 3;
 
+/// About what JSON with comments has; the command leaves that out.
+constexpr std::string_view remove_comments =
+    "found {}, which JSON does not have; expected JSON; remove it, as in python3 -c 'import re,sys; "
+    R"x(print(re.sub(r"(\"(?:\\.|[^\"\\])*\")|//.*|/[*][\s\S]*?[*]/|,(?=(?:\s|//.*|/[*][\s\S]*?[*]/)*[]}}])","\\1",)x"
+    "sys.stdin.read()))' <FILE | tcbsample";
+
 /// A text with a number of the same size in the place of each NaN.
 std::string without_nan(std::string_view text) {
   constexpr std::string_view before = " \t\r\n[,:", after = " \t\r\n],}";
@@ -113,6 +119,9 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
     constexpr int id_of_overflow = 406;  // the number of out_of_range where a number has no double
     if (error.id == id_of_overflow)
       throw too_large(last.substr(0, last.find_first_not_of(number_characters))).at(json_.position_at(begin));
+    if (const std::string other = other_notation(begin); !other.empty()) {
+      throw data_error("not JSON: {}", other).at(json_.position_at(begin));
+    }
     std::string_view what = told;
     constexpr std::string_view syntax = "syntax error ", number = "] ";
     for (const std::string_view before : {number, syntax}) {
@@ -122,6 +131,32 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
   }
 
  private:
+  /// What a place has that texts like JSON may have, and how they become JSON; empty: nothing.
+  std::string other_notation(std::size_t at) const {
+    const std::size_t before = at == 0 ? text_.npos : text_.find_last_not_of(json_blanks, at - 1);
+    const std::string_view text = text_.substr(at);
+    const auto has = [&](std::string_view word) { return text_.find(word) != text_.npos; };
+    if (text.starts_with("//") || text.starts_with("/*")) return fmt::format(remove_comments, "a comment");
+    const bool ends = text[0] == ']' || text[0] == '}';
+    if (ends && before != text_.npos && text_[before] == ',') return fmt::format(remove_comments, "a comma at the end");
+    const std::size_t word = std::min(text.find_first_of(" \t\r\n:,]}[{"), text.size());
+    const bool is_letter = (lower(text[0]) >= 'a' && lower(text[0]) <= 'z') || text[0] == '_' || text[0] == '$';
+    const bool is_name = is_letter && text.find_first_not_of(json_blanks, word) != text.npos &&
+                         text[text.find_first_not_of(json_blanks, word)] == ':';
+    const std::string_view value = text.substr(0, word);
+    const bool is_python = text[0] == '\'' ? !has("true") && !has("false") && !has("null") && !has("//")
+                                           : value == "True" || value == "False" || value == "None";
+    if (is_python) {
+      return "found what Python prints; expected JSON; convert it, as in python3 -c 'import ast,json,sys; "
+             "print(json.dumps(ast.literal_eval(sys.stdin.read())))' <FILE | tcbsample";
+    }
+    const bool is_number = !value.empty() && std::string_view("+.0").find(value[0]) != value.npos;
+    if (text[0] != '\'' && !is_name && !is_number && value != "undefined" && value != "Infinity") return "";
+    return "found what JavaScript or JSON5 has; expected JSON, with names in double quotes; convert it, as in npx "
+           "json5 "
+           "FILE | tcbsample";
+  }
+
   std::size_t token() const { return std::min(text_.find_first_not_of(" \t\r\n,:", now_), text_.size()); }
 
   static std::uint32_t size_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
