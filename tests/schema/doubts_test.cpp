@@ -29,9 +29,9 @@ TEST(Doubts, are_notes_where_one_reading_is_plain) {
   for (const Row& row : std::initializer_list<Row>{
            {"time,T,RH\n0,21.5,40\n1,21.9,41\n", "positions by a single letter: T;"},
            {"time,R,G,B\n0,255,0,0\n1,0,255,0\n", "--columns bias=B gives the role"},
-           {",time,x\n0,0,5\n1,1,6\n", "column 1 is taken as the index of the rows"},
-           {"index,t,x\n1,0,5\n2,1,6\n", "column \"index\" is taken as the index of the rows"},
-           {",x\n2024-03-01,5\n2024-03-02,6\n", "the first column, which has no name, are taken as the times"},
+           {",time,x\n0,0,5\n1,1,6\n", "column 1 counts the rows"},
+           {"index,t,x\n1,0,5\n2,1,6\n", "column \"index\" counts the rows"},
+           {",x\n2024-03-01,5\n2024-03-02,6\n", "column 1 are taken as the times"},
            {"BaseDateTime,LAT\n2024-03-01T00:00:00,5\n2024-03-01T00:01:00,6\n",
             "the dates in column \"BaseDateTime\" are taken as the times"},
            {"DATE,TIME,x\n2024-03-01,08:00:00,5\n2024-03-01,09:00:00,6\n", "are taken as one time"},
@@ -40,7 +40,7 @@ TEST(Doubts, are_notes_where_one_reading_is_plain) {
            {"t,x\nTS,V\n\"\",Avg\n0,5\n1,6\n", "the line below the names is taken as units: TS, V"},
            {"t,rvec_x,rvec_y,rvec_z\n0,0,0,1\n1,0,1,0\n", "--rotation axis-angle=rvec_x:rvec_y:rvec_z"},
            {"\"#\",\"Date Time, GMT\",x\n1,2024-05-01 10:00,5\n2,2024-05-01 11:00,6\n",
-            "column \"#\" is taken as the index"},
+            "column \"#\" counts the rows"},
            {"year,month,day,x\n2024,5,1,3\n2024,5,2,4\n", "columns year, month, day are taken as one time"},
            {"t,x\n1:30,5\n2:00,6\n", "times such as \"1:30\" are taken as minutes and seconds"},
        }) {
