@@ -39,8 +39,7 @@ TEST(Doubts, are_notes_where_one_reading_is_plain) {
            {"0,9,1,0,0,0\n1,8,0,1,0,0\n", "columns 3, 4, 5, 6 may be a quaternion; --rotation quaternion=3:4:5:6"},
            {"t,x\nTS,V\n\"\",Avg\n0,5\n1,6\n", "the line below the names is taken as units: TS, V"},
            {"t,rvec_x,rvec_y,rvec_z\n0,0,0,1\n1,0,1,0\n", "--rotation axis-angle=rvec_x:rvec_y:rvec_z"},
-           {"\"#\",\"Date Time, GMT\",x\n1,2024-05-01 10:00,5\n2,2024-05-01 11:00,6\n",
-            "column \"#\" counts the rows"},
+           {"\"#\",\"Date Time, GMT\",x\n1,2024-05-01 10:00,5\n2,2024-05-01 11:00,6\n", "column \"#\" counts the rows"},
            {"year,month,day,x\n2024,5,1,3\n2024,5,2,4\n", "columns year, month, day are taken as one time"},
            {"t,x\n1:30,5\n2:00,6\n", "times such as \"1:30\" are taken as minutes and seconds"},
        }) {

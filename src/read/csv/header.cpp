@@ -801,7 +801,7 @@ class RolesByCells {
       }
     }
     if (counters.empty()) return;
-    if (!has_time && counters[0] == 0 && !names_record(names_[0])) {
+    if (!has_time && counters[0] == 0 && is_index_name(names_[0])) {
       throw data_error(
           "{} counts the rows, and no other column is the time; expected a column of times; give --columns time=1 if "
           "it is the time, --columns time=NAME if another one is, or --parameter uniform if the keys have no times",
@@ -825,20 +825,22 @@ class RolesByCells {
   /// first rows, from 0 or 1, and rise or begin anew in the next ones.
   bool counts(std::size_t cell) const {
     constexpr std::size_t enough = 3;
-    const bool are_records = names_record(names_[cell]);
-    if (!are_records && ((names_[cell].empty() && cell > 0) || !is_index_name(names_[cell]))) return false;
+    const std::string& name = names_[cell];
     const auto number = [&](const HeadCells& row) {
       return cell < row.size() ? in_digits<std::uint64_t>(row[cell]) : std::nullopt;
     };
     const auto first = number(rows_[0]);
-    if (!first || rows_.size() < (are_records ? enough : 2) || (!are_records && *first > 1)) return false;
-    for (std::size_t row = 1; row < rows_.size(); ++row) {
+    if (!first || rows_.size() < 2) return false;
+    bool is_index = *first <= 1 && is_index_name(name) && (!name.empty() || cell == 0);
+    bool is_record = rows_.size() >= enough && names_record(name);
+    for (std::size_t row = 1; row < rows_.size() && (is_index || is_record); ++row) {
       const auto before = number(rows_[row - 1]), here = number(rows_[row]);
-      const bool is_next = here && (are_records || row >= enough ? *here > *before : *here == *before + 1);
-      const bool is_new = !are_records && row > 1 && here == first;
-      if (!is_next && !is_new) return false;
+      const bool rises = here && before && *here > *before;
+      const bool is_next = row >= enough ? rises : rises && *here == *before + 1;
+      is_index = is_index && (is_next || (row > 1 && here == first));
+      is_record = is_record && rises;
     }
-    return true;
+    return is_index || is_record;
   }
 
   /// Beside a time by its name, other times that are called so are no position: since 1970, or as they rise.
