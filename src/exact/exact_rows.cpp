@@ -278,15 +278,25 @@ class ExactRows::Evaluation {
     if (place->key_at_end) row.at_key = place;
   }
 
-  /// Times, and lengths between keys that are requested.
+  /// Times, lengths between keys that are requested, and positions at keys.
   void set_known(const FastRow& row) {
     for_each_field([&](std::size_t index, Cells cells) {
       if (is_time(index)) {
         cells[0] = time_cell(row, rows_, notation_);
       } else if (rows_.arc && !row.at_key && fields()[index].name == "s") {
         if (const auto length = rows_.arc->length(row.number)) cells[0] = rounding(index, row).exactly({*length});
+      } else if (fields()[index].name == "position" && is_at_plain_key(row)) {
+        const spline::Keys<Rational>& keys = rows_.exact.keys;
+        const auto position = keys.position((row.at_key->segment + (*row.at_key->key_at_end ? 1 : 0)) % keys.size());
+        for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = rounding(index, row).exactly({position[i]});
       }
     });
+  }
+  /// Whether a row by length is at a key whose position is the row's.
+  bool is_at_plain_key(const FastRow& row) const {
+    const ExactCurve& exact = rows_.exact;
+    return row.at_key && row.at_key->key_at_end && exact.rules.rotations.empty() && exact.rules.angles.empty() &&
+           std::ranges::find(exact.keys.missing, true) == exact.keys.missing.end();
   }
 
   /// Cells that are rational, or roots of rationals, by bounds on their errors.
