@@ -60,6 +60,11 @@ Rational nearest_whole(const Rational& value) {
 
 /// The exponent of the first digit of a number. Requires: value > 0.
 int first_digit(double value) {
+  constexpr int most_exact = 22;  // such powers of ten are doubles
+  if (value >= 1 && value < 1e22) {
+    const int below = std::ilogb(value) * 1233 >> 12;  // 1233 / 2^12: the logarithm of 2
+    return below < most_exact && value >= static_cast<double>(power_of_ten(below + 1)) ? below + 1 : below;
+  }
   std::array<char, 16> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 0).ptr;
   int exponent = 0;
@@ -74,7 +79,8 @@ int first_digit(double value) {
 LongDecimal stripped(LongDecimal decimal) {
   if (decimal.digits == 0) return {};
   for (const int step : {16, 8, 4, 2, 1}) {
-    for (const Digits power = power_of_ten(step); decimal.digits % power == 0; decimal.exponent += step) {
+    const Digits power = power_of_ten(step), factor = Digits{1} << step;
+    for (; decimal.digits % factor == 0 && decimal.digits % power == 0; decimal.exponent += step) {
       decimal.digits /= power;
     }
   }
@@ -301,10 +307,8 @@ bool has_many_digits(const Time& time) {
 
 Time with_all_digits(const Time& time) {
   if (time.lo != 0 || std::abs(time.hi) >= 0x1p53 || time.hi == std::trunc(time.hi)) return time;
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), time.hi).ptr;
-  const auto found = scan({text.data(), end});
-  return time_of(stripped(found->decimal), std::abs(time.hi));
+  const Decimal found = shortest(std::abs(time.hi));
+  return time_of(stripped({found.digits, found.exponent, time.hi < 0}), std::abs(time.hi));
 }
 
 Rational exact_number(const Time& time, bool decimal) {

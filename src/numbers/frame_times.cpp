@@ -15,7 +15,10 @@ constexpr std::int64_t most_ticks = std::int64_t{1}
                                     << 40;  ///< so that a quotient of double-doubles has the nearest double
 
 /// The decimal of a time: that of a double is its shortest one.
-LongDecimal named(const Time& time) { return decimal_of(with_all_digits(time)); }
+LongDecimal named(const Time& time) {
+  const auto decimal = exact_decimal_of(time);
+  return decimal ? *decimal : decimal_of(time);
+}
 
 /// The whole number nearest to a number. Requires: |number| < 2^51.
 double rounded_to_whole(double number) {
@@ -68,7 +71,9 @@ Time difference(const LongDecimal& a, const LongDecimal& b) {
     for (int i = exponent; digits != 0 && i < decimal.exponent; ++i) digits *= 10;
     return decimal.negative ? -digits : digits;
   };
-  return quotient<Whole>(whole(a) - whole(b), -exponent);
+  const Whole units = whole(a) - whole(b);
+  const auto few = static_cast<std::int64_t>(units);
+  return few == units ? quotient(few, -exponent) : quotient(units, -exponent);
 }
 
 }  // namespace
@@ -127,6 +132,7 @@ FrameTimes FrameTimes::from(const Time& origin) const {
   FrameTimes frames = *this;
   frames.origin_ = number(origin).value_or(0);
   frames.decimal_origin_ = origin;
+  frames.named_origin_ = named(origin);
   return frames;
 }
 
@@ -136,7 +142,7 @@ Time FrameTimes::elapsed(const Time& time) const {
     if (is_whole(time) && is_whole(decimal_origin_)) return Time(time.hi - decimal_origin_.hi);
     const auto micros = microseconds(time), origin = microseconds(decimal_origin_);
     if (micros && origin) return quotient(*micros - *origin, micro);
-    return difference(named(time), named(decimal_origin_));
+    return difference(named(time), named_origin_);
   }
   const auto found = number(time);
   return found ? since_start(*found - origin_) : time - near_start_ - since_start(origin_);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "numbers/decimal_time.hpp"
 #include "numbers/rational.hpp"
 
 namespace tcb {
@@ -53,6 +54,7 @@ class FrameTimes {
   double origin_ = 0;  ///< the number of the part of a frame
   bool are_decimals_ = false;
   Time decimal_origin_;
+  LongDecimal named_origin_;  ///< the same
 };
 
 }  // namespace tcb

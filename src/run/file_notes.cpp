@@ -78,6 +78,144 @@ RequestNeeds needs_of(const Input& input, const KeyOptions& options, const Sampl
   return needs;
 }
 
+/// An input, and what is requested of it.
+struct NotedInput {
+  const Input& input;
+  const KeyOptions& options;
+  const SamplingRequest& request;
+  std::span<const std::size_t> fields;
+
+  const TimeSchema& time() const { return input.schema.time; }
+  bool chooses_positions() const {
+    return std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
+  }
+  /// Of rows, or of the period of the keys.
+  bool has_duration() const {
+    const auto& period = options.rules.period;
+    return request.in_seconds.has_duration || (period && period->value.in_seconds);
+  }
+};
+
+using MaybeNote = std::optional<Note>;
+
+MaybeNote on_encoding(const NotedInput& noted) {
+  const std::string& encoding = noted.input.facts.encoding;
+  if (encoding.empty()) return std::nullopt;
+  if (encoding != name_of(Encoding::windows_1252)) {
+    return important("the text is in {}, and was converted to UTF-8", encoding);
+  }
+  const std::string_view named = noted.input.keys.traits.has_whole_curves ? "objects and tracks" : "columns";
+  return important("names of {} are not in UTF-8; they are taken as {}", named, encoding);
+}
+
+MaybeNote on_index(const NotedInput& noted) {
+  if (noted.input.facts.shape != JsonShape::table_by_index) return std::nullopt;
+  return important("the index of the table is taken as the time");
+}
+
+MaybeNote on_list(const NotedInput& noted) {
+  const std::string& records = noted.input.facts.records;
+  if (!noted.options.input.records.empty() || records.empty()) return std::nullopt;
+  return important("the keys are the list {}; --records takes another one", in_quotes(records));
+}
+
+MaybeNote on_quaternion(const NotedInput& noted) {
+  if (!noted.input.facts.names_quaternion) return std::nullopt;
+  return important(
+      "columns x, y, z and w after x, y and z are taken as the quaternion qx, qy, qz, qw; --rotation none takes them "
+      "as positions");
+}
+
+MaybeNote on_missing_times(const NotedInput& noted) {
+  if (noted.time().is_given || noted.options.rules.parameter) return std::nullopt;
+  const bool are_shown =
+      std::ranges::any_of(noted.fields, [](std::size_t field) { return fields()[field].kind == CellKind::time; });
+  return Note{"there is no time column; the times of the keys are 0, 1, 2, ...",
+              are_shown || noted.request.is_rate || noted.request.in_seconds.has_duration};
+}
+
+MaybeNote on_zone(const NotedInput& noted) {
+  if (noted.time().notation != TimeNotation::date) return std::nullopt;
+  return important("the dates in column \"{}\" have no zone; they are taken as UTC", noted.time().name);
+}
+
+MaybeNote on_short_years(const NotedInput& noted) {
+  if (!noted.time().dates.has_short_year) return std::nullopt;
+  return important("the years of two digits in column \"{}\" are taken as 1969 to 2068", noted.time().name);
+}
+
+MaybeNote on_rate_of_keys(const NotedInput& noted) {
+  const UnitOptions& units = noted.options.input.units;
+  if (units.rate_as_decimal.empty()) return std::nullopt;
+  return broadcast_note(units.rate_as_decimal, *units.frame_rate);
+}
+
+MaybeNote on_rate_of_rows(const NotedInput& noted) {
+  const std::string& decimal = noted.request.rate_as_decimal;
+  if (decimal.empty() || decimal == noted.options.input.units.rate_as_decimal) return std::nullopt;
+  return broadcast_note(decimal, Rational(1) / noted.request.step);
+}
+
+MaybeNote on_radians(const NotedInput& noted) {
+  const RotationOptions& rotation = noted.options.input.rotation;
+  const auto has_angles = [](const GivenRotation& given) {  // the length of a vector is in radians by convention
+    return given.notation.has_angles() && given.notation.form != spline::RotationForm::rotation_vector;
+  };
+  if (rotation.degrees || std::ranges::none_of(rotation.requests, has_angles)) return std::nullopt;
+  return important("the angles of rotations are taken as radians; --angles degrees gives the other unit");
+}
+
+MaybeNote on_unit_of_times(const NotedInput& noted) {
+  const TimeSchema& time = noted.time();
+  if (time.epoch_unit) {
+    return important(
+        "the times in column \"{0}\" may be {1} since 1970; --time-unit {1} says so, and rates and durations are then "
+        "in seconds",
+        time.name, row_of(*time.epoch_unit).name);
+  }
+  if (!noted.has_duration() || time.unit) return std::nullopt;
+  return important(
+      "the unit of the times in column {} is unknown; they are taken as seconds; --time-unit gives another one",
+      noted.input.schema.named ? in_quotes(time.name) : "1");
+}
+
+MaybeNote on_positions(const NotedInput& noted) {
+  if (noted.chooses_positions() || !noted.options.input.renamings.empty()) return std::nullopt;
+  const std::vector<std::string> names = found_by_elimination(noted.input);
+  if (names.empty()) return std::nullopt;
+  return important("positions: {}; --columns ignore=NAME leaves one out", listed(names));
+}
+
+MaybeNote on_other_tracks(const NotedInput& noted) {
+  const std::vector<std::string>& tracks = noted.input.facts.other_tracks;
+  if (tracks.empty()) return std::nullopt;
+  return important("left out, as they have other channels: {}; --only reads them", listed(tracks));
+}
+
+MaybeNote on_constant_tracks(const NotedInput& noted) {
+  const std::vector<std::string>& tracks = noted.input.facts.constant_tracks;
+  if (tracks.empty()) return std::nullopt;
+  return important("left out, as they have a single key: {}; --only reads them", listed(tracks));
+}
+
+MaybeNote on_ignored(const NotedInput& noted) {
+  if (noted.input.facts.ignored.empty()) return std::nullopt;
+  const std::string ignored = listed(noted.input.facts.ignored);
+  if (!noted.chooses_positions()) {
+    return important("ignored: {}; --columns gives them roles, as in carry=NAME or position=NAME:NAME", ignored);
+  }
+  const std::string numbers = range_of_numbers(noted.options.input.columns);
+  if (numbers.empty()) return Note{fmt::format("ignored, as --columns chooses others: {}", ignored)};
+  return important("left out, as --columns chooses others: {}; position={} takes all columns between", ignored,
+                   numbers);
+}
+
+/// The notes on an input, in the order in which they are told.
+constexpr std::array notes_on_input{
+    on_encoding,      on_index,       on_list,         on_quaternion,      on_missing_times,
+    on_zone,          on_short_years, on_rate_of_keys, on_rate_of_rows,    on_radians,
+    on_unit_of_times, on_positions,   on_other_tracks, on_constant_tracks, on_ignored};
+
 }  // namespace
 
 FileNotes::FileNotes(Report& report, const std::string& path) : report_(report), path_(path) {
@@ -90,84 +228,13 @@ void FileNotes::add_input(const Input& input, const KeyOptions& options, const S
   for (const std::string& doubt : doubts_of_request(input.schema, needs_of(input, options, request, fields))) {
     add({doubt, true});
   }
-  if (!input.facts.encoding.empty()) {
-    const bool is_all = input.facts.encoding != name_of(Encoding::windows_1252);
-    const std::string_view named = input.keys.traits.has_whole_curves ? "objects and tracks" : "columns";
-    add(is_all ? important("the text is in {}, and was converted to UTF-8", input.facts.encoding)
-               : important("names of {} are not in UTF-8; they are taken as {}", named, input.facts.encoding));
-  }
-  if (input.facts.shape == JsonShape::table_by_index) add(important("the index of the table is taken as the time"));
-  if (options.input.records.empty() && !input.facts.records.empty()) {
-    add(important("the keys are the list {}; --records takes another one", in_quotes(input.facts.records)));
-  }
-  if (input.facts.names_quaternion) {
-    add(
-        important("columns x, y, z and w after x, y and z are taken as the quaternion qx, qy, qz, qw; --rotation none "
-                  "takes them as positions"));
-  }
-  if (!input.schema.time.is_given && !options.rules.parameter) {
-    const bool are_shown =
-        std::ranges::any_of(fields, [](std::size_t field) { return tcb::fields()[field].kind == CellKind::time; });
-    add({"there is no time column; the times of the keys are 0, 1, 2, ...",
-         are_shown || request.is_rate || request.in_seconds.has_duration});
-  }
-  if (input.schema.time.notation == TimeNotation::date) {
-    add(important("the dates in column \"{}\" have no zone; they are taken as UTC", input.schema.time.name));
-  }
-  if (input.schema.time.dates.has_short_year) {
-    add(important("the years of two digits in column \"{}\" are taken as 1969 to 2068", input.schema.time.name));
-  }
-  const UnitOptions& units = options.input.units;
-  if (!units.rate_as_decimal.empty()) add(broadcast_note(units.rate_as_decimal, *units.frame_rate));
-  if (!request.rate_as_decimal.empty() && request.rate_as_decimal != units.rate_as_decimal) {
-    add(broadcast_note(request.rate_as_decimal, Rational(1) / request.step));
-  }
-  const RotationOptions& rotation = options.input.rotation;
-  const auto has_angles = [](const GivenRotation& given) {  // the length of a vector is in radians by convention
-    return given.notation.has_angles() && given.notation.form != spline::RotationForm::rotation_vector;
-  };
-  if (!rotation.degrees && std::ranges::any_of(rotation.requests, has_angles)) {
-    add(important("the angles of rotations are taken as radians; --angles degrees gives the other unit"));
+  for (const auto note_on : notes_on_input) {
+    if (const MaybeNote note = note_on({input, options, request, fields})) add(*note);
   }
   time_ = input.schema.time;
   channels_ = input.schema.channels;
   has_nulls_ = input.facts.format->is_json;
   skips_cells_ = options.input.keys.missing == Missing::skip_cell;
-  const TimeSchema& time = input.schema.time;
-  const auto& period = options.rules.period;
-  const bool has_duration = request.in_seconds.has_duration || (period && period->value.in_seconds);
-  if (time.epoch_unit) {
-    add(
-        important("the times in column \"{0}\" may be {1} since 1970; --time-unit {1} says so, and rates and durations "
-                  "are then in seconds",
-                  time.name, row_of(*time.epoch_unit).name));
-  } else if (has_duration && !time.unit) {
-    add(important(
-        "the unit of the times in column {} is unknown; they are taken as seconds; --time-unit gives another one",
-        input.schema.named ? in_quotes(time.name) : "1"));
-  }
-  const bool chosen = std::ranges::count(options.input.columns.roles, Role::position, &RoleRequest::role) > 0;
-  if (!chosen && options.input.renamings.empty()) {
-    const std::vector<std::string> names = found_by_elimination(input);
-    if (!names.empty()) {
-      add(important("positions: {}; --columns ignore=NAME leaves one out", listed(names)));
-    }
-  }
-  if (!input.facts.other_tracks.empty()) {
-    add(important("left out, as they have other channels: {}; --only reads them", listed(input.facts.other_tracks)));
-  }
-  if (!input.facts.constant_tracks.empty()) {
-    add(important("left out, as they have a single key: {}; --only reads them", listed(input.facts.constant_tracks)));
-  }
-  if (!input.facts.ignored.empty()) {
-    const std::string ignored = listed(input.facts.ignored);
-    const std::string numbers = range_of_numbers(options.input.columns);
-    add(!chosen ? important("ignored: {}; --columns gives them roles, as in carry=NAME or position=NAME:NAME", ignored)
-        : numbers.empty()
-            ? Note{fmt::format("ignored, as --columns chooses others: {}", ignored)}
-            : important("left out, as --columns chooses others: {}; position={} takes all columns between", ignored,
-                        numbers));
-  }
 }
 
 Note angles_note(const std::vector<NamedAngle>& angles) {

@@ -49,6 +49,18 @@ double longest_on_path(double least, double speed, double change, double toleran
   return (linear + std::sqrt(linear * linear + 4 * least * 96 * speed * tolerance)) / (2 * least);
 }
 
+/// |v ^ a|: the size of v times that of the part of a across it.
+double wedge(const spline::MetricView<double>& v, const spline::MetricView<double>& a) {
+  const double size = spline::norm(v);
+  double along = 0, across2 = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) along += a[i] * (v[i] / size);
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const double across = a[i] - along * (v[i] / size);
+    across2 += across * across;
+  }
+  return size * std::sqrt(across2);
+}
+
 /// How many chords the part around a place takes at least, without two that it may share with its neighbours. `at`:
 /// memory to reuse.
 double chords(const CurveSegment& segment, double middle, double tolerance, spline::Derivatives<double>& at) {
@@ -62,7 +74,7 @@ double chords(const CurveSegment& segment, double middle, double tolerance, spli
     least = std::abs(a[0]) - half * jerk;
     longest = longest_in_graph(least, tolerance);
   } else {
-    least = spline::wedge(v, a) - half * speed * jerk;  // the derivative of X' ^ X'' is X' ^ X'''
+    least = wedge(v, a) - half * speed * jerk;  // the derivative of X' ^ X'' is X' ^ X'''
     longest = longest_on_path(least, speed, change, tolerance);
   }
   const bool is_bound = least > 0 && std::isfinite(least) && longest >= 0;
