@@ -185,6 +185,7 @@ void append_rows(std::string& out, const Layout& layout, std::span<const Printed
                  const ShownTimes& times, bool first) {
   if (rows.texts.empty() && times.are_as_they_are()) return append_numbers(out, layout, columns, rows, first);
   ShownTimes::Texts shown(times);
+  out.reserve(out.size() + rows.cells.size() / rows.width * longest_row(layout));
   std::string number(longest_number_in(layout.notation) + spare_room, '\0');
   for (std::size_t begin = 0; begin < rows.cells.size(); begin += rows.width) {
     if (begin > 0 || !first) out += layout.between_rows;
