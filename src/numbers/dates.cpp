@@ -240,39 +240,49 @@ std::optional<std::int64_t> offset_of(std::string_view zone) {
 
 using Digits = LongDecimal::Digits;
 
-/// A number of so many digits, with zeros before it.
-std::string padded(Digits value, std::size_t size) {
+/// Sets the last digits of a text of zeros to those of a number.
+void set_digits(std::string& text, Digits value) {
   constexpr std::size_t digits = 18;
   constexpr std::uint64_t split = 1'000'000'000'000'000'000;
-  std::string text(size, '0');
-  for (std::size_t end = size; value != 0; end -= std::min(end, digits), value /= split) {
+  for (std::size_t end = text.size(); value != 0; end -= std::min(end, digits), value /= split) {
     std::size_t at = end;
     for (auto part = static_cast<std::uint64_t>(value % split); part != 0; part /= 10) {
       text[--at] = static_cast<char>('0' + part % 10);
     }
   }
-  return text;
 }
 
 /// Nothing from 10^18 seconds on. `decimals`: as in TimeWords.
 std::optional<SplitSeconds> split_seconds(LongDecimal seconds, std::optional<int> decimals) {
-  constexpr int most_digits_of_seconds = 18, most_places = 38;
+  constexpr std::int64_t most_seconds = 1'000'000'000'000'000'000;
+  constexpr int most_places = 38;
   if (decimals) seconds = rounded(seconds, *decimals);
-  if (seconds.size() + seconds.exponent > most_digits_of_seconds) return std::nullopt;
-  for (; seconds.exponent > 0; --seconds.exponent) seconds.digits *= 10;
-  Digits unit = seconds.exponent < -most_places ? 0 : 1;  // 0: there are no whole seconds
-  for (int i = seconds.exponent; i < 0 && unit != 0; ++i) unit *= 10;
-  const Digits whole = unit == 0 ? 0 : seconds.digits / unit, rest = unit == 0 ? seconds.digits : seconds.digits % unit;
-  SplitSeconds result{static_cast<std::int64_t>(whole)};
-  std::string digits = padded(rest, static_cast<std::size_t>(-seconds.exponent));
-  digits.resize(digits.find_last_not_of('0') + 1);
-  if (seconds.negative) {
-    result.whole = -result.whole - (digits.empty() ? 0 : 1);
-    for (char& digit : digits) digit = static_cast<char>('9' - digit + '0');
-    if (!digits.empty()) ++digits.back();
+  for (; seconds.exponent > 0; --seconds.exponent) {
+    if (seconds.digits >= most_seconds) return std::nullopt;
+    seconds.digits *= 10;
   }
-  if (decimals) digits.resize(static_cast<std::size_t>(*decimals), '0');
-  if (!digits.empty()) result.fraction = "." + digits;
+  Digits unit = 1;
+  for (int i = std::max(seconds.exponent, -most_places); i < 0; ++i) unit *= 10;
+  const bool has_whole = seconds.exponent >= -most_places;
+  const Digits whole = has_whole ? seconds.digits / unit : 0, rest = seconds.digits - whole * unit;
+  if (whole >= most_seconds) return std::nullopt;
+  SplitSeconds result{static_cast<std::int64_t>(whole)};
+  std::string& fraction = result.fraction;
+  if (rest != 0) {
+    fraction.assign(static_cast<std::size_t>(1 - seconds.exponent), '0');
+    fraction[0] = '.';
+    set_digits(fraction, rest);
+    fraction.resize(fraction.find_last_not_of('0') + 1);
+  }
+  if (seconds.negative) {
+    result.whole = -result.whole - (rest == 0 ? 0 : 1);
+    for (char& digit : fraction) digit = digit == '.' ? '.' : static_cast<char>('9' - digit + '0');
+    if (rest != 0) ++fraction.back();
+  }
+  if (decimals && *decimals > 0) {
+    if (fraction.empty()) fraction = ".";
+    fraction.resize(static_cast<std::size_t>(*decimals) + 1, '0');
+  }
   return result;
 }
 
@@ -280,18 +290,15 @@ bool is_zero(const SplitSeconds& seconds) {
   return seconds.whole == 0 && seconds.fraction.find_first_not_of(".0") == std::string::npos;
 }
 
-/// A number of two digits at least.
-void append_padded(std::string& out, std::int64_t number) {
-  if (number > 99) out += std::to_string(number / 100);
-  out += static_cast<char>('0' + number / 10 % 10);
-  out += static_cast<char>('0' + number % 10);
-}
-
 /// hh:mm:ss.fff. Requires: seconds >= 0.
 void append_clock(std::string& out, const SplitSeconds& seconds) {
-  append_padded(out, seconds.whole / 3600);
-  append_padded(out += ':', seconds.whole / 60 % 60);
-  append_padded(out += ':', seconds.whole % 60);
+  const std::int64_t hours = seconds.whole / 3600;
+  if (hours > 99) out += std::to_string(hours / 100);
+  const auto digit = [](std::int64_t number) { return static_cast<char>('0' + number % 10); };
+  const std::int64_t minute = seconds.whole / 60 % 60, second = seconds.whole % 60;
+  const std::array clock{digit(hours / 10),  digit(hours), ':', digit(minute / 10), digit(minute), ':',
+                         digit(second / 10), digit(second)};
+  out.append(clock.data(), clock.size());
   out += seconds.fraction;
 }
 
