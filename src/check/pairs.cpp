@@ -28,29 +28,49 @@ SampleRows concatenated(const std::vector<SampleRows>& parts) {
   return all;
 }
 
+bool is_same_group(const SampleRows& a, const SampleRows& b) { return contents(a.group) == contents(b.group); }
+
+/// The rows of each group in one, which lines without a row may divide.
+std::vector<SampleRows> joined_by_group(const std::vector<SampleRows>& parts) {
+  std::vector<SampleRows> all;
+  for (const SampleRows& part : parts) {
+    auto found = std::ranges::find_if(all, [&](const SampleRows& one) { return is_same_group(one, part); });
+    if (found == all.end()) found = all.insert(all.end(), SampleRows{part.group, {}, {}, {}});
+    for (std::size_t row = 0; row < part.size(); ++row) found->add(part, row);
+  }
+  return all;
+}
+
 /// Divides rows at the gaps of the keys, so that each part of a curve has its own; rows in a gap belong to the part
-/// before it. Requires: the rows have times.
-void divide_at_gaps(const KeptInput& kept, SampleTable& table) {
+/// before it. `by_group`: rows belong to the curve of their group, else to the next one. Requires: the rows have times.
+void divide_at_gaps(const KeptInput& kept, SampleTable& table, bool by_group) {
   const std::vector<KeptKeys>& curves = kept.curves;
   const auto is_first_part = [](const KeptKeys& curve) { return curve.part->number == 0; };
-  if (std::ranges::count_if(curves, is_first_part) == 1) table.curves = {concatenated(table.curves)};
+  if (by_group) {
+    table.curves = joined_by_group(table.curves);
+  } else if (std::ranges::count_if(curves, is_first_part) == 1) {
+    table.curves = {concatenated(table.curves)};
+  }
   std::vector<SampleRows> divided;
-  std::size_t next = 0;  // of the first part of a curve
+  auto next = curves.begin();  // the first part of a curve
   for (SampleRows& rows : table.curves) {
-    if (next == curves.size()) {
+    if (by_group) {
+      next = std::ranges::find(curves, contents(rows.group), [](const KeptKeys& one) { return contents(one.group); });
+    }
+    if (next == curves.end()) {
       divided.push_back(std::move(rows));
       continue;
     }
     std::vector<bool> taken(rows.size());
     do {
-      const std::optional<Time> end = curves[next].part->next();
+      const std::optional<Time> end = next->part->next();
       SampleRows& part = divided.emplace_back(SampleRows{rows.group, {}, {}, {}});
       for (std::size_t row = 0; row < rows.size(); ++row) {
         if (taken[row] || (end && rows.times[row] >= *end)) continue;
         taken[row] = true;
         part.add(rows, row);
       }
-    } while (++next < curves.size() && curves[next].part->number > 0);
+    } while (++next != curves.end() && !is_first_part(*next));
   }
   table.curves = std::move(divided);
 }
@@ -61,17 +81,18 @@ Pairs pairs_by_group(const KeptInput& kept, SampleTable& table) {
   std::vector<bool> taken(table.curves.size());
   for (const KeptKeys& curve : kept.curves) {
     const auto wanted = contents(curve.group);
-    SampleRows rows;
-    for (std::size_t i = 0; i < taken.size(); ++i) {
+    std::optional<SampleRows> rows;
+    for (std::size_t i = 0; i < taken.size() && !rows; ++i) {
       if (taken[i] || contents(table.curves[i].group) != wanted) continue;
       taken[i] = true;
       rows = std::move(table.curves[i]);
-      break;
     }
-    if (rows.size() == 0)
+    const bool is_later_part = curve.part && curve.part->number > 0;
+    if (rows && (rows->size() > 0 || curve.part)) {
+      result.pairs.push_back({&curve, *std::move(rows)});
+    } else if (!is_later_part) {
       result.problems.push_back(fmt::format("curve {} has no rows", listed(group_title(names, curve.group))));
-    else
-      result.pairs.push_back({&curve, std::move(rows)});
+    }
   }
   for (std::size_t i = 0; i < taken.size(); ++i) {
     if (taken[i]) continue;
@@ -85,11 +106,10 @@ Pairs pairs_by_group(const KeptInput& kept, SampleTable& table) {
 }  // namespace
 
 Pairs pair_up(const KeptInput& kept, SampleTable& table) {
-  if (!kept.curves.empty() && kept.curves[0].part && table.timed) divide_at_gaps(kept, table);
-  if (!kept.curves.empty() && has_content(kept.curves[0].group) && !table.curves.empty() &&
-      has_content(table.curves[0].group)) {
-    return pairs_by_group(kept, table);
-  }
+  const bool by_group = !kept.curves.empty() && has_content(kept.curves[0].group) && !table.curves.empty() &&
+                        has_content(table.curves[0].group);
+  if (!kept.curves.empty() && kept.curves[0].part && table.timed) divide_at_gaps(kept, table, by_group);
+  if (by_group) return pairs_by_group(kept, table);
   Pairs result;
   if (kept.curves.size() == 1) {
     result.pairs.push_back({&kept.curves[0], concatenated(table.curves)});

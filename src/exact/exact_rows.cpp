@@ -66,6 +66,16 @@ Sizes sizes_of_durations(const spline::Keys<Rational>& keys) {
   return sizes;
 }
 
+/// More than which part of a number double-doubles lose by the rounding of times that are far from 0.
+double part_of_far_times(std::span<const Rational> times) {
+  Sizes sizes, durations;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    sizes.add(times[i]);
+    if (i > 0) durations.add(times[i] - times[i - 1]);
+  }
+  return 0x1p-102 * sizes.most / durations.least;
+}
+
 Printed time_cell(const FastRow& row, const RowsOfCurve& curve, const Notation& notation) {
   const Time& shown = row.sample.t;
   const bool is_decimal = curve.exact.decimal || curve.exact.channels.frames;
@@ -111,12 +121,14 @@ struct ExactRows::Request {
     if (rows.exact.end) rows.times.push_back(*rows.exact.end);
     if (rows.times.size() == 1) rows.times.push_back(rows.times.front());
     const Sizes positions = sizes_of_positions(rows.exact.keys), durations = sizes_of_durations(rows.exact.keys);
-    is_for_double_doubles = positions.are_in_range() && durations.are_in_range();
+    if (!rows.exact.exponent) far_part = part_of_far_times(rows.times);
+    is_for_double_doubles = positions.are_in_range() && durations.are_in_range() && far_part < 0x1p-60;
     keeps_digits = positions.are_near() && durations.are_near();
   }
 
   RowsOfCurve rows;
   const Notation notation;
+  double far_part = 0;  ///< part_of_far_times()
   bool is_for_double_doubles = false;
   bool keeps_digits = false;  ///< a sum of double-doubles that is 0 is so exactly
 };
@@ -130,6 +142,7 @@ class ExactRows::Evaluation {
         chosen_(chosen.begin(), chosen.end()),
         keeps_digits_(request.keeps_digits),
         is_rational_curve_(rows_.exact.is_rational() && rows_.exact.rules.rotations.empty()),
+        least_part_(std::max(request.far_part, 0x1p-84)),
         cells_(width(chosen)),
         may_be_zero_(cells_.size()) {
     if (request.is_for_double_doubles) double_doubles_.emplace(rows_);
@@ -407,8 +420,9 @@ class ExactRows::Evaluation {
     if (value.hi == 0 && in_double.hi == 0 && keeps_digits_) return rounding.exactly({0});
     if (value.hi == 0 || in_double.hi == 0 || std::abs(value.hi) < 0x1p-900) return std::nullopt;
     const double size = std::abs(value.hi);
-    return rounding.within(Bounded(value, std::max({0x1p-34 * std::abs((in_double - value).hi), 0x1p-84 * size,
-                                                    0x1p-92 * scale, moved * std::max(size, scale)})));
+    const double apart = std::abs((in_double - value).hi);
+    return rounding.within(Bounded(value, std::max({0x1p50 * least_part_ * apart, least_part_ * size, 0x1p-92 * scale,
+                                                    moved * std::max(size, scale)})));
   }
 
   /// Sets the cells that are open: rational ones exactly, and others by floats.
@@ -627,6 +641,7 @@ class ExactRows::Evaluation {
   const Notation& notation_;
   const std::vector<std::size_t> chosen_;  ///< fields
   const bool keeps_digits_, is_rational_curve_;
+  const double least_part_;                    ///< of a number, that its error is at least
   std::vector<std::size_t> irrational_ = {};   ///< of the fields
   std::vector<std::optional<Printed>> cells_;  ///< of the current row
   bool has_rational_place_ = false;            ///< the current row

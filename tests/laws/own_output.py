@@ -19,7 +19,7 @@ def have_few_digits(times):
 
 def law(rng):
     chance = lambda p: rng.random() < p
-    keys = Keys(rng, rng.choice(["gaps", "groups"]), TIMES + FINE_TIMES, shortest=rng.choice([1, 2]))
+    keys = Keys(rng, "", TIMES + FINE_TIMES, shortest=rng.choice([1, 2]))
     options = keys.options()
     if chance(0.4):
         options = ["--preset", rng.choice(PRESETS), *options[4 if "--ends" in options else 2:]]
