@@ -145,7 +145,8 @@ Beginning find_delimiter(const Source<std::string>& bytes, std::optional<char> k
     for (std::size_t end = 0; (end = text.find('\n', record)) != std::string::npos; record = end + 1) {
       const std::string_view line = trimmed(std::string_view(text).substr(record, end - record));
       const bool is_comment = any.is_comment(line);
-      if (!is_comment && !line.empty() && !any.is_divider(line)) break;
+      const bool has_nul = line.find('\0') != std::string_view::npos;  // an error, also in a comment
+      if (has_nul || (!is_comment && !line.empty() && !any.is_divider(line))) break;
       if (is_comment || line.empty()) {
         kept = is_comment ? last.value_or(record) : end + 1;
         last = is_comment ? std::optional(record) : std::nullopt;
