@@ -17,11 +17,12 @@ TEST(MissingSign, common_signs_have_any_case) {
   }
 }
 
-TEST(MissingSign, given_signs_count_as_they_are) {
+TEST(MissingSign, given_signs_count_as_they_are_and_numbers_by_value) {
   EXPECT_TRUE(is_missing_sign("lost", {"lost", "-999"}));
   EXPECT_TRUE(is_missing_sign("-999", {"lost", "-999"}));
   EXPECT_FALSE(is_missing_sign("Lost", {"lost", "-999"}));
-  EXPECT_FALSE(is_missing_sign("-999.0", {"lost", "-999"}));
+  EXPECT_TRUE(is_missing_sign("-999.0", {"lost", "-999"}));
+  EXPECT_FALSE(is_missing_sign("-99.9", {"lost", "-999"}));
 }
 
 }  // namespace

@@ -126,8 +126,8 @@ TEST(Header, the_chunks_after_the_header_begin_with_the_first_key) {
 
 TEST(Header, two_columns_of_one_name_are_an_error_unless_they_are_chosen_by_number) {
   EXPECT_EQ(read("t,x,x\n0,1,2\n"),
-            "f:1: error: two columns are called \"x\"; expected different names; rename one, or choose columns by "
-            "number with --columns");
+            "f:1: error: two columns are called \"x\"; expected different names; rename one, or give --columns "
+            "position=2:3,time=1 for columns by number");
   EXPECT_EQ(read("t,x,x\n0,1,2\n", with_columns("position=3")), "t x\n2: 0 2\n");
 }
 
