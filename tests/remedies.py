@@ -89,7 +89,8 @@ def replay(program, kept, valued, other_names):
         return tried
     before = errors((kept / "messages").read_text(errors="replace"))
     for line in before[:3]:
-        for words in remedies(line.split(": error: ", 1)[1], valued):
+        message = re.sub(r" \(\d+ errors of this kind.*", "", line.split(": error: ", 1)[1])
+        for words in remedies(message, valued):
             with tempfile.TemporaryDirectory() as folder:
                 shutil.copytree(kept / "folder", folder, dirs_exist_ok=True, symlinks=True)
                 after_status, after = run([program, *replaced(arguments, words, other_names)], folder, data)
