@@ -65,7 +65,8 @@ std::string to_json(Choices& choices, const Table& table, Fault fault, bool& are
   const auto record = [&](std::size_t row) {
     const bool here = row == bad;
     const std::size_t count = here && fault == Fault::cell_missing ? columns - 1 : columns;
-    std::string text = joined(choices, "{}", count, [&](std::size_t column) { return member(row, column); });
+    const std::size_t first = columns - count;  // without a time: other members may be in some records only
+    std::string text = joined(choices, "{}", count, [&](std::size_t column) { return member(row, first + column); });
     if (here && (fault == Fault::member_twice || fault == Fault::cell_surplus)) {
       text.insert(1, member(row, columns - 1) + ",");
     }

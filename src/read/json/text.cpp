@@ -86,6 +86,12 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
   bool parse_next() {
     now_ = std::min(text_.find_first_not_of(json_blanks, now_), text_.size());
     if (now_ == text_.size()) return false;
+    if (text_.substr(now_).starts_with("\xEF\xBB\xBF")) {  // which the parser would skip
+      throw data_error(
+          "not JSON: a byte order mark within the text; expected one at its beginning at most; remove it, as in "
+          "sed 's/\\xEF\\xBB\\xBF//g' FILE | tcbsample")
+          .at(json_.position_at(now_));
+    }
     at_ = begin_ + now_;
     nlohmann::json::sax_parse(CharacterIterator{this}, CharacterIterator{nullptr}, this,
                               nlohmann::json::input_format_t::json, false);
