@@ -115,6 +115,7 @@ class LayoutFinder {
     } else {
       find_requested();
       find_parameters();
+      require_no_list_of_parameters();
       require_shapes();
       find_positions();
       chooses ? choose() : take_all();
@@ -241,6 +242,31 @@ class LayoutFinder {
         column.may_be_parameter = set.is_clear() || (set.is_doubtful() && is_plain);
       }
     }
+  }
+
+  /// Throws: Error (data) for tension, continuity or bias as a text beside its value, in a list of such.
+  void require_no_list_of_parameters() const {
+    std::unordered_map<std::string_view, const JsonColumn*> numbers;  // by their objects
+    for (const JsonColumn& column : columns_) {
+      if (column.has_number && column.stem.ends_with(']')) numbers.emplace(column.stem, &column);
+    }
+    const JsonColumn* first = nullptr;
+    std::vector<std::string> requests;
+    for (const JsonColumn& column : columns_) {
+      const auto number = numbers.find(column.stem);
+      if (!column.has_text || number == numbers.end() || number->second->is_requested) continue;
+      const Role role = role_of_name(json_.text(column.value));
+      if (role < Role::tension || role > Role::bias || requested_.has(role)) continue;
+      if (first == nullptr) first = &column;
+      requests.push_back(fmt::format("{}={}", role_name(role), number->second->path));
+    }
+    if (first == nullptr) return;
+    const std::string_view list = outer(first->path);
+    throw at(
+        *first, list,
+        data_error("a list of names and values has tension, continuity or bias; expected members of these names; "
+                   "give --columns {} to take them, or --columns {} to leave them out",
+                   in_shell(fmt::format("{}", fmt::join(requests, ","))), in_shell(fmt::format("ignore={}", list))));
   }
 
   /// Throws: Error (data) for an array or an object where a number was expected, or the reverse.
