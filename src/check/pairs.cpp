@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
+#include <map>
 #include <utility>
 
 #include "numbers/decimal_time.hpp"
@@ -28,15 +30,27 @@ SampleRows concatenated(const std::vector<SampleRows>& parts) {
   return all;
 }
 
-bool is_same_group(const SampleRows& a, const SampleRows& b) { return contents(a.group) == contents(b.group); }
+/// The places of curves by their groups, in order.
+using PlacesByGroup = std::map<std::vector<std::string>, std::deque<std::size_t>>;
+
+template <class Curves>
+PlacesByGroup places_by_group(const Curves& curves) {
+  PlacesByGroup places;
+  for (std::size_t i = 0; i < curves.size(); ++i) places[contents(curves[i].group)].push_back(i);
+  return places;
+}
 
 /// The rows of each group in one, which lines without a row may divide.
 std::vector<SampleRows> joined_by_group(const std::vector<SampleRows>& parts) {
+  const PlacesByGroup places = places_by_group(parts);
   std::vector<SampleRows> all;
-  for (const SampleRows& part : parts) {
-    auto found = std::ranges::find_if(all, [&](const SampleRows& one) { return is_same_group(one, part); });
-    if (found == all.end()) found = all.insert(all.end(), SampleRows{part.group, {}, {}, {}});
-    for (std::size_t row = 0; row < part.size(); ++row) found->add(part, row);
+  for (const SampleRows& first : parts) {
+    const std::deque<std::size_t>& same = places.at(contents(first.group));
+    if (&first != &parts[same.front()]) continue;
+    SampleRows& joined = all.emplace_back(SampleRows{first.group, {}, {}, {}});
+    for (const std::size_t part : same) {
+      for (std::size_t row = 0; row < parts[part].size(); ++row) joined.add(parts[part], row);
+    }
   }
   return all;
 }
@@ -52,10 +66,12 @@ void divide_at_gaps(const KeptInput& kept, SampleTable& table, bool by_group) {
     table.curves = {concatenated(table.curves)};
   }
   std::vector<SampleRows> divided;
+  const PlacesByGroup places = by_group ? places_by_group(curves) : PlacesByGroup();
   auto next = curves.begin();  // the first part of a curve
   for (SampleRows& rows : table.curves) {
     if (by_group) {
-      next = std::ranges::find(curves, contents(rows.group), [](const KeptKeys& one) { return contents(one.group); });
+      const auto found = places.find(contents(rows.group));
+      next = found == places.end() ? curves.end() : curves.begin() + static_cast<std::ptrdiff_t>(found->second.front());
     }
     if (next == curves.end()) {
       divided.push_back(std::move(rows));
@@ -79,13 +95,13 @@ Pairs pairs_by_group(const KeptInput& kept, SampleTable& table) {
   const std::vector<std::string>& names = kept.schema.groups;
   Pairs result;
   std::vector<bool> taken(table.curves.size());
+  PlacesByGroup places = places_by_group(table.curves);
   for (const KeptKeys& curve : kept.curves) {
-    const auto wanted = contents(curve.group);
     std::optional<SampleRows> rows;
-    for (std::size_t i = 0; i < taken.size() && !rows; ++i) {
-      if (taken[i] || contents(table.curves[i].group) != wanted) continue;
-      taken[i] = true;
-      rows = std::move(table.curves[i]);
+    if (const auto same = places.find(contents(curve.group)); same != places.end() && !same->second.empty()) {
+      taken[same->second.front()] = true;
+      rows = std::move(table.curves[same->second.front()]);
+      same->second.pop_front();
     }
     const bool is_later_part = curve.part && curve.part->number > 0;
     if (rows && (rows->size() > 0 || curve.part)) {

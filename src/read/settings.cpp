@@ -200,8 +200,12 @@ class SettingsReader {
       if (!names.insert(member.name).second && has_meaning(member.name))
         throw at_name(member, data_error("the object has this member twice; expected it once; remove one"));
     }
-    if (!given_.closed) require_same(closing_names, Kind::boolean, "--closed, or --closed=no");
-    if (!has_rate_) require_same(rate_names, Kind::number, "--input-fps HZ");
+    const auto closes = [](const FileMember& member) {
+      const bool is_setting = is_one(member, Kind::boolean) && lists_word(closing_names, compact(member.name));
+      return is_setting ? shown(member) : "";
+    };
+    if (!given_.closed) require_same(closes, "--closed, or --closed=no");
+    if (!has_rate_) require_same(rate_of, "--input-fps HZ");
     parameters_.clear();
     read_parameters();
     for (const FileMember& member : object_->members) {
@@ -209,13 +213,21 @@ class SettingsReader {
     }
   }
 
-  /// Throws: Error (data) where members of one meaning differ, such as "closed" and "loop".
-  void require_same(std::string_view names, Kind kind, std::string_view option) const {
+  /// The frame rate of a member; empty: none.
+  static std::string rate_of(const FileMember& member) {
+    return is_one(member, Kind::number) ? rate_in(member.name, member.values[0].text) : "";
+  }
+
+  /// Throws: Error (data) where members of one meaning differ, such as "closed" and "loop", or "fps" and "dt".
+  /// `value_of`: what a member says; empty: it has another meaning.
+  template <class ValueOf>
+  void require_same(ValueOf value_of, std::string_view option) const {
     const FileMember* first = nullptr;
     for (const FileMember& member : object_->members) {
-      if (!is_one(member, kind) || !lists_word(names, compact(member.name))) continue;
+      const std::string value = value_of(member);
+      if (value.empty()) continue;
       if (first == nullptr) first = &member;
-      if (shown(*first) == shown(member)) continue;
+      if (value_of(*first) == value) continue;
       throw at_name(member, data_error("this is {}, and {} is {}, which have one meaning; expected one of them; remove "
                                        "one, or give {}",
                                        shown(member), first->name, shown(*first), option));
@@ -422,10 +434,10 @@ class SettingsReader {
 
   /// Numbers of no setting are not used, except those about the rows of an earlier output.
   void read_other(const FileMember& member, std::string_view word) {
-    const std::string rate = is_one(member, Kind::number) ? rate_in(member.name, member.values[0].text) : "";
-    if (!rate.empty()) {
+    if (const std::string rate = rate_of(member); !rate.empty()) {
       found.frame_rate = rate;
-      found.shown_rate = fmt::format("{} to {}", path(member.name), member.values[0].text);
+      found.rate_name = path(member.name);
+      found.shown_rate = fmt::format("{} to {}", found.rate_name, member.values[0].text);
       return;
     }
     object_->is_own ? require_no_own_setting(member) : require_no_near_setting(member, word);

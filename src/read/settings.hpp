@@ -58,7 +58,8 @@ struct FileSettings {
   std::optional<spline::Tcb<double>> tcb = {};  ///< of keys that have none
   std::vector<std::string> channels = {};       ///< names of the numbers of "position"
   std::string frame_rate = {};                  ///< as --input-fps takes it; empty: none
-  std::string shown_rate = {};                  ///< the path of its member, and the value
+  std::string rate_name = {};                   ///< the path of its member
+  std::string shown_rate = {};                  ///< the same with the value
   std::vector<std::string> notes = {};
   std::vector<std::string> unused = {};  ///< members with numbers that are no settings
 };

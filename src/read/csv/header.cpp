@@ -1054,8 +1054,8 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
   rest[0].line = row.line;
   const HeadRows rows = cells_of(rest, dialect);
   const bool may_have_marks = !head.is_of_format && !columns.samples && !options.delimited.has_decimal;
-  const bool has_marks = may_have_marks && head.marks == NumberMarks() && marks_of_numbers(rows);
-  if (has_marks) head.marks = *marks_of_numbers(rows);
+  const auto marks = may_have_marks && head.marks == NumberMarks() ? marks_of_numbers(rows) : std::nullopt;
+  if (marks) head.marks = *marks;
   const auto numeric = numeric_columns(first, data, names, columns.samples.has_value(), head);
   require_numbers(row, names, numeric, head);
   at_position(position, [&] {
@@ -1065,7 +1065,7 @@ DelimitedHead read_head(const Source<Chunk>& chunks, const Dialect& dialect, con
       find_key_columns(head, names, numeric, rows, options, unread);
     }
     take_descriptions(head, described, options.units);
-    if (has_marks) head.columns.doubts.push_back(marks_in_words(head.marks));
+    if (marks) head.columns.doubts.push_back(marks_in_words(head.marks));
     std::vector<std::string> times{first_time(row.cells, head.columns)};
     if (find_date_format(times[0])) {
       for (const HeadCells& cells : rows) times.push_back(first_time(texts(cells), head.columns));

@@ -65,8 +65,8 @@ std::optional<NumberMarks> marks_of(std::string_view text) {
   return found == other_marks.end() ? std::nullopt : std::optional(*found);
 }
 
-/// The command that removes what is beside a number in a cell: a currency or a unit, as in $5, 10s and 5 m. Empty: it
-/// is something else.
+/// The command that removes the word or the sign beside a number in a cell: a currency or a unit, as in $5, 10s and
+/// 5 m. Empty: it is something else, such as an address.
 std::string command_without_unit(std::string_view cell) {
   constexpr std::string_view digits = "0123456789";
   const std::size_t first = cell.find_first_of("+-.0123456789"), last = cell.find_last_of(digits);
@@ -74,11 +74,14 @@ std::string command_without_unit(std::string_view cell) {
   const std::string_view before = cell.substr(0, first), behind = cell.substr(last + 1);
   const std::string_view number = cell.substr(first, last + 1 - first);
   const bool is_number = parse_number(number) || marks_of(number);
-  const auto is_plain = [](std::string_view text) {  // so that it stands for itself in a regular expression
-    return text.find_first_of("\\/*[]^()'+?{}|&.") == std::string_view::npos;
+  const auto is_plain = [](std::string_view text) {  // a short word that stands for itself in a regular expression
+    constexpr std::size_t longest = 12;
+    const std::string_view word = trimmed(text);
+    return word.size() <= longest && word.find_first_of(" \t\r\n\\/*[]^()'+?{}|&.$") == std::string_view::npos;
   };
   const bool is_word = !before.empty() && lower(before[0]) >= 'a' && lower(before[0]) <= 'z';
-  if (!is_number || is_word || before.empty() == behind.empty() || !is_plain(before) || !is_plain(behind)) return "";
+  if (!is_number || is_word || before.empty() == behind.empty()) return "";
+  if (!is_plain(behind) || (before != "$" && !is_plain(before))) return "";
   return before.empty() ? fmt::format(R"(sed -E 's/([0-9]){}([",;[:space:]]|$)/\1\2/g')", behind)
                         : fmt::format("sed 's/{}{}//g'", before == "$" ? "\\" : "", before);
 }

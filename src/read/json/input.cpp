@@ -480,16 +480,18 @@ void take_rate(FileSettings& settings, const InputOptions& options, Records& rec
   records.facts.shown_rate = rate;
   const bool may_be_frames = !has_times || (columns.time_gap && !unit_of_time(columns.time));
   if (!may_be_frames && !columns.has_time_by_place) {
-    settings.unused.push_back(settings.shown_rate.substr(0, settings.shown_rate.find(' ')));
+    settings.unused.push_back(settings.rate_name);
     return;
   }
-  columns.doubts.push_back(fmt::format(
-      "the file sets {}, which is not used; {}{}", settings.shown_rate,
-      may_be_frames ? fmt::format("--input-fps {} takes the {} as frames at it", rate, has_times ? "times" : "keys")
-                    : "",
-      !columns.has_time_by_place ? ""
-                                 : fmt::format("{}--parameter uniform --input-fps {} takes rows without times at it",
-                                               may_be_frames ? ", and " : "", rate)));
+  std::vector<std::string> remedies;
+  if (may_be_frames) {
+    remedies.push_back(fmt::format("--input-fps {} takes the {} as frames at it", rate, has_times ? "times" : "keys"));
+  }
+  if (columns.has_time_by_place) {
+    remedies.push_back(fmt::format("--parameter uniform --input-fps {} takes rows without times at it", rate));
+  }
+  columns.doubts.push_back(
+      fmt::format("the file sets {}, which is not used; {}", settings.shown_rate, fmt::join(remedies, ", and ")));
 }
 
 /// Throws: Error (data) for settings in the object around curves as the program writes them.

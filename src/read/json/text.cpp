@@ -156,11 +156,10 @@ class Json::Events : public nlohmann::json_sax<nlohmann::json> {
       return "found what Python prints; expected JSON; convert it, as in python3 -c 'import ast,json,sys; "
              "print(json.dumps(ast.literal_eval(sys.stdin.read())))' <FILE | tcbsample";
     }
-    const bool is_number = !value.empty() && std::string_view("+.0").find(value[0]) != value.npos;
+    const bool is_number = value.starts_with('+') || value.starts_with('.');
     if (text[0] != '\'' && !is_name && !is_number && value != "undefined" && value != "Infinity") return "";
-    return "found what JavaScript or JSON5 has; expected JSON, with names in double quotes; convert it, as in npx "
-           "json5 "
-           "FILE | tcbsample";
+    return "found what JavaScript or JSON5 has; expected JSON, with names in double quotes; convert it, as in "
+           "npx json5 FILE | tcbsample";
   }
 
   std::size_t token() const { return std::min(text_.find_first_not_of(" \t\r\n,:", now_), text_.size()); }
