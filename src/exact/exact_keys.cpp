@@ -28,13 +28,13 @@ struct ExactDistancePower {
   void add_square(const Rational& a, const Rational& b) { sum_ += (b - a) * (b - a); }
   /// By the nested roots of spline::power_by_roots(). Requires: 0 <= exponent < 2^53.
   S power(double exponent) const {
-    S x = sqrt(scalar_of<S>(sum_)), whole_part(1.0), root(1.0);
+    S x = spline::square_root(scalar_of<S>(sum_)), whole_part(1.0), root(1.0);
     double whole = std::floor(exponent), rest = exponent - whole;
     int bits = 0;
     for (; rest != std::floor(rest); rest *= 2) ++bits;
-    const S root_of_x = sqrt(x);
+    const S root_of_x = spline::square_root(x);
     for (auto left = static_cast<std::uint64_t>(rest); bits > 0; --bits, left >>= 1) {
-      root = (left & 1U) != 0 ? S(sqrt(root) * root_of_x) : S(sqrt(root));
+      root = (left & 1U) != 0 ? S(spline::square_root(root) * root_of_x) : S(spline::square_root(root));
     }
     for (auto left = static_cast<std::uint64_t>(whole); left > 0; left >>= 1, x = x * x) {
       if ((left & 1U) != 0) whole_part = whole_part * x;

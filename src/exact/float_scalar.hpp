@@ -16,9 +16,9 @@
 namespace tcb {
 
 template <unsigned bits>
-using FloatDigits = boost::multiprecision::cpp_bin_float<bits, boost::multiprecision::digit_base_2, void, std::int32_t>;
-template <unsigned bits>
-using Float = boost::multiprecision::number<FloatDigits<bits>, boost::multiprecision::et_off>;
+using Float = boost::multiprecision::number<
+    boost::multiprecision::cpp_bin_float<bits, boost::multiprecision::digit_base_2, void, std::int32_t>,
+    boost::multiprecision::et_off>;
 
 using ShortFloat = Float<192>;
 using LongFloat = Float<448>;
@@ -48,35 +48,24 @@ inline LongFloat scalar_of<LongFloat>(const Rational& value) {
   return float_of<448>(value);
 }
 
-}  // namespace tcb
-
-namespace boost::multiprecision::backends {
-
-/// The root of a float, which sqrt() calls, by Newton's method: that of Boost takes a step for each bit. Promises:
-/// within two units of the last place, and exactly, if it has at most half of the bits.
+/// The root of a float by Newton's method, where sqrt() of Boost takes a step for each bit. Promises: within two units
+/// of the last place, and exactly, if it has at most half of the bits.
 template <unsigned bits>
-void eval_sqrt(tcb::FloatDigits<bits>& result, const tcb::FloatDigits<bits>& of) {
-  using Number = tcb::Float<bits>;
-  const Number x(of);
-  if (!(x > 0) || !isfinite(x)) {
-    result = x < 0 ? std::numeric_limits<Number>::quiet_NaN().backend() : of;
-    return;
+struct spline::SquareRoot<Float<bits>> {
+  static Float<bits> of(const Float<bits>& x) {
+    if (!(x > 0) || !isfinite(x)) return x < 0 ? std::numeric_limits<Float<bits>>::quiet_NaN() : x;
+    int exponent = 0;
+    Float<bits> part = frexp(x, &exponent);
+    if (exponent % 2 != 0) part = ldexp(part, exponent < 0 ? -1 : 1);
+    const ShortFloat rough(part);
+    ShortFloat inverse(1 / std::sqrt(static_cast<double>(rough)));
+    for (int step = 0; step < 2; ++step) inverse += ldexp(inverse * (1 - rough * inverse * inverse), -1);
+    Float<bits> root(rough * inverse);
+    const Float<bits> near(inverse);
+    for (int step = 0; step < (bits > 192 ? 2 : 1); ++step) root += ldexp(near * (part - root * root), -1);
+    return ldexp(root, exponent / 2);
   }
-  int exponent = 0;
-  Number part = frexp(x, &exponent);
-  if (exponent % 2 != 0) part = ldexp(part, exponent < 0 ? -1 : 1);
-  const tcb::ShortFloat rough(part);
-  tcb::ShortFloat inverse(1 / std::sqrt(static_cast<double>(rough)));
-  for (int step = 0; step < 2; ++step) inverse += ldexp(inverse * (1 - rough * inverse * inverse), -1);
-  Number root(rough * inverse);
-  const Number near(inverse);
-  for (int step = 0; step < (bits > 192 ? 2 : 1); ++step) root += ldexp(near * (part - root * root), -1);
-  result = ldexp(root, exponent / 2).backend();
-}
-
-}  // namespace boost::multiprecision::backends
-
-namespace tcb {
+};
 
 extern template class spline::CurveKeys<ShortFloat>;
 extern template class spline::CurveKeys<LongFloat>;

@@ -444,7 +444,7 @@ class RowPoint {
 
   /// Where lengths have an error, the place has that over the speed; less, where the curve nearly rests.
   void set_place_error(const S& error) {
-    using std::abs, std::sqrt;
+    using std::abs;
     S speed(0), change(0), distance = std::min<S>(sample_.at.u, -sample_.at.w);
     for (const std::size_t i : rows_.metric) {
       const auto x = spline::local_derivatives(segment_.cubics[i], sample_.at);
@@ -454,10 +454,10 @@ class RowPoint {
     auto& [place, eased, part] = place_error_;
     if (speed > S(0)) place = error / speed;
     if (change > S(0)) {
-      const S at_rest = sqrt(error / change);
+      const S at_rest = spline::square_root(error / change);
       place = speed > S(0) ? std::min<S>(place, at_rest) : at_rest;
     }
-    eased = place / std::max<S>(distance, sqrt(place));
+    eased = place / std::max<S>(distance, spline::square_root(place));
     if (change > S(0)) distance = std::min<S>(distance, speed / change);
     part = place < distance ? S(place / distance) : S(1);
   }

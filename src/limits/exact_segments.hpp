@@ -64,9 +64,8 @@ void add_angles(spline::Segments<S>& segments) {
   for (std::size_t i = 0; i < before.size(); ++i) {
     segments.cubics.insert(segments.cubics.end(), before[i].begin(), before[i].end());
     for (const spline::RotationSegment<S>& rotation : before.rotations_of(i)) {
-      using std::sqrt;
       const auto [x, y, z] = rotation.rate({S(0), S(-1)});
-      const S zero(0), rate = sqrt(x * x + (y * y + z * z));
+      const S zero(0), rate = spline::square_root(x * x + (y * y + z * z));
       segments.cubics.push_back({zero, rate, zero, zero, rate, rate, zero, zero, zero});
     }
   }

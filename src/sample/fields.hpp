@@ -108,10 +108,9 @@ void write_angular_velocity(Point<S>& point, CellWriter<S> out) {
 template <class S>
 void write_angular_speed(Point<S>& point, CellWriter<S> out) {
   if constexpr (spline::has_roots<S>) {
-    using std::sqrt;
     for (std::size_t i = 0; i < point.segment().rotations.size(); ++i) {
       const auto [x, y, z] = point.angular_velocity(i);
-      out.add(Quantity<S>{S(sqrt(x * x + (y * y + z * z))), point.has_row_velocity()});
+      out.add(Quantity<S>{S(spline::square_root(x * x + (y * y + z * z))), point.has_row_velocity()});
     }
   }
 }

@@ -349,7 +349,7 @@ class PathShape {
     if (v2 == S(0)) return {S(0), false};
     const S& v = point.derivatives().velocity[channel];
     if constexpr (spline::has_roots<S>) {
-      return {v / sqrt(v2)};
+      return {v / spline::square_root(v2)};
     } else {
       return {v < S(0) ? S(-(v * v / v2)) : S(v * v / v2), true, true};
     }
@@ -425,7 +425,7 @@ class PathShape {
 
   static Quantity<S> root(const S& square) {
     if constexpr (spline::has_roots<S>) {
-      return {sqrt(square)};
+      return {spline::square_root(square)};
     } else {
       return {square, true, true};
     }

@@ -2,7 +2,7 @@
 //
 // On a smooth panel the first estimate of the place z is the polynomial of fifth degree that has the values and the
 // first two derivatives of the inverse at both ends. If the length at an estimate z0 is short of the wanted one by m,
-// then with q = (ds/dz)^2, d = m / sqrt(q) and A, B, C, D = q'/q, q''/(2 q), q'''/(6 q), q''''/(24 q)
+// then with q = (ds/dz)^2, d = m / square_root(q) and A, B, C, D = q'/q, q''/(2 q), q'''/(6 q), q''''/(24 q)
 //   z = z0 + d + k2 d^2 + k3 d^3 + k4 d^4 + k5 d^5 + O(d^6),
 //   k2 = -A/4, k3 = (A^2 - B)/6, k4 = (A (13 B - 7 A^2) - 6 C)/48,
 //   k5 = (A^2 (35 A^2 - 94 B) + 57 A C + 26 B^2 - 24 D)/240
@@ -21,6 +21,7 @@
 
 #include "tcb/spline/arc_length.hpp"
 #include "tcb/spline/double_pair.hpp"
+#include "tcb/spline/scalar.hpp"
 
 namespace tcb::spline {
 
@@ -145,15 +146,14 @@ class ArcInverse {
   /// The first estimate for a length from the panel's start and the panel's length, both per width.
   template <class T>
   static T estimate(const Quartic<T>& q, const T& length, const T& into) {
-    using std::sqrt;
     // As a function of t = into / length it is 2 t - 1 plus terms that give the derivatives at the ends.
     const T even = q[0] + q[2] + q[4], odd = q[1] + q[3];
     const T even_slope = S(2.0) * q[2] + S(4.0) * q[4], odd_slope = q[1] + S(3.0) * q[3];
     const T begin = S(1.0) / (even - odd), end = S(1.0) / (even + odd), square = S(0.25) * (length * length);
     const T t = into / length;
-    const T k1 = length * (sqrt(T(even - odd)) * begin) - S(2.0);
+    const T k1 = length * (square_root(T(even - odd)) * begin) - S(2.0);
     const T k2 = square * (even_slope - odd_slope) * (begin * begin);
-    const T in = length * (sqrt(T(even + odd)) * end) - S(2.0);
+    const T in = length * (square_root(T(even + odd)) * end) - S(2.0);
     const T in_second = square * (even_slope + odd_slope) * (end * end);  // minus half the second derivative at the end
     const T k3 = -in_second - S(6.0) * k1 - S(4.0) * in - S(3.0) * k2;
     const T k4 = S(8.0) * k1 + S(7.0) * in + S(3.0) * k2 + S(2.0) * in_second;
@@ -164,10 +164,10 @@ class ArcInverse {
   /// A step from a place with the square q of the speed, for a missing length, per width.
   template <class T>
   static Step<T> step(const Quartic<T>& q, const T& missing) {
-    using std::max, std::sqrt;
+    using std::max;
     const T unit = S(1.0) / q[0];
     const T a = q[1] * unit, b = q[2] * unit, c = q[3] * unit, e = q[4] * unit, aa = a * a;
-    const T d = missing * (sqrt(q[0]) * unit), dd = d * d;
+    const T d = missing * (square_root(q[0]) * unit), dd = d * d;
     const T k2 = -S(0.25) * a;
     const T k3 = (aa - b) * (S(1) / S(6));
     const T k4 = (a * (S(13.0) * b - S(7.0) * aa) - S(6.0) * c) * (S(1) / S(48));

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tcb/spline/ease.hpp"
+#include "tcb/spline/scalar.hpp"
 
 namespace tcb::spline {
 
@@ -139,8 +140,7 @@ S square(const MetricView<S>& v) {
 
 template <class S>
 S norm(const MetricView<S>& v) {
-  using std::sqrt;
-  return sqrt(square(v));
+  return square_root(square(v));
 }
 
 /// a d - b c, accurate to its last digits also where the products cancel.
@@ -166,8 +166,7 @@ S wedge_square(const MetricView<S>& v, const MetricView<S>& a) {
 /// |v ^ a|
 template <class S>
 S wedge(const MetricView<S>& v, const MetricView<S>& a) {
-  using std::sqrt;
-  return sqrt(wedge_square(v, a));
+  return square_root(wedge_square(v, a));
 }
 
 /// det(v, a, j) of the channels p, q, r.
@@ -196,8 +195,7 @@ S wedge_square(const MetricView<S>& v, const MetricView<S>& a, const MetricView<
 /// det(v, a, j) of three channels; of more, |v ^ a ^ j|.
 template <class S>
 S wedge(const MetricView<S>& v, const MetricView<S>& a, const MetricView<S>& j) {
-  using std::sqrt;
-  return v.size() == 3 ? minor3(v, a, j, 0, 1, 2) : sqrt(wedge_square(v, a, j));
+  return v.size() == 3 ? minor3(v, a, j, 0, 1, 2) : square_root(wedge_square(v, a, j));
 }
 
 /// Exponents of the units in which products and squares of derivatives neither overflow nor vanish; 0 for most.

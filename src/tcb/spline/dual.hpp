@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tcb/spline/angle.hpp"
+#include "tcb/spline/scalar.hpp"
 
 namespace tcb::spline {
 
@@ -29,8 +30,7 @@ struct Dual {
     return {quotient, (a.slope - quotient * b.slope) / b.value};
   }
   friend Dual sqrt(const Dual& a) {
-    using std::sqrt;
-    const S root = sqrt(a.value);
+    const S root = square_root(a.value);
     return {root, a.slope / (S(2) * root)};
   }
   friend SineCosine<Dual> sine_cosine(const Dual& angle) {

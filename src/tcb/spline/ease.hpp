@@ -17,6 +17,7 @@
 #include <type_traits>
 
 #include "tcb/spline/key.hpp"
+#include "tcb/spline/scalar.hpp"
 #include "tcb/spline/segment.hpp"
 
 namespace tcb::spline {
@@ -100,7 +101,6 @@ class Warp {
 
   /// The inverse of at(): the fraction of the duration at a local parameter.
   W inverse(const LocalParameter<S>& place) const {
-    using std::sqrt;
     const bool near_start = place.near_start();
     const W u = near_start ? W(place.u) : W(1) + W(place.w);
     if (is_identity()) return u;
@@ -108,9 +108,9 @@ class Warp {
     if (is_cubic()) {
       return near_start ? root(u, first_) : W(1) - root(left, last_);
     }
-    if (u < k_ * first_) return sqrt(u * first_ / k_);
+    if (u < k_ * first_) return square_root(u * first_ / k_);
     if (left > k_ * last_) return W(0.5) * (u / k_ + first_);
-    return W(1) - sqrt(left * last_ / k_);
+    return W(1) - square_root(left * last_ / k_);
   }
 
   /// The local parameters between which a warp of ease is linear. That of a cubic has one part.

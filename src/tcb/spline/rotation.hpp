@@ -27,6 +27,7 @@
 #include "tcb/spline/dual.hpp"
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rotation_curve.hpp"
+#include "tcb/spline/scalar.hpp"
 #include "tcb/spline/segment.hpp"
 
 namespace tcb::spline {
@@ -65,8 +66,7 @@ T dot(const Quaternion<T>& p, const Quaternion<T>& q) {
 
 template <class T>
 Quaternion<T> normalized(const Quaternion<T>& q) {
-  using std::sqrt;
-  const T size = sqrt(dot(q, q));
+  const T size = square_root(dot(q, q));
   return {q.x / size, q.y / size, q.z / size, q.w / size};
 }
 
@@ -94,12 +94,11 @@ class Arc {
  public:
   Arc() = default;
   Arc(const Quaternion<T>& from, const Quaternion<T>& to) : from_(from), to_(to) {
-    using std::sqrt;
     const Quaternion<T> turn = conjugate(from) * to;
     square_ = turn.x * turn.x + (turn.y * turn.y + turn.z * turn.z);
     is_short_ = value_of(square_) < 0.015625 && value_of(turn.w) > 0;
     if (is_short_) return;
-    sine_ = sqrt(square_);
+    sine_ = square_root(square_);
     angle_ = angle_of(sine_, turn.w);
     is_turned_ = value_of(square_) < 0x1p-40;
     if (is_turned_) to_ = turn;
@@ -153,8 +152,7 @@ class Arc {
 /// Half the angle of a rotation along its axis. Requires: |q| = 1.
 template <class S>
 Vector3<S> logarithm(const Quaternion<S>& q) {
-  using std::sqrt;
-  const S sine = sqrt(q.x * q.x + (q.y * q.y + q.z * q.z));
+  const S sine = square_root(q.x * q.x + (q.y * q.y + q.z * q.z));
   if (sine == S(0)) return {q.x, q.y, q.z};
   const S factor = angle_of(sine, q.w) / sine;
   return {q.x * factor, q.y * factor, q.z * factor};
@@ -163,16 +161,14 @@ Vector3<S> logarithm(const Quaternion<S>& q) {
 /// The number of half turns of a turn; 0: it is none.
 template <class S>
 S half_turns_of(const Vector3<S>& turn) {
-  using std::sqrt;
-  const S half = sqrt(turn[0] * turn[0] + (turn[1] * turn[1] + turn[2] * turn[2]));
+  const S half = square_root(turn[0] * turn[0] + (turn[1] * turn[1] + turn[2] * turn[2]));
   return half == S(0) ? S(0) : S(S(2) * half / pi<S>());
 }
 
 /// The rotation with a logarithm.
 template <class S>
 Quaternion<S> exponential(const Vector3<S>& v) {
-  using std::sqrt;
-  const S angle = sqrt(v[0] * v[0] + (v[1] * v[1] + v[2] * v[2]));
+  const S angle = square_root(v[0] * v[0] + (v[1] * v[1] + v[2] * v[2]));
   if (angle == S(0)) return {v[0], v[1], v[2], S(1)};
   const auto [sine, cosine] = sine_cosine(angle);
   const S factor = sine / angle;

@@ -18,6 +18,7 @@
 #include "tcb/spline/key.hpp"
 #include "tcb/spline/rotation.hpp"
 #include "tcb/spline/rotation_form.hpp"
+#include "tcb/spline/scalar.hpp"
 
 namespace tcb::spline {
 
@@ -105,7 +106,6 @@ Quaternion<S> eigenvector(const QuaternionMatrix<S>& a) {
 template <class S>
 Quaternion<S> nearest_rotation(RotationNumbers<S> m) {
   using std::abs;
-  using std::sqrt;
   S largest(0), squares(0);
   for (const S& number : m) largest = std::max(largest, S(abs(number)));
   const S unit = power_of_two_below(largest);
@@ -113,7 +113,7 @@ Quaternion<S> nearest_rotation(RotationNumbers<S> m) {
     number /= unit;
     squares += number * number;
   }
-  const S size = sqrt(S(squares / S(3)));  // 1 / unit for a rotation
+  const S size = square_root(S(squares / S(3)));  // 1 / unit for a rotation
   const auto part = [&](const S& sum) { return S(sum / (S(4) * size)); };
   const S xy = part(m[1] + m[3]), xz = part(m[2] + m[6]), yz = part(m[5] + m[7]);
   const S xw = part(m[7] - m[5]), yw = part(m[2] - m[6]), zw = part(m[3] - m[1]);
@@ -126,8 +126,7 @@ Quaternion<S> nearest_rotation(RotationNumbers<S> m) {
 /// The length of the vector that the first three numbers are.
 template <class Numbers, class S = std::remove_cvref_t<decltype(std::declval<Numbers>()[0])>>
 S length_of_vector(const Numbers& numbers) {
-  using std::sqrt;
-  return sqrt(S(numbers[0] * numbers[0] + (numbers[1] * numbers[1] + numbers[2] * numbers[2])));
+  return square_root(S(numbers[0] * numbers[0] + (numbers[1] * numbers[1] + numbers[2] * numbers[2])));
 }
 
 /// The rotation that numbers give. Requires: the form is not that of quaternions; an axis is not zero unless its angle
@@ -196,7 +195,6 @@ S in_unit(const S& radians, bool degrees) {
 /// second makes the first and the third axis parallel, the third angle is 0.
 template <class S>
 std::array<S, 3> euler_angles(const Quaternion<S>& q, const RotationNotation& notation) {
-  using std::sqrt;
   auto [i, j, k] = notation.axes;
   if (notation.intrinsic) std::swap(i, k);  // the same turns as around fixed axes in the other order
   const bool is_proper = i == k;
@@ -207,7 +205,7 @@ std::array<S, 3> euler_angles(const Quaternion<S>& q, const RotationNotation& no
   const S a = is_proper ? q.w : S(q.w - v[j]), b = is_proper ? v[i] : S(v[i] + third);
   const S c = is_proper ? v[j] : S(v[j] + q.w), d = is_proper ? third : S(third - v[i]);
   const S pi = spline::pi<S>(), small = S(8) * std::numeric_limits<S>::epsilon();
-  const S first = sqrt(a * a + b * b), second = sqrt(c * c + d * d);
+  const S first = square_root(a * a + b * b), second = square_root(c * c + d * d);
   S middle = S(2) * angle_of(second, first);
   const bool is_zero = second < small, is_half_turn = first < small;
   const S sum = is_half_turn ? S(0) : direction(b, a), difference = is_zero ? S(0) : direction(d, c);
@@ -246,7 +244,6 @@ RotationNumbers<S> matrix_of(const Quaternion<S>& q) {
 /// The numbers of a rotation in a notation, where zeros may have a sign.
 template <class S>
 RotationNumbers<S> signed_numbers_of(Quaternion<S> q, const RotationNotation& notation) {
-  using std::sqrt;
   if (notation.form == RotationForm::matrix) return matrix_of(q);
   if (notation.is_quaternion()) return {q.x, q.y, q.z, q.w};
   if (notation.form == RotationForm::euler) {
@@ -255,7 +252,7 @@ RotationNumbers<S> signed_numbers_of(Quaternion<S> q, const RotationNotation& no
             in_unit(angles[2], notation.degrees)};
   }
   if (q.w < S(0)) q = -q;
-  const S sine = sqrt(q.x * q.x + (q.y * q.y + q.z * q.z));
+  const S sine = square_root(q.x * q.x + (q.y * q.y + q.z * q.z));
   const bool is_vector = notation.form == RotationForm::rotation_vector;
   if (sine == S(0)) return {S(is_vector ? 0 : 1)};
   const S angle = in_unit(S(S(2) * angle_of(sine, q.w)), notation.degrees);

@@ -26,6 +26,20 @@ inline DoubleDouble sqrt(const DoubleDouble& value) {
   return DoubleDouble::normalized(root, remainder.hi / (2 * root));
 }
 
+/// How the square root of a scalar is computed: by sqrt() of its type, unless there is another way.
+template <class S>
+struct SquareRoot {
+  static S of(const S& value) {
+    using std::sqrt;
+    return sqrt(value);
+  }
+};
+
+template <class S>
+S square_root(const S& value) {
+  return SquareRoot<S>::of(value);
+}
+
 inline DoubleDouble abs(const DoubleDouble& value) { return value.hi < 0 ? -value : value; }
 
 /// The largest whole number up to a value.

@@ -16,6 +16,7 @@
 
 #include "tcb/spline/detail/quadrature.hpp"
 #include "tcb/spline/detail/speed.hpp"
+#include "tcb/spline/scalar.hpp"
 
 namespace tcb::spline {
 
@@ -51,15 +52,14 @@ inline constexpr int squarings = 3;
 
 /// The radius in which q must be free of zeros for a rule with N points (a power of two), to the power of 2^squarings.
 ///
-/// Then the speed is analytic in the ellipse with foci -1, 1 and semi-axes' sum rho = R + sqrt(R^2 - 1), and there at
-/// most 4 sqrt(q(0)): q(z) is q(0) times four factors 1 - z / zero. The rule errs by at most
-/// 64/15 * 4 sqrt(q(0)) / (rho^2N - rho^(2N - 2)), which is below a rounding for rho^2N = 32 / epsilon.
+/// Then the speed is analytic in the ellipse with foci -1, 1 and semi-axes' sum rho = R + square_root(R^2 - 1), and
+/// there at most 4 square_root(q(0)): q(z) is q(0) times four factors 1 - z / zero. The rule errs by at most 64/15 * 4
+/// square_root(q(0)) / (rho^2N - rho^(2N - 2)), which is below a rounding for rho^2N = 32 / epsilon.
 template <class S, std::size_t N>
 const S& smooth_radius_power() {
   static const S power = [] {
-    using std::sqrt;
     S rho = S(32) / std::numeric_limits<S>::epsilon();
-    for (std::size_t root = 1; root < 2 * N; root *= 2) rho = sqrt(rho);
+    for (std::size_t root = 1; root < 2 * N; root *= 2) rho = square_root(rho);
     S radius = (rho + S(1) / rho) * S(0.5);
     for (int squaring = 0; squaring < squarings; ++squaring) radius *= radius;
     return radius;
@@ -171,10 +171,9 @@ T sum_in_pairs(std::array<T, N>& terms) {
   return terms[0];
 }
 
-/// The integral of sqrt(q) over [begin, end] by an N-point Gauss-Legendre rule. S is the scalar of T.
+/// The integral of square_root(q) over [begin, end] by an N-point Gauss-Legendre rule. S is the scalar of T.
 template <class S, std::size_t N, class T>
 T root_integral(const Quartic<T>& q, const T& begin, const T& end) {
-  using std::sqrt;
   const auto& rule = gauss_rule<S, N>();
   const T width = end - begin;
   if constexpr (std::is_same_v<T, DoubleDouble>) {  // two nodes as a pair
@@ -186,7 +185,7 @@ T root_integral(const Quartic<T>& q, const T& begin, const T& end) {
     for (std::size_t i = 0; i < N / 2; ++i) {
       const auto z = first + widths * pair_of(rule.node[2 * i], rule.node[2 * i + 1]);
       const auto weight = pair_of(rule.weight[2 * i], rule.weight[2 * i + 1]);
-      terms[i] = weight * sqrt(q0 + z * (q1 + z * (q2 + z * (q3 + z * q4))));
+      terms[i] = weight * square_root(q0 + z * (q1 + z * (q2 + z * (q3 + z * q4))));
     }
     const auto sum = sum_in_pairs(terms);
     return (one_of(sum, 0) + one_of(sum, 1)) * width;
@@ -195,7 +194,7 @@ T root_integral(const Quartic<T>& q, const T& begin, const T& end) {
     std::array<T, N> terms;
     for (std::size_t i = 0; i < N; ++i) {
       const T z = begin + width * rule.node[i];
-      terms[i] = rule.weight[i] * sqrt(T(q0 + z * (q1 + z * (q2 + z * (q3 + z * q4)))));
+      terms[i] = rule.weight[i] * square_root(T(q0 + z * (q1 + z * (q2 + z * (q3 + z * q4)))));
     }
     return sum_in_pairs(terms) * width;
   }

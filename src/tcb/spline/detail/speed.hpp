@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tcb/spline/double_pair.hpp"
+#include "tcb/spline/scalar.hpp"
 #include "tcb/spline/segment.hpp"
 
 namespace tcb::spline {
@@ -73,16 +74,14 @@ class Speed {
   }
 
   S operator()(std::size_t half, const S& v) const {
-    using std::sqrt;
     S sum(0);
     for (const auto& x : channels_[half]) sum += x(v) * x(v);
-    return sqrt(sum);
+    return square_root(sum);
   }
 
   /// The speeds at N places.
   template <std::size_t N>
   std::array<S, N> operator()(std::size_t half, const std::array<S, N>& v) const {
-    using std::sqrt;
     std::array<S, N> sums{};
     for (const auto& [k0, k1, k2] : channels_[half]) {
       for (std::size_t i = 0; i < N; ++i) {
@@ -90,7 +89,7 @@ class Speed {
         sums[i] += slope * slope;
       }
     }
-    for (S& sum : sums) sum = sqrt(sum);
+    for (S& sum : sums) sum = square_root(sum);
     return sums;
   }
 
@@ -186,14 +185,13 @@ S slowest_place(const Speed<S>& speed, std::size_t half, S low, S high) {
 /// The places in (begin, end) at which the speed has a minimum: at most two, in order.
 template <class S>
 std::vector<S> slowest_places(const Speed<S>& speed, std::size_t half, const S& begin, const S& end) {
-  using std::sqrt;
   // growth() is monotone between the zeros of its derivative, which is a quadratic.
   const auto [g0, g1, g2, g3] = speed.growth_coefficients(half);
   std::vector<S> fence{begin};
   const S p = g2 / S(3);
   const S discriminant = p * p - g1 * g3 / S(3);
   if (g3 != S(0) && discriminant > S(0)) {
-    const S root = sqrt(discriminant);
+    const S root = square_root(discriminant);
     for (const S& v : {(-p - root) / g3, (root - p) / g3}) {
       if (v > begin && v < end) fence.push_back(v);
     }

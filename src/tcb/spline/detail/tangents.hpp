@@ -217,14 +217,13 @@ class Tangents {
 
   /// The length of a tangent over the metric channels, in the given unit, which is 0 for a length of 0.
   W size(std::span<const W> tangent, const S& unit) const {
-    using std::sqrt;
     if (unit == S(0)) return W(0);
     W sum(0);
     for (std::size_t i = 0; i < metric_size(); ++i) {
       const W component = tangent[metric(i)] / W(unit);
       sum = sum + component * component;
     }
-    return sqrt(sum);
+    return square_root(sum);
   }
 
   const Keys<S>& keys_;
